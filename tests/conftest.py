@@ -1,0 +1,130 @@
+"""Loads the repository root, whatever its folder is called, as the package `semref`."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+REAL_DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
+
+# `python -m pytest` puts the root on the path, where our processing/ would come before QGIS's.
+sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != ROOT]
+
+
+def load_plugin_package() -> None:
+    spec = importlib.util.spec_from_file_location(
+        "semref", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
+    )
+    package = importlib.util.module_from_spec(spec)
+    sys.modules["semref"] = package
+    spec.loader.exec_module(package)
+
+
+load_plugin_package()
+
+
+@pytest.fixture(scope="session")
+def repository() -> Path:
+    """The repository root."""
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def real_data():
+    """`real_data("osm_belgrade/landuse.shp")` gives that file of the real data, or skips and says so."""
+
+    def path(name: str) -> Path:
+        file = REAL_DATA / name
+        if not file.exists():
+            pytest.skip(f"real data not here: {file}")
+        return file
+
+    return path
+
+
+@pytest.fixture(scope="session")
+def start_qgis(tmp_path_factory):
+    """`start_qgis(window=False)` starts QGIS with Processing and our provider in a fresh profile, once a session."""
+    # Imported here: tests/core runs on machines without QGIS.
+    started = []
+
+    def start(window: bool):
+        home = tmp_path_factory.mktemp("qgis")
+        for variable in ("QGIS_CUSTOM_CONFIG_PATH", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
+            os.environ[variable] = str(home / variable.lower())
+        from qgis.core import QgsApplication
+        from qgis.PyQt.QtCore import QCoreApplication
+
+        application = QgsApplication([], window)
+        QCoreApplication.setOrganizationName("SemRef tests")
+        application.initQgis()
+        sys.path.append(os.path.join(QgsApplication.pkgDataPath(), "python", "plugins"))
+        from processing.core.Processing import Processing
+
+        Processing.initialize()
+        register_provider()
+        started.append(application)
+        return application
+
+    yield start
+    for application in started:
+        application.exitQgis()
+
+
+def register_provider() -> None:
+    from qgis.core import QgsApplication
+    from semref.processing.provider import SemRefProvider
+
+    if not QgsApplication.processingRegistry().addProvider(SemRefProvider()):
+        pytest.fail("QGIS does not take the provider semref.")
+
+
+@pytest.fixture
+def without_provider(qgis_app):
+    """QGIS without our provider, for tests that load the plugin; registered again afterwards."""
+    from qgis.core import QgsApplication
+
+    registry = QgsApplication.processingRegistry()
+    registry.removeProvider("semref")
+    yield registry
+    # QGIS crashes when one id is registered twice.
+    if registry.providerById("semref") is None:
+        register_provider()
+
+
+@pytest.fixture(scope="session")
+def run_algorithm(qgis_app):
+    """`run_algorithm("semref:…", parameters, feedback=None)` gives the algorithm's results as a dict."""
+
+    def run(algorithm_id: str, parameters: dict, feedback=None) -> dict:
+        import processing
+
+        return processing.run(algorithm_id, parameters, feedback=feedback)
+
+    return run
+
+
+@pytest.fixture
+def feedback():
+    """A feedback that remembers: `feedback.textLog()` has everything that was said."""
+    from qgis.core import QgsProcessingFeedback
+
+    return QgsProcessingFeedback(False)
+
+
+def pytest_report_header() -> list[str]:
+    lines = [f"real data: {REAL_DATA if REAL_DATA.is_dir() else 'not here, its tests skip'}"]
+    if not os.environ.get("SEMREF_BLOCK_QGIS"):
+        try:
+            from osgeo import gdal
+            from qgis.core import Qgis
+        except ImportError:
+            lines.append("QGIS: not here")
+        else:
+            lines.append(f"QGIS {Qgis.QGIS_VERSION}, GDAL {gdal.__version__}")
+    return lines

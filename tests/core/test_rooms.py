@@ -1,0 +1,124 @@
+"""The import rules of the rooms, and what the plugin repository refuses, read from the source."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+ROOMS = ("core", "processing", "ui")
+QT = {"PyQt5", "PyQt6", "PySide2", "PySide6"}
+NEVER_SHIPPED = {"pickle", "random", "subprocess", "marshal", "shelve"} | QT
+CORE_MAY_IMPORT = set(sys.stdlib_module_names) | {"numpy", "cv2", "shapely", "onnxruntime", "core"}
+MATHEMATICS = {"cv2", "shapely", "onnxruntime"}
+
+
+def source_files(room: str) -> list[Path]:
+    return sorted(path for path in (ROOT / room).rglob("*.py") if "__pycache__" not in path.parts)
+
+
+def shipped_files() -> list[Path]:
+    return sorted(ROOT.glob("*.py")) + [path for room in ROOMS for path in source_files(room)]
+
+
+def imported_modules(path: Path) -> set[str]:
+    """Full names of all modules and names that a file imports; ours begin with the room's name."""
+    package = path.relative_to(ROOT).parent.parts
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            names.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = list(package[: len(package) - node.level + 1]) if node.level else []
+            base += node.module.split(".") if node.module else []
+            names.update(".".join([*base, alias.name]) for alias in node.names)
+    return {name.removeprefix("semref.") for name in names}
+
+
+def imports_of(path: Path, *modules: str) -> set[str]:
+    """Those imports of a file that are one of `modules` or lie in it."""
+    return {name for name in imported_modules(path) if any(f"{name}.".startswith(f"{module}.") for module in modules)}
+
+
+def named(path: Path) -> str:
+    return path.relative_to(ROOT).as_posix()
+
+
+each_core_file = pytest.mark.parametrize("path", source_files("core"), ids=named)
+each_processing_file = pytest.mark.parametrize("path", source_files("processing"), ids=named)
+each_ui_file = pytest.mark.parametrize("path", source_files("ui"), ids=named)
+each_shipped_file = pytest.mark.parametrize("path", shipped_files(), ids=named)
+
+
+@each_core_file
+def test_core_imports_only_numpy_opencv_shapely_and_itself(path):
+    assert {name for name in imported_modules(path) if name.partition(".")[0] not in CORE_MAY_IMPORT} == set()
+
+
+def test_at_most_one_file_of_core_imports_onnxruntime():
+    assert len([path for path in source_files("core") if imports_of(path, "onnxruntime")]) <= 1
+
+
+@each_processing_file
+def test_processing_imports_neither_windows_nor_the_ui(path):
+    assert imports_of(path, "qgis.gui", "qgis.PyQt.QtWidgets", "ui", "plugin") == set()
+
+
+@each_processing_file
+def test_mathematics_is_left_to_core(path):
+    assert imports_of(path, *MATHEMATICS) == set()
+
+
+@each_processing_file
+def test_only_exchange_reads_and_writes_files_with_gdal_and_sqlite(path):
+    if "exchange" not in named(path):
+        assert imports_of(path, "osgeo", "sqlite3") == set()
+
+
+@each_ui_file
+def test_ui_leaves_files_and_mathematics_to_the_algorithms(path):
+    assert imports_of(path, "osgeo", "sqlite3", "plugin", *MATHEMATICS) == set()
+
+
+@each_shipped_file
+def test_shipped_code_imports_nothing_that_the_plugin_repository_refuses(path):
+    assert imports_of(path, *NEVER_SHIPPED) == set()
+
+
+@each_shipped_file
+def test_shipped_code_has_no_assert(path):
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    assert [node.lineno for node in ast.walk(tree) if isinstance(node, ast.Assert)] == []
+
+
+@each_shipped_file
+def test_shipped_code_swallows_no_exception(path):
+    handlers = [
+        node
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.ExceptHandler)
+    ]
+    silent = [node.lineno for node in handlers if all(isinstance(part, (ast.Pass, ast.Continue)) for part in node.body)]
+    bare = [node.lineno for node in handlers if node.type is None]
+    assert silent + bare == []
+
+
+def test_core_can_be_imported_whole_without_qgis():
+    """In a process of its own, so that modules that another test has loaded do not hide an import."""
+    modules = [
+        ".".join(path.relative_to(ROOT).with_suffix("").parts)
+        for path in source_files("core")
+        if path.name not in ("__init__.py", "__main__.py")
+    ]
+    program = (
+        "import importlib, sys\n"
+        f"for name in {modules!r}:\n"
+        "    importlib.import_module(name)\n"
+        "sys.exit(' '.join({'qgis', 'osgeo', 'PyQt5', 'PyQt6'} & set(sys.modules)))\n"
+    )
+    result = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (result.returncode, result.stderr.strip()) == (0, "")

@@ -1,0 +1,106 @@
+"""QGIS with real windows; tools/pytest_suites.sh runs these tests in a virtual display."""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+
+
+@pytest.fixture(scope="session")
+def display():
+    name = os.environ.get("DISPLAY")
+    if not name:
+        pytest.skip("no display: run under xvfb-run")
+    return name
+
+
+@pytest.fixture(scope="session")
+def qgis_app(start_qgis, display):
+    os.environ.pop("QT_QPA_PLATFORM", None)
+    return start_qgis(window=True)
+
+
+@pytest.fixture
+def iface(qgis_app):
+    """What a plugin uses of QGIS's window; remembers what was added, so that a test sees what is left."""
+    stand_in = make_interface()
+    stand_in.window.show()
+    yield stand_in
+    stand_in.window.close()
+    stand_in.window.deleteLater()
+
+
+def make_interface():
+    # Imported here: without a display these tests skip instead of failing.
+    from qgis.gui import QgsMapCanvas, QgsMessageBar
+    from qgis.PyQt.QtWidgets import QMainWindow, QVBoxLayout, QWidget
+
+    class InterfaceStandIn:
+        def __init__(self):
+            self.window = QMainWindow()
+            self.window.resize(1200, 800)
+            self.canvas = QgsMapCanvas()
+            self.bar = QgsMessageBar()
+            central = QWidget()
+            layout = QVBoxLayout(central)
+            layout.addWidget(self.bar)
+            layout.addWidget(self.canvas)
+            self.window.setCentralWidget(central)
+            self.tool_bar = self.window.addToolBar("Plugins")
+            self.plugin_menu = self.window.menuBar().addMenu("Plugins")
+            self.docks = []
+            self.tool_bar_actions = []
+            self.menu_actions = []
+            self.options_factories = []
+
+        def mainWindow(self):
+            return self.window
+
+        def mapCanvas(self):
+            return self.canvas
+
+        def messageBar(self):
+            return self.bar
+
+        def pluginMenu(self):
+            return self.plugin_menu
+
+        def pluginToolBar(self):
+            return self.tool_bar
+
+        def addDockWidget(self, area, dock):
+            self.docks.append(dock)
+            self.window.addDockWidget(area, dock)
+
+        def removeDockWidget(self, dock):
+            self.docks.remove(dock)
+            self.window.removeDockWidget(dock)
+
+        def addToolBarIcon(self, action):
+            self.tool_bar_actions.append(action)
+            self.tool_bar.addAction(action)
+
+        def removeToolBarIcon(self, action):
+            self.tool_bar_actions.remove(action)
+            self.tool_bar.removeAction(action)
+
+        def addPluginToMenu(self, menu, action):
+            self.menu_actions.append(action)
+            self.plugin_menu.addAction(action)
+
+        def removePluginMenu(self, menu, action):
+            self.menu_actions.remove(action)
+            self.plugin_menu.removeAction(action)
+
+        def registerOptionsWidgetFactory(self, factory):
+            self.options_factories.append(factory)
+
+        def unregisterOptionsWidgetFactory(self, factory):
+            self.options_factories.remove(factory)
+
+        def leftovers(self) -> list:
+            """What a plugin added and did not take away."""
+            return self.docks + self.tool_bar_actions + self.menu_actions + self.options_factories
+
+    return InterfaceStandIn()

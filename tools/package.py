@@ -1,0 +1,95 @@
+"""Makes dist/semref-VERSION.zip, the file that users install: python tools/package.py [--output FILE]."""
+
+from __future__ import annotations
+
+import argparse
+import configparser
+import shutil
+import subprocess
+import sys
+import tempfile
+import zipfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+SHIPPED_FILES = ("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "__init__.py", "plugin.py")
+SHIPPED_FOLDERS = ("core", "processing", "ui", "resources", "models")
+MAXIMUM_BYTES = 25 * 1024 * 1024  # limit of plugins.qgis.org
+TIMESTAMP = (1980, 1, 1, 0, 0, 0)  # the zip format's first day: same content, same zip
+LRELEASE_NAMES = ("lrelease", "lrelease-qt5", "/usr/lib/qt5/bin/lrelease", "/usr/lib/qt6/bin/lrelease")
+
+
+def plugin_version(root: Path = ROOT) -> str:
+    metadata = configparser.ConfigParser(interpolation=None)
+    metadata.read(root / "metadata.txt", encoding="utf-8")
+    return metadata["general"]["version"]
+
+
+def shipped_paths(root: Path = ROOT) -> list[Path]:
+    """Paths relative to `root` that go into the zip as they are, sorted."""
+    paths = [Path(name) for name in SHIPPED_FILES if (root / name).is_file()]
+    for folder in SHIPPED_FOLDERS:
+        paths += [path.relative_to(root) for path in (root / folder).rglob("*") if path.is_file()]
+    return sorted(path for path in paths if not is_leftover(path))
+
+
+def is_leftover(path: Path) -> bool:
+    return path.suffix == ".pyc" or any(part.startswith(".") or part == "__pycache__" for part in path.parts)
+
+
+def compiled_translations(root: Path = ROOT) -> dict[Path, bytes]:
+    """The .qm of every i18n/*.ts; none where Qt's lrelease is not installed, which is said."""
+    sources = sorted((root / "i18n").glob("*.ts"))
+    if not sources:
+        return {}
+    lrelease = next(filter(None, map(shutil.which, LRELEASE_NAMES)), None)
+    if lrelease is None:
+        print("Translations are left out: lrelease (Debian: qttools5-dev-tools) is not installed.", file=sys.stderr)
+        return {}
+    translations = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for source in sources:
+            target = Path(folder) / f"{source.stem}.qm"
+            subprocess.run([lrelease, "-silent", str(source), "-qm", str(target)], check=True)
+            translations[Path("i18n") / target.name] = target.read_bytes()
+    return translations
+
+
+def read_text_file(path: Path) -> bytes:
+    """Content of a shipped file, which must be text: the plugin repository refuses binaries."""
+    content = path.read_bytes()
+    try:
+        content.decode("utf-8")
+    except UnicodeDecodeError:
+        sys.exit(f"{path} is not UTF-8 text, and the plugin repository refuses binaries; move it out of the plugin.")
+    if b"\0" in content:
+        sys.exit(f"{path} is binary, which the plugin repository refuses; move it out of the plugin.")
+    return content
+
+
+def write_package(target: Path, root: Path = ROOT) -> None:
+    contents = {path: read_text_file(root / path) for path in shipped_paths(root)}
+    contents.update(compiled_translations(root))
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as package:
+        for path in sorted(contents):
+            entry = zipfile.ZipInfo(f"semref/{path.as_posix()}", TIMESTAMP)
+            entry.external_attr = 0o100644 << 16
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            package.writestr(entry, contents[path])
+    if target.stat().st_size > MAXIMUM_BYTES:
+        size = target.stat().st_size / 1024**2
+        target.unlink()
+        sys.exit(f"The zip has {size:.1f} MB, and the plugin repository takes at most 25 MB.")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--output", type=Path, default=ROOT / "dist" / f"semref-{plugin_version()}.zip")
+    target = parser.parse_args().output
+    write_package(target)
+    print(f"{target} ({target.stat().st_size / 1024:.0f} kB)")
+
+
+if __name__ == "__main__":
+    main()
