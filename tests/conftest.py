@@ -76,11 +76,16 @@ def start_qgis(tmp_path_factory):
         application.exitQgis()
 
 
+providers = []
+
+
 def register_provider() -> None:
     from qgis.core import QgsApplication
     from semref.processing.provider import SemRefProvider
 
-    if not QgsApplication.processingRegistry().addProvider(SemRefProvider()):
+    # The registry owns the C++ half only: without a reference the Python half, with its algorithms, is collected.
+    providers[:] = [SemRefProvider()]
+    if not QgsApplication.processingRegistry().addProvider(providers[0]):
         pytest.fail("QGIS does not take the provider semref.")
 
 
@@ -91,6 +96,7 @@ def without_provider(qgis_app):
 
     registry = QgsApplication.processingRegistry()
     registry.removeProvider("semref")
+    providers.clear()
     yield registry
     # QGIS crashes when one id is registered twice.
     if registry.providerById("semref") is None:

@@ -104,12 +104,13 @@ prepare_root
 
 work=$(mktemp -d "$root/tmp/semref.XXXXXX")
 trap 'rm -rf --one-file-system "$work"' EXIT
-mkdir -p "$work/semref" "$work/home" "$work/tmp" "$work/shared/data"
-git -C "$repository" ls-files -z --cached --others --exclude-standard |
+mkdir -p "$work/semref" "$work/home" "$work/tmp"
+git -c safe.directory="$repository" -C "$repository" ls-files -z --cached --others --exclude-standard |
     tar -C "$repository" --create --null --files-from=- --ignore-failed-read 2>/dev/null |
     tar -C "$work/semref" --extract --no-same-owner
 if [ -d "$data" ]; then
     bind_data=$work/shared/data
+    mkdir -p "$bind_data"
 fi
 
 inside=${work#"$root"}

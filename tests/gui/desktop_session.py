@@ -1,0 +1,86 @@
+"""Runs inside desktop QGIS (--code): loads and unloads the plugin, and writes what it saw as JSON."""
+
+import json
+import os
+import traceback
+from collections import Counter
+
+import qgis.utils
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QCoreApplication, QEvent, QTimer
+from qgis.PyQt.QtWidgets import QDockWidget, QToolBar
+
+ROUNDS = 5
+PLUGIN = "semref"
+messages = []
+
+
+def settle() -> None:
+    """Let deleteLater and queued signals happen."""
+    for _ in range(5):
+        QCoreApplication.processEvents()
+        QCoreApplication.sendPostedEvents(None, int(QEvent.Type.DeferredDelete))
+
+
+def window_parts() -> Counter:
+    """What a user can reach in QGIS's window, counted."""
+    window = qgis.utils.iface.mainWindow()
+    parts = Counter(f"dock {dock.objectName()}" for dock in window.findChildren(QDockWidget))
+    for bar in window.findChildren(QToolBar):
+        parts.update(f"tool bar {bar.objectName()}: {action.text()}" for action in bar.actions())
+    parts.update(menu_entries(window.menuBar()))
+    parts["items on the canvas"] = len(qgis.utils.iface.mapCanvas().scene().items())
+    return parts
+
+
+def menu_entries(menu, path: str = "menu"):
+    for action in menu.actions():
+        entry = f"{path}/{action.text()}"
+        yield entry
+        if action.menu():
+            yield from menu_entries(action.menu(), entry)
+
+
+def provider():
+    return QgsApplication.processingRegistry().providerById(PLUGIN)
+
+
+def one_round() -> dict:
+    before = window_parts()
+    loaded = qgis.utils.loadPlugin(PLUGIN) and qgis.utils.startPlugin(PLUGIN)
+    settle()
+    algorithms = [algorithm.id() for algorithm in provider().algorithms()] if provider() else []
+    added = sorted((window_parts() - before).elements())
+    unloaded = qgis.utils.unloadPlugin(PLUGIN)
+    settle()
+    left = sorted((window_parts() - before).elements())
+    if provider():
+        left.append("provider")
+    return {"loaded": loaded, "unloaded": unloaded, "algorithms": algorithms, "added": added, "left": left}
+
+
+def session() -> dict:
+    qgis.utils.updateAvailablePlugins()
+    rounds = [one_round() for _ in range(ROUNDS)]
+    # The plugin stays loaded while QGIS quits, as it does for a user.
+    stays = qgis.utils.loadPlugin(PLUGIN) and qgis.utils.startPlugin(PLUGIN)
+    settle()
+    return {"rounds": rounds, "stays": stays}
+
+
+def run() -> None:
+    try:
+        result = session()
+    except Exception:
+        result = {"error": traceback.format_exc()}
+    result["messages"] = messages
+    with open(os.environ["SEMREF_DESKTOP_RESULT"], "w", encoding="utf-8") as file:
+        json.dump(result, file, indent=1)
+    qgis.utils.iface.actionExit().trigger()
+
+
+QgsApplication.messageLog().messageReceived[str, str, "Qgis::MessageLevel"].connect(
+    lambda text, tag, level: messages.append({"text": text, "tag": tag, "level": int(level)})
+)
+# The window is complete only when its event loop runs.
+QTimer.singleShot(2000, run)
