@@ -1,0 +1,142 @@
+"""Label map → reference objects: one function for maps, windows and query images (DESIGN §2.1)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Iterable, Sequence
+
+import cv2
+import numpy as np
+
+CENTER_OF_FIRST_PIXEL = 0.5
+"""OpenCV counts from the centre of the first pixel, SemRef from its corner; added here and nowhere else."""
+
+_NO_PARENT = -1
+_PARENT = 3
+
+
+@dataclass(frozen=True)
+class ReferenceObjects:
+    """Reference objects of one image or map, ordered by class, then from top to bottom.
+
+    centers_xy: (N, 2) float64 centres of gravity, pixel coordinates (column, row)
+    classes: (N,) uint8 class values
+    areas_px: (N,) float64 contour areas in pixels (``cv2.contourArea``, holes filled)
+    bounds: (N, 4) int64 first column, first row, last column + 1, last row + 1
+    touches_edge: (N,) bool, whether the object reaches the border of the image, so may go on outside it
+    """
+
+    centers_xy: np.ndarray
+    classes: np.ndarray
+    areas_px: np.ndarray
+    bounds: np.ndarray
+    touches_edge: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.classes)
+
+    def select(self, index: np.ndarray) -> "ReferenceObjects":
+        """The objects picked by a boolean mask or an index array, in that order."""
+        return ReferenceObjects(
+            self.centers_xy[index], self.classes[index], self.areas_px[index], self.bounds[index], self.touches_edge[index]
+        )
+
+
+def extract_reference_objects(
+    labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float
+) -> ReferenceObjects:
+    """Every connected region of the reference classes whose contour area is at least ``minimum_area_px``.
+
+    ``labels_hw``: (H, W) uint8. Per class: mask → outer boundary of every 8-connected region (``RETR_CCOMP``, those
+    without a parent) → ``cv2.contourArea`` → ``cv2.moments`` → centre of gravity (paper §2.2.2 (2)). Regions
+    without area (single pixels, lines) have no centre of gravity and are never reference objects.
+    """
+    rows = [region_rows(class_mask(labels_hw, value), value, minimum_area_px) for value in sorted(class_values)]
+    return objects_from_rows(np.concatenate([NO_ROWS, *rows]), labels_hw.shape)
+
+
+def class_mask(labels_hw: np.ndarray, value: int) -> np.ndarray:
+    """(H, W) uint8 mask, 255 where the label is ``value``."""
+    return cv2.compare(labels_hw, float(value), cv2.CMP_EQ)
+
+
+def minimum_area_px(minimum_area_m2: float, pixel_size_m: float) -> float:
+    """The area threshold in pixels."""
+    return minimum_area_m2 / pixel_size_m**2
+
+
+# While they are being collected, regions are rows of one float array; these are its columns.
+CLASS, CENTER_X, CENTER_Y, AREA, LEFT, TOP, RIGHT, BOTTOM = range(8)
+NO_ROWS = np.empty((0, 8), np.float64)
+
+
+def outer_contours(mask: np.ndarray) -> list:
+    """The outer boundary of every 8-connected region of ``mask`` (H, W) uint8, as OpenCV contours."""
+    contours, hierarchy = cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
+    if not contours:
+        return []
+    parents = hierarchy[0, :, _PARENT].tolist()
+    return [contour for contour, parent in zip(contours, parents) if parent == _NO_PARENT]
+
+
+def region_rows(mask: np.ndarray, value: int, minimum_area: float) -> np.ndarray:
+    """(N, 8) rows of the regions of ``mask`` that are large enough."""
+    rows = (contour_row(contour, value, minimum_area) for contour in outer_contours(mask))
+    return rows_array([row for row in rows if row is not None])
+
+
+def contour_row(contour: np.ndarray, value: int, minimum_area: float):
+    """One region's row from its outer contour, or None when it is too small."""
+    # A contour of one or two points has no area; most specks end here, cheaply.
+    if len(contour) < 3:
+        return None
+    area = cv2.contourArea(contour)
+    if area < minimum_area or area <= 0:
+        return None
+    moments = cv2.moments(contour)
+    left, top, width, height = cv2.boundingRect(contour)
+    return (
+        value,
+        moments["m10"] / moments["m00"] + CENTER_OF_FIRST_PIXEL,
+        moments["m01"] / moments["m00"] + CENTER_OF_FIRST_PIXEL,
+        area,
+        left,
+        top,
+        left + width,
+        top + height,
+    )
+
+
+def rows_array(rows: list) -> np.ndarray:
+    """Row tuples → (N, 8) float64."""
+    return np.array(rows, np.float64).reshape(-1, NO_ROWS.shape[1])
+
+
+def shift_rows(rows: np.ndarray, column: int, row: int) -> np.ndarray:
+    """Rows of a piece of a larger image, in the larger image's coordinates."""
+    rows[:, (CENTER_X, LEFT, RIGHT)] += column
+    rows[:, (CENTER_Y, TOP, BOTTOM)] += row
+    return rows
+
+
+def shift_row(row: tuple, column: int, row_offset: int) -> tuple:
+    """``shift_rows`` for one row tuple."""
+    value, x, y, area, left, top, right, bottom = row
+    return value, x + column, y + row_offset, area, left + column, top + row_offset, right + column, bottom + row_offset
+
+
+def objects_from_rows(rows: np.ndarray, shape_hw: Iterable[int]) -> ReferenceObjects:
+    """Region rows → ReferenceObjects in THE order; ``shape_hw`` is the whole image's (height, width)."""
+    height, width = shape_hw
+    rows = rows[np.lexsort((rows[:, CENTER_X], rows[:, LEFT], rows[:, TOP], rows[:, CLASS]))]
+    bounds = rows[:, LEFT : BOTTOM + 1].astype(np.int64)
+    touches = (bounds[:, 0] <= 0) | (bounds[:, 1] <= 0) | (bounds[:, 2] >= width) | (bounds[:, 3] >= height)
+    centers = rows[:, CENTER_X : CENTER_Y + 1].copy()
+    return ReferenceObjects(centers, rows[:, CLASS].astype(np.uint8), rows[:, AREA].copy(), bounds, touches)
+
+
+def rows_from_objects(objects: ReferenceObjects) -> np.ndarray:
+    """The inverse of ``objects_from_rows``: (N, 8) float64."""
+    return np.column_stack(
+        [objects.classes, objects.centers_xy, objects.areas_px, objects.bounds.reshape(-1, 4)]
+    ).astype(np.float64)

@@ -1,0 +1,83 @@
+"""THE topology vector: scale- and rotation-free description of an image by its landmarks (paper §2.2.1)."""
+
+from __future__ import annotations
+
+from typing import Optional, Sequence
+
+import numpy as np
+
+REFERENCES_PER_VECTOR = 10
+"""X of the paper (its Tables 1–3): reference objects that a vector holds at most."""
+
+MINIMUM_REFERENCES = 3
+"""Fewer reference objects than this give no vector: two points fix no shape."""
+
+
+def topology_vector(
+    centers_xy: np.ndarray,
+    classes: np.ndarray,
+    image_center_xy: Sequence[float],
+    reference_values: Sequence[int],
+    references_per_vector: int = REFERENCES_PER_VECTOR,
+) -> Optional[np.ndarray]:
+    """The vector of one image: (3·X,) float32 in [0, 1], or None with fewer than 3 reference objects.
+
+    ``centers_xy``: (N, 2) centres of gravity, y down; ``classes``: (N,) class values, each one of
+    ``reference_values`` (the reference classes in order of value). Equations (1)–(4) of the paper.
+    """
+    if len(classes) < MINIMUM_REFERENCES:
+        return None
+    offsets = np.asarray(centers_xy, np.float64)[None] - np.asarray(image_center_xy, np.float64)
+    ranks = class_ranks(classes, reference_values)[None]
+    return topology_vectors(offsets, ranks, references_per_vector)[0]
+
+
+def class_ranks(classes: np.ndarray, reference_values: Sequence[int]) -> np.ndarray:
+    """(N,) class values → (N,) float64 ranks: the place among the reference classes over their number."""
+    values = np.asarray(sorted(reference_values))
+    return (np.searchsorted(values, classes) + 1) / len(values)
+
+
+def topology_vectors(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: int) -> np.ndarray:
+    """The vectors of M images at once: (M, 3·X) float32, row after row.
+
+    ``offsets_xy``: (M, N, 2) float64 offsets of the reference objects from each image's centre, y down, padded
+    with infinity; ``ranks``: (M, N) as of ``class_ranks``. Every image must have at least one object.
+
+    Per image: keep the X nearest; order them by their angle from the +x axis in [0°, 360°); begin with the farthest;
+    then three rows, zero-padded at the end: distance ratios (eq. 2), angle differences to the next one, the last to
+    the first, over the largest (eqs. 3, 4), and ranks. Ties go by distance, then angle.
+    """
+    kept = min(references_per_vector, offsets_xy.shape[1])
+    distances = np.hypot(offsets_xy[..., 0], offsets_xy[..., 1])
+    with np.errstate(invalid="ignore"):
+        angles = np.degrees(np.arctan2(offsets_xy[..., 1], offsets_xy[..., 0])) % 360.0
+    # A tiny negative angle comes out of the modulo as 360 itself, which is 0.
+    angles[angles >= 360.0] = 0.0
+    angles[np.isinf(distances)] = np.inf
+
+    nearest = np.lexsort((angles, distances), axis=-1)[:, :kept]
+    distances, angles, ranks = (np.take_along_axis(a, nearest, axis=1) for a in (distances, angles, ranks))
+    by_angle = np.lexsort((distances, angles), axis=-1)
+    distances, angles, ranks = (np.take_along_axis(a, by_angle, axis=1) for a in (distances, angles, ranks))
+
+    present = np.isfinite(distances)
+    counts = present.sum(axis=1)
+    farthest = np.where(present, distances, -1.0).argmax(axis=1)
+    place = np.arange(kept)
+    turned = np.where(present, (farthest[:, None] + place) % counts[:, None], place)
+    distances, angles, ranks = (np.take_along_axis(a, turned, axis=1) for a in (distances, angles, ranks))
+
+    following = np.where(present, (place + 1) % counts[:, None], place)
+    with np.errstate(invalid="ignore"):
+        differences = (np.take_along_axis(angles, following, axis=1) - angles) % 360.0
+    vectors = np.zeros((len(offsets_xy), 3, references_per_vector), np.float32)
+    vectors[:, 0, :kept] = _over_largest(np.where(present, distances, 0.0))
+    vectors[:, 1, :kept] = _over_largest(np.where(present, differences, 0.0))
+    vectors[:, 2, :kept] = np.where(present, ranks, 0.0)
+    return vectors.reshape(len(vectors), 3 * references_per_vector)
+
+
+def _over_largest(values: np.ndarray) -> np.ndarray:
+    largest = values.max(axis=1, keepdims=True)
+    return values / np.where(largest > 0, largest, 1.0)
