@@ -1,0 +1,130 @@
+"""Views of the map as an aircraft would have them: on windows, turned, scaled, and off the grid.
+
+A view is cut from any raster of the landscape, labels (h, w) or photo (h, w, 3): always real ground, never padding.
+Pixel coordinates are (column, row), (0.5, 0.5) at the centre of the first pixel. Heading is in degrees clockwise from
+grid north, of the image's top: with 90 the top of the image lies in the east.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .classes import CLASSES
+
+WINDOW_PX, STRIDE_PX = 640, 160
+HEADINGS_DEG = tuple(range(0, 360, 30))  # Table 5 of Remote Sens. 2025, 17, 1671
+SCALES = (2.0, 1.8, 1.5, 1.2, 1.0, 0.8, 0.75, 0.65, 0.6, 0.5)  # its Table 4; how many times the view's radius
+ON_WINDOW_COUNT, OFF_GRID_COUNT = 8, 8
+COLOR_HEADINGS_DEG = (0, 60, 150, 240)
+COLOR_ON_WINDOW_COUNT, COLOR_OFF_GRID_COUNT = 3, 1
+OFF_GRID_SCALES = (0.8, 1.25)
+
+
+@dataclass(frozen=True)
+class View:
+    """One picture: where its centre is in map pixels, its heading, and map pixels per image pixel."""
+
+    name: str  # file name
+    kind: str
+    column: float
+    row: float
+    heading_deg: float = 0.0
+    scale: float = 1.0
+    window: str = ""  # the window it is centred on, if any
+    in_color: bool = False
+
+
+def cut(raster: np.ndarray, view: View, size_px: int = WINDOW_PX) -> np.ndarray:
+    """The view's picture, (size, size[, bands]), by nearest neighbour; raises ValueError when it leaves the map."""
+    offset = (np.arange(size_px) + 0.5 - size_px / 2) * view.scale
+    right, down = np.meshgrid(offset, offset)
+    turn = np.deg2rad(view.heading_deg)
+    c, s = np.cos(turn), np.sin(turn)
+    # rounding keeps 90° exact: without it cos(90°) ≈ 6e-17 could push a sample over a pixel's edge
+    columns = np.floor(np.round(view.column + c * right - s * down, 6)).astype(int)
+    rows = np.floor(np.round(view.row + s * right + c * down, 6)).astype(int)
+    if min(columns.min(), rows.min()) < 0 or columns.max() >= raster.shape[1] or rows.max() >= raster.shape[0]:
+        raise ValueError(f"The view {view.name} reaches beyond the map.")
+    return raster[rows, columns]
+
+
+def colored(labels_hw: np.ndarray) -> np.ndarray:
+    """RGB picture (h, w, 3) of a label map in the class colours; unlabelled is black."""
+    table = np.zeros((256, 3), np.uint8)
+    for entry in CLASSES:
+        table[entry.value] = entry.rgb
+    return table[labels_hw]
+
+
+def plan_views(shape_hw: tuple[int, int], seed: int) -> tuple[View, ...]:
+    """All pictures of the sample, in the order of truth.csv."""
+    height, width = shape_hw
+    reach = WINDOW_PX * max(SCALES) / 2
+    if min(height, width) < 2 * reach + STRIDE_PX:
+        raise ValueError(
+            f"A map of {width} × {height} pixels is too small for pictures of {WINDOW_PX} pixels "
+            f"at {max(SCALES):g} times the view; choose a smaller pixel size."
+        )
+    rng = np.random.default_rng([seed, 100])
+    chosen = _windows(rng, shape_hw, 0, max(ON_WINDOW_COUNT, COLOR_ON_WINDOW_COUNT))
+    turned = _nearest_window(0.55 * width, 0.5 * height, shape_hw, reach)
+    views = [_on(at, "on_window", f"on_window_{_text(at)}") for at in chosen]
+    views += [_on(turned, "rotated", f"rotated_{h:03d}_{_text(turned)}", heading_deg=h) for h in HEADINGS_DEG]
+    views += [_on(turned, "scaled", f"scaled_{s:.2f}_{_text(turned)}", scale=s) for s in SCALES]
+    views += _off_grid(rng, shape_hw, OFF_GRID_COUNT, "off_grid")
+    views += [
+        _on(at, "color_on_window", f"color_on_window_{_text(at)}", in_color=True)
+        for at in chosen[:COLOR_ON_WINDOW_COUNT]
+    ]
+    views += [
+        _on(turned, "color_rotated", f"color_rotated_{h:03d}_{_text(turned)}", heading_deg=h, in_color=True)
+        for h in COLOR_HEADINGS_DEG
+    ]
+    return tuple(views + _off_grid(rng, shape_hw, COLOR_OFF_GRID_COUNT, "color_off_grid", in_color=True))
+
+
+def _on(at: tuple[int, int], kind: str, stem: str, **settings) -> View:
+    half = WINDOW_PX / 2
+    return View(f"{stem}.png", kind, at[0] + half, at[1] + half, window=_text(at), **settings)
+
+
+def _off_grid(rng: np.random.Generator, shape_hw, count: int, kind: str, **settings) -> list[View]:
+    """Views at any place, heading and scale whose corners stay on the map."""
+    views = []
+    margin = WINDOW_PX / 2 * np.sqrt(2) * max(OFF_GRID_SCALES) + 2
+    for number in range(1, count + 1):
+        column, row = np.round(rng.uniform(margin, np.subtract(shape_hw[::-1], margin)), 2)
+        heading, scale = round(rng.uniform(0, 360), 1), round(rng.uniform(*OFF_GRID_SCALES), 3)
+        views.append(View(f"{kind}_{number:02d}.png", kind, float(column), float(row), heading, scale, **settings))
+    return views
+
+
+def _windows(rng: np.random.Generator, shape_hw, margin: float, count: int) -> list[tuple[int, int]]:
+    """First pixels (column, row) of different windows of the grid, in reading order."""
+    grid = _grid(shape_hw, margin)
+    picked = rng.choice(len(grid), count, replace=False)
+    return sorted((grid[i] for i in picked), key=lambda at: at[::-1])
+
+
+def _nearest_window(column: float, row: float, shape_hw, reach: float) -> tuple[int, int]:
+    """The window nearest to a pixel whose neighbourhood of `reach` pixels lies on the map."""
+    return min(
+        _grid(shape_hw, reach - WINDOW_PX / 2),
+        key=lambda at: np.hypot(at[0] + WINDOW_PX / 2 - column, at[1] + WINDOW_PX / 2 - row),
+    )
+
+
+def _grid(shape_hw, margin: float) -> list[tuple[int, int]]:
+    """First pixels of all windows with `margin` pixels of map around them, in reading order."""
+    height, width = shape_hw
+    columns, rows = (
+        [at for at in range(0, side - WINDOW_PX + 1, STRIDE_PX) if margin <= at <= side - WINDOW_PX - margin]
+        for side in (width, height)
+    )
+    return [(column, row) for row in rows for column in columns]
+
+
+def _text(at: tuple[int, int]) -> str:
+    return f"{at[0]}_{at[1]}"

@@ -1,0 +1,68 @@
+"""Free ground: where something can still be put without touching what is there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from shapely.geometry import Polygon, box
+from shapely.geometry.base import BaseGeometry
+from shapely.prepared import prep
+
+CELL_M = 100.0  # of the grid that finds neighbours; about two farmyards
+TRIES = 60
+
+
+class Ground:
+    """The map's rectangle with what is already taken; grows as things are placed."""
+
+    def __init__(self, size_xy: tuple[float, float], blocked: BaseGeometry, margin: float = 6.0):
+        self.size_xy = size_xy
+        self._inside = prep(box(margin, margin, size_xy[0] - margin, size_xy[1] - margin))
+        self._blocked = prep(blocked)
+        self._cells: dict[tuple[int, int], list[Polygon]] = {}
+
+    def is_free(self, shape: Polygon, clearance: float) -> bool:
+        """Whether the shape and a strip of `clearance` m around it lie inside the map and touch nothing placed."""
+        if not self._inside.contains(shape):
+            return False
+        wide = shape.buffer(clearance, 2) if clearance else shape
+        if self._blocked.intersects(wide):
+            return False
+        return not any(wide.intersects(other) for other in self._near(wide))
+
+    def add(self, shape: Polygon) -> None:
+        for cell in _cells(shape):
+            self._cells.setdefault(cell, []).append(shape)
+
+    def place(
+        self,
+        rng: np.random.Generator,
+        make: Callable,
+        clearance: float,
+        within: tuple[float, float, float, float] | None = None,
+        area: BaseGeometry | None = None,
+    ) -> list[Polygon]:
+        """Try random spots (in the rectangle `within`, on `area`) until all shapes of `make(spot_xy)` are free.
+
+        Returns what was placed; nothing when `TRIES` spots failed.
+        """
+        x0, y0, x1, y1 = within or (0.0, 0.0, *self.size_xy)
+        for _ in range(TRIES):
+            spot = rng.uniform((x0, y0), (x1, y1))
+            shapes = make(spot)
+            if area is not None and not all(area.contains(s) for s in shapes):
+                continue
+            if all(self.is_free(s, clearance) for s in shapes):
+                for shape in shapes:
+                    self.add(shape)
+                return shapes
+        return []
+
+    def _near(self, shape: BaseGeometry):
+        return (other for cell in _cells(shape) for other in self._cells.get(cell, ()))
+
+
+def _cells(shape: BaseGeometry):
+    x0, y0, x1, y1 = (int(v // CELL_M) for v in shape.bounds)
+    return [(x, y) for x in range(x0, x1 + 1) for y in range(y0, y1 + 1)]
