@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import importlib.util
 import os
 import sys
@@ -73,7 +74,18 @@ def start_qgis(tmp_path_factory):
 
     yield start
     for application in started:
-        application.exitQgis()
+        stop_qgis(application)
+
+
+def stop_qgis(application) -> None:
+    """QGIS's own order of quitting; it crashes when Python still holds what exitQgis deletes."""
+    from qgis.core import QgsApplication, QgsProject
+
+    QgsProject.instance().clear()
+    QgsApplication.processingRegistry().removeProvider("semref")
+    providers.clear()
+    gc.collect()
+    application.exitQgis()
 
 
 providers = []
