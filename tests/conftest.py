@@ -55,6 +55,8 @@ def start_qgis(tmp_path_factory):
     started = []
 
     def start(window: bool):
+        if started:
+            pytest.exit("tests/qgis and tests/gui each need a process of their own: use tools/test.sh.", 1)
         home = tmp_path_factory.mktemp("qgis")
         for variable in ("QGIS_CUSTOM_CONFIG_PATH", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
             os.environ[variable] = str(home / variable.lower())

@@ -39,7 +39,7 @@ install_packages() {
     mapfile -t missing < <(missing_packages)
     [ ${#missing[@]} -gt 0 ] || return 0
     echo "Installing Debian packages: ${missing[*]}"
-    as_root apt-get -qq update </dev/null || fail "apt-get update did not work; check the network and the package sources."
+    as_root apt-get -qq update </dev/null || fail "apt-get update did not work; check the network, the package sources and your rights."
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -y -o Dpkg::Use-Pty=0 \
         install --no-install-recommends "${missing[@]}" </dev/null >/dev/null ||
         fail "apt-get could not install ${missing[*]}; see its message above."

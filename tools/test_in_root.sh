@@ -71,6 +71,7 @@ install_packages() {
 
 make_root() {
     local building
+    rm -rf --one-file-system "$roots/.$name."* # what a killed run left
     building=$(mktemp -d "$roots/.$name.XXXXXX") || return 1
     trap 'rm -rf --one-file-system "$building"' RETURN
     chmod 755 "$building"
