@@ -95,6 +95,7 @@ providers = []
 
 def register_provider() -> None:
     from qgis.core import QgsApplication
+
     from semref.processing.provider import SemRefProvider
 
     # The registry owns the C++ half only: without a reference the Python half, with its algorithms, is collected.
