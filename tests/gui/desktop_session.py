@@ -79,6 +79,12 @@ def run() -> None:
     qgis.utils.iface.actionExit().trigger()
 
 
+def note_exception(kind, value, trace, text, *arguments, **options) -> None:
+    """In place of QGIS's dialog, which would wait for a click."""
+    messages.append({"text": "".join(traceback.format_exception(kind, value, trace)), "tag": text or "", "level": 2})
+
+
+qgis.utils.showException = note_exception
 QgsApplication.messageLog().messageReceived[str, str, "Qgis::MessageLevel"].connect(
     lambda text, tag, level: messages.append({"text": text, "tag": tag, "level": int(level)})
 )
