@@ -148,7 +148,8 @@ class _Seam:
             self._parents.append(len(self._parents))
             self._groups.append(
                 _Group(
-                    (int(left), int(top) + first, int(right), int(bottom) + first), (int(first_column), int(top) + first)
+                    (int(left), int(top) + first, int(right), int(bottom) + first),
+                    (int(first_column), int(top) + first),
                 )
             )
         top_runs = _runs(mask, contours, 0, base)

@@ -65,7 +65,9 @@ class LandCoverClass:
                 f"Class “{self.name}” has the role “{self.role}”; it must be “{REFERENCE}” or “{BACKGROUND}”."
             )
         if self.value == UNLABELED and self.role == REFERENCE:
-            raise ClassTableError(f"Class “{self.name}” has the value 0, which means unlabelled; it can't be a reference.")
+            raise ClassTableError(
+                f"Class “{self.name}” has the value 0, which means unlabelled; it can't be a reference."
+            )
         if (self.hsv_min is None) != (self.hsv_max is None):
             raise ClassTableError(f"Class “{self.name}” has only one of hsv_min and hsv_max; give both or none.")
 
@@ -127,9 +129,7 @@ class ClassTable:
             if found is None:
                 raise ClassTableError(f"There is no class “{text}”; the classes are {self.describe()}.")
             chosen.add(found.value)
-        return ClassTable(
-            tuple(replace(c, role=REFERENCE if c.value in chosen else BACKGROUND) for c in self.classes)
-        )
+        return ClassTable(tuple(replace(c, role=REFERENCE if c.value in chosen else BACKGROUND) for c in self.classes))
 
     def require_references(self) -> "ClassTable":
         """Itself, if it has a reference class; else raises ClassTableError."""
@@ -208,7 +208,9 @@ def split_list(text: Optional[str]) -> List[str]:
 
 
 def _class_from_row(row: Dict[str, Optional[str]], where: str) -> LandCoverClass:
-    cell = {key: (value or "").strip() for key, value in row.items() if isinstance(key, str) and not isinstance(value, list)}
+    cell = {
+        key: (value or "").strip() for key, value in row.items() if isinstance(key, str) and not isinstance(value, list)
+    }
     try:
         value = int(cell["value"])
     except ValueError:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any, Dict, Optional
+from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
@@ -73,7 +73,6 @@ class BuildParameters:
     class_table_hash: str
     plugin_version: str
     format_version: int = FORMAT_VERSION
-    other: Dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if self.format_version > FORMAT_VERSION:

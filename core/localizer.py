@@ -80,41 +80,46 @@ class Localizer:
     """Localises label images in one database. Raises DatabaseError when no window can be matched."""
 
     def __init__(self, database: ReferenceDatabase) -> None:
-        windows = database.windows
         self._database = database
-        self._matchable = np.flatnonzero(windows.described)
-        if not len(self._matchable):
+        windows = database.windows
+        if not windows.described.any():
             raise DatabaseError(
                 f"No window of the database has the {MINIMUM_REFERENCES} reference objects a topology vector needs; "
                 "build it with larger windows, a smaller minimum area or more reference classes."
             )
-        self._vectors = windows.vectors[self._matchable]
+        self._levels = []
+        for size in np.unique(windows.sizes):
+            index = np.flatnonzero(windows.described & (windows.sizes == size))
+            self._levels.append((float(size), index, windows.vectors[index]))
 
     def localize_by_topology_vector(self, labels_hw: np.ndarray) -> Localization:
         """The published method, exactly: nearest topology vector, accepted up to distance T (DESIGN §2).
 
         ``labels_hw``: (H, W) uint8 labels of the database's class table. The position is the matched window's centre;
-        heading and pixel size are not part of the method.
+        heading and pixel size are not part of the method. With several levels the image is described once for
+        each window size, because the smallest object is the same fraction of the window's area.
         """
-        parameters = self._database.parameters
-        described = describe_image(
-            labels_hw,
-            self._database.class_table.reference_values,
-            parameters.minimum_area / parameters.window_size**2,
-            parameters.references_per_vector,
-        )
-        count = len(described.objects)
-        if described.vector is None:
+        count, best = 0, None
+        for size, index, vectors in self._levels:
+            described = self.describe(labels_hw, size)
+            count = max(count, len(described.objects))
+            if described.vector is None or not len(index):
+                continue
+            distances = vector_distances(described.vector, vectors)
+            nearest = int(distances.argmin())
+            if best is None or distances[nearest] < best[0]:
+                best = float(distances[nearest]), int(index[nearest]), len(described.objects)
+        if best is None:
             missing = MINIMUM_REFERENCES - count
-            reason = f"The image shows {count} reference objects; at least {missing} more {'is' if missing == 1 else 'are'} needed."
+            reason = (
+                f"The image shows {count} reference object{'' if count == 1 else 's'}; "
+                f"at least {missing} more {'is' if missing == 1 else 'are'} needed."
+            )
             return Localization(TOO_FEW_REFERENCES, TOPOLOGY_VECTOR, count, reason)
-        distances = vector_distances(described.vector, self._vectors)
-        nearest = int(distances.argmin())
-        distance = float(distances[nearest])
+        distance, index, count = best
         if distance > DISTANCE_THRESHOLD:
             reason = f"The nearest window has distance {distance:.3f}, more than {DISTANCE_THRESHOLD:g}."
             return Localization(NO_MATCH, TOPOLOGY_VECTOR, count, reason, distance=distance)
-        index = int(self._matchable[nearest])
         windows = self._database.windows
         return Localization(
             FIX,
@@ -125,4 +130,14 @@ class Localizer:
             distance=distance,
             window=str(windows.names[index]),
             window_index=index,
+        )
+
+    def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:
+        """The image as windows of ``window_size`` (map units) of this database are described."""
+        parameters = self._database.parameters
+        return describe_image(
+            labels_hw,
+            self._database.class_table.reference_values,
+            parameters.minimum_area / window_size**2,
+            parameters.references_per_vector,
         )

@@ -17,13 +17,17 @@ def most_frequent_labels(labels_hw: np.ndarray, factor: int = OVERVIEW_FACTOR) -
     height, width = labels_hw.shape
     padded = cv2.copyMakeBorder(labels_hw, 0, -height % factor, 0, -width % factor, cv2.BORDER_REPLICATE)
     size = padded.shape[1] // factor, padded.shape[0] // factor
-    best = np.zeros(size[::-1], np.float32)
+    # The mean of f² where the label is right and 0 elsewhere is the count, exactly, as long as f² fits into 8 bits.
+    weight = factor**2 if factor**2 <= 255 else 1
+    kind = np.uint8 if factor**2 <= 255 else np.float32
+    best = np.zeros(size[::-1], kind)
     reduced = np.zeros(size[::-1], np.uint8)
-    for value in np.flatnonzero(np.bincount(padded.ravel(), minlength=1)):
-        mask = cv2.compare(padded, float(value), cv2.CMP_EQ).astype(np.float32)
-        share = cv2.resize(mask, size, interpolation=cv2.INTER_AREA)
-        # Shares are multiples of 1/f²; half of one keeps rounding from deciding.
-        more = share > best + 0.5 * 255 / factor**2
+    present = cv2.calcHist([padded], [0], None, [256], [0, 256])[:, 0]
+    for value in np.flatnonzero(present):
+        table = np.zeros(256, kind)
+        table[value] = weight
+        share = cv2.resize(cv2.LUT(padded, table), size, interpolation=cv2.INTER_AREA)
+        more = share > best
         reduced[more] = value
         best[more] = share[more]
     return reduced

@@ -38,7 +38,11 @@ class ReferenceObjects:
     def select(self, index: np.ndarray) -> "ReferenceObjects":
         """The objects picked by a boolean mask or an index array, in that order."""
         return ReferenceObjects(
-            self.centers_xy[index], self.classes[index], self.areas_px[index], self.bounds[index], self.touches_edge[index]
+            self.centers_xy[index],
+            self.classes[index],
+            self.areas_px[index],
+            self.bounds[index],
+            self.touches_edge[index],
         )
 
 

@@ -215,7 +215,9 @@ def _patches(crossing: np.ndarray, frame: Tuple[int, int, int, int], side: int) 
     Regions whose extents along the side's line overlap share a patch, so that the patches' extents along the line
     are apart and no region shows up in two of them.
     """
-    bounds = np.clip(crossing[:, LEFT : BOTTOM + 1], (frame[0], frame[1]) * 2, (frame[2], frame[3]) * 2).astype(np.int64)
+    bounds = np.clip(crossing[:, LEFT : BOTTOM + 1], (frame[0], frame[1]) * 2, (frame[2], frame[3]) * 2).astype(
+        np.int64
+    )
     vertical = side in (LEFT, RIGHT)
     along = 1 if vertical else 0
     bounds = bounds[np.argsort(bounds[:, along], kind="stable")].tolist()

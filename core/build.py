@@ -1,0 +1,204 @@
+"""Building a reference database from a label map: one pass for objects and overview, one for the windows."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from typing import Iterator, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from .catalogue import CatalogueBuilder
+from .class_table import ClassTable
+from .database import BuildParameters, MapReferences, ReferenceDatabase, Windows
+from .distinctiveness import distinctiveness
+from .errors import LabelMapError, WindowError
+from .label_source import LabelSource
+from .overview import OVERVIEW_FACTOR, most_frequent_labels
+from .reference_objects import ReferenceObjects
+from .reference_objects import minimum_area_px as area_px
+from .topology_vector import MINIMUM_REFERENCES, REFERENCES_PER_VECTOR
+from .window_grid import WindowGrid, whole_pixels, window_name
+from .windows import DescribedWindows, describe_windows
+
+
+@dataclass(frozen=True)
+class BuildSettings:
+    """What a user chooses. window_size and stride in map units, minimum_area in m², levels: window size multipliers.
+
+    Raises WindowError for values that can't be used.
+    """
+
+    window_size: float
+    stride: float
+    minimum_area: float
+    levels: Tuple[float, ...] = (1.0,)
+    references_per_vector: int = REFERENCES_PER_VECTOR
+    overview_factor: int = OVERVIEW_FACTOR
+    threads: int = 1
+
+    def __post_init__(self) -> None:
+        if not self.minimum_area > 0:
+            raise WindowError(f"The minimum area is {self.minimum_area:g} m²; it must be more than 0.")
+        if self.references_per_vector < MINIMUM_REFERENCES:
+            raise WindowError(
+                f"A vector of {self.references_per_vector} references is too short; use at least {MINIMUM_REFERENCES}."
+            )
+        if not self.levels or not all(0 < level < float("inf") for level in self.levels):
+            raise WindowError("LEVELS must be positive multipliers of the window size, for example 1;2.")
+
+
+@dataclass(frozen=True)
+class MapFrame:
+    """Where a label map lies: CRS as WKT and GDAL's geotransform (x0, pixel, 0, y0, 0, −pixel), in metres."""
+
+    crs: str
+    geotransform: Tuple[float, float, float, float, float, float]
+
+    @property
+    def pixel_size(self) -> float:
+        return self.geotransform[1]
+
+    def to_map(self, points_xy: np.ndarray) -> np.ndarray:
+        """(N, 2) pixel coordinates → (N, 2) map coordinates."""
+        x0, pixel, _, y0, _, _ = self.geotransform
+        return np.column_stack([x0 + points_xy[:, 0] * pixel, y0 - points_xy[:, 1] * pixel])
+
+
+class DatabaseBuilder:
+    """Builds a database step by step: iterate ``steps()`` to the end, then take ``database`` and ``overview``."""
+
+    def __init__(
+        self, source: LabelSource, frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str
+    ) -> None:
+        """Raises WindowError and ClassTableError before any work when the settings don't fit the map."""
+        self._source = source
+        self._frame = frame
+        self._table = table.require_references()
+        self._settings = settings
+        self._plugin_version = plugin_version
+        self.grids = level_grids(source.shape_hw, frame.pixel_size, settings)
+        self.overview: Optional[np.ndarray] = None
+        self.database: Optional[ReferenceDatabase] = None
+
+    def steps(self) -> Iterator[Tuple[str, float]]:
+        """Yields (what is being done, share of the whole done 0…1). Raises LabelMapError without any reference object."""
+        objects, map_hash = None, ""
+        for share, result in self._scan():
+            yield "Finding reference objects", 0.3 * share
+            if result is not None:
+                objects, map_hash = result
+        if not len(objects):
+            raise LabelMapError(
+                f"The map shows no reference object of {', '.join(c.name for c in self._table.references)} with at least "
+                f"{self._settings.minimum_area:g} m²; choose other reference classes or a smaller minimum area."
+            )
+        described: List[Tuple[int, WindowGrid, DescribedWindows]] = []
+        total = sum(len(grid) for grid in self.grids)
+        done = 0
+        for level, grid in enumerate(self.grids, start=1):
+            for windows in self._describe(grid, objects):
+                described.append((level, grid, windows))
+                done += len(windows.counts)
+                yield "Describing windows", 0.3 + 0.5 * done / total
+        windows = self._windows(described)
+        self.database = ReferenceDatabase(
+            windows, self._references(objects), self._table, self._parameters(map_hash), None
+        )
+
+    def distinctiveness(self) -> Iterator[Tuple[float, Optional[np.ndarray]]]:
+        """Yields (share done, None), at last (1, (N,) distances; NaN for windows without a vector or without others)."""
+        windows = self.database.windows
+        index = np.flatnonzero(windows.described)
+        found = np.full(len(windows), np.nan)
+        blocks = distinctiveness(windows.vectors[index], windows.centers[index], windows.sizes[index])
+        for block, distances in blocks:
+            found[index[block]] = np.where(np.isinf(distances), np.nan, distances)
+            yield block.stop / len(index), None
+        yield 1.0, found
+
+    def _scan(self) -> Iterator[Tuple[float, Optional[Tuple[ReferenceObjects, str]]]]:
+        """One pass over the map: reference objects, overview and hash."""
+        factor = self._settings.overview_factor
+        catalogue = CatalogueBuilder(
+            self._source, self._table.reference_values, self._minimum_area_px, band_multiple=factor
+        )
+        pixels = hashlib.sha256(repr((self._source.shape_hw, self._frame.geotransform)).encode("ascii"))
+        reduced = []
+        for n, (_, labels) in enumerate(catalogue.bands(), start=1):
+            pixels.update(labels)
+            reduced.append(most_frequent_labels(labels, factor))
+            yield 0.9 * n / catalogue.band_count, None
+        self.overview = np.concatenate(reduced)
+        for _ in catalogue.crossing():
+            yield 0.9, None
+        yield 1.0, (catalogue.objects, pixels.hexdigest())
+
+    @property
+    def _minimum_area_px(self) -> float:
+        return area_px(self._settings.minimum_area, self._frame.pixel_size)
+
+    def _describe(self, grid: WindowGrid, objects: ReferenceObjects) -> Iterator[DescribedWindows]:
+        return describe_windows(
+            self._source,
+            grid,
+            objects,
+            self._table.reference_values,
+            self._minimum_area_px,
+            self._settings.references_per_vector,
+            self._settings.threads,
+        )
+
+    def _windows(self, described: Sequence[Tuple[int, WindowGrid, DescribedWindows]]) -> Windows:
+        columns = np.concatenate([w.columns for _, _, w in described])
+        rows = np.concatenate([w.rows for _, _, w in described])
+        counts = np.concatenate([w.counts for _, _, w in described])
+        repeats = [len(w.counts) for _, _, w in described]
+        sizes_px = np.repeat([grid.size for _, grid, _ in described], repeats)
+        return Windows(
+            names=np.array([window_name(c, r) for c, r in zip(columns.tolist(), rows.tolist())]),
+            levels=np.repeat([level for level, _, _ in described], repeats),
+            sizes=sizes_px * self._frame.pixel_size,
+            centers=self._frame.to_map(np.column_stack([columns, rows]) + sizes_px[:, None] / 2),
+            counts=counts,
+            vectors=np.concatenate([w.vectors for _, _, w in described]),
+            described=counts >= MINIMUM_REFERENCES,
+        )
+
+    def _references(self, objects: ReferenceObjects) -> MapReferences:
+        areas = objects.areas_px * self._frame.pixel_size**2
+        return MapReferences(self._frame.to_map(objects.centers_xy), objects.classes, areas, objects.touches_edge)
+
+    def _parameters(self, map_hash: str) -> BuildParameters:
+        height, width = self._source.shape_hw
+        settings, pixel = self._settings, self._frame.pixel_size
+        return BuildParameters(
+            crs=self._frame.crs,
+            geotransform=self._frame.geotransform,
+            map_width_px=width,
+            map_height_px=height,
+            pixel_size=pixel,
+            window_size=whole_pixels(settings.window_size, pixel) * pixel,
+            stride=whole_pixels(settings.stride, pixel) * pixel,
+            levels=settings.levels,
+            references_per_vector=settings.references_per_vector,
+            minimum_area=settings.minimum_area,
+            overview_factor=settings.overview_factor,
+            map_hash=map_hash,
+            class_table_hash=self._table.digest(),
+            plugin_version=self._plugin_version,
+        )
+
+
+def level_grids(shape_hw: Tuple[int, int], pixel_size: float, settings: BuildSettings) -> List[WindowGrid]:
+    """One grid a level; window and stride grow together. Raises WindowError when a level doesn't fit the map."""
+    height, width = shape_hw
+    return [
+        WindowGrid(
+            width,
+            height,
+            whole_pixels(settings.window_size * level, pixel_size),
+            whole_pixels(settings.stride * level, pixel_size),
+        )
+        for level in settings.levels
+    ]

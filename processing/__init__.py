@@ -1,0 +1,1 @@
+"""SemRef's Processing provider and its algorithms, one a file."""

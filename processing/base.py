@@ -1,0 +1,144 @@
+"""What every SemRef algorithm shares: groups, help, errors, cancel, the check for Python packages."""
+
+from __future__ import annotations
+
+import errno
+import importlib.util
+from pathlib import Path
+from typing import Any, Dict, Iterable, Iterator, List, Tuple
+
+from qgis.core import QgsProcessingAlgorithm, QgsProcessingException, QgsProcessingFeedback
+from qgis.PyQt.QtGui import QIcon
+
+from ..core.errors import SemRefError
+from .translation import tr
+
+ICON_PATH = Path(__file__).resolve().parent.parent / "resources" / "icon.svg"
+
+ANNOTATION, REFERENCE_DATABASE, LOCALIZATION = "annotation", "referencedatabase", "localization"
+
+_PACKAGES = {"numpy": "numpy", "cv2": "opencv-python-headless"}
+
+
+class Canceled(Exception):
+    """The user canceled; nothing was written."""
+
+
+class SemRefAlgorithm(QgsProcessingAlgorithm):
+    """Base of the algorithms. A subclass has ID, GROUP and TAGS and the methods title, summary, initAlgorithm and work."""
+
+    ID = ""
+    GROUP = ""
+    TAGS: Tuple[str, ...] = ()
+
+    def title(self) -> str:
+        raise NotImplementedError
+
+    def summary(self) -> str:
+        """One or two paragraphs of help; the parameters bring their own."""
+        raise NotImplementedError
+
+    def work(self, parameters: dict, context, feedback: QgsProcessingFeedback) -> Dict[str, Any]:
+        """Does the work; raises SemRefError for what the user can mend and Canceled."""
+        raise NotImplementedError
+
+    def read_layers(self, parameters: dict, context, feedback: QgsProcessingFeedback) -> None:
+        """Takes what belongs to the main thread out of layers; raises SemRefError."""
+
+    # --- QgsProcessingAlgorithm ---
+
+    def createInstance(self):
+        return type(self)()
+
+    def name(self) -> str:
+        return self.ID
+
+    def displayName(self) -> str:
+        return self.title()
+
+    def groupId(self) -> str:
+        return self.GROUP
+
+    def group(self) -> str:
+        return {
+            ANNOTATION: tr("Annotation"),
+            REFERENCE_DATABASE: tr("Reference database"),
+            LOCALIZATION: tr("Localization"),
+        }[self.GROUP]
+
+    def tags(self) -> List[str]:
+        return [*self.TAGS, "semref"]
+
+    def icon(self) -> QIcon:
+        return QIcon(str(ICON_PATH))
+
+    def svgIconPath(self) -> str:
+        return str(ICON_PATH)
+
+    def shortDescription(self) -> str:
+        return self.summary().split("\n\n")[0]
+
+    def shortHelpString(self) -> str:
+        """The summary, then every parameter and output with its own help."""
+        paragraphs = "".join(f"<p>{paragraph}</p>" for paragraph in self.summary().split("\n\n"))
+        entries = [(p.description(), p.help()) for p in self.parameterDefinitions() if p.help()]
+        names = {p.name() for p in self.parameterDefinitions()}
+        entries += [(o.description(), o.type()) for o in self.outputDefinitions() if o.name() not in names]
+        return paragraphs + "".join(f"<h3>{title}</h3><p>{text}</p>" for title, text in entries)
+
+    def canExecute(self):
+        missing = [package for module, package in _PACKAGES.items() if importlib.util.find_spec(module) is None]
+        if missing:
+            return False, tr(
+                "SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with "
+                "“python3 -m pip install {packages}”, or “apt install python3-opencv” on Debian and Ubuntu."
+            ).format(packages=" ".join(missing))
+        return True, ""
+
+    def prepareAlgorithm(self, parameters, context, feedback) -> bool:
+        try:
+            self.read_layers(parameters, context, feedback)
+        except SemRefError as error:
+            raise QgsProcessingException(str(error)) from error
+        return True
+
+    def processAlgorithm(self, parameters, context, feedback):
+        try:
+            return self.work(parameters, context, feedback)
+        except SemRefError as error:
+            raise QgsProcessingException(str(error)) from error
+        except Canceled as error:
+            raise QgsProcessingException(tr("Canceled; nothing was written.")) from error
+        except OSError as error:
+            if error.errno not in _DISK_ERRORS:
+                raise
+            raise QgsProcessingException(_disk_sentence(error)) from error
+
+
+_DISK_ERRORS = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EPERM, errno.EFBIG)
+
+
+def _disk_sentence(error: OSError) -> str:
+    name = error.filename or tr("the output")
+    if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+        return tr("The disk is full while writing {name}; free some space or choose another place.").format(name=name)
+    return tr("{name} can’t be written; choose a place where you may write.").format(name=name)
+
+
+def check_canceled(feedback: QgsProcessingFeedback) -> None:
+    if feedback.isCanceled():
+        raise Canceled
+
+
+def follow(
+    steps: Iterable[Tuple[str, float]], feedback: QgsProcessingFeedback, first: float = 0.0, last: float = 100.0
+) -> Iterator[None]:
+    """Runs a generator of (what is being done, share 0…1): shows progress between first and last %, heeds cancel."""
+    shown = None
+    for what, share in steps:
+        check_canceled(feedback)
+        if what != shown:
+            feedback.setProgressText(tr(what))
+            shown = what
+        feedback.setProgress(first + (last - first) * share)
+        yield

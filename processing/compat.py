@@ -1,0 +1,56 @@
+"""What differs between QGIS 3.22 and today, in one place."""
+
+from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsField, QgsProcessing, QgsUnitTypes, QgsWkbTypes
+from qgis.PyQt.QtCore import QVariant
+
+try:
+    from qgis.PyQt.QtCore import QMetaType
+except ImportError:
+    QMetaType = None
+
+_FIELD_TYPES = {"text": ("QString", "String"), "integer": ("Int", "Int"), "real": ("Double", "Double")}
+
+
+def make_field(name: str, kind: str) -> QgsField:
+    """A field of kind ``text``, ``integer`` or ``real``; QGIS 3.38 replaced QVariant types by QMetaType's."""
+    meta_name, variant_name = _FIELD_TYPES[kind]
+    if Qgis.QGIS_VERSION_INT >= 33800:
+        return QgsField(name, getattr(QMetaType.Type, meta_name))
+    return QgsField(name, getattr(QVariant, variant_name))
+
+
+def is_number_field(field: QgsField) -> bool:
+    return field.isNumeric()
+
+
+def is_null(value) -> bool:
+    """Whether an attribute is NULL: PyQGIS has QVariant NULLs until 3.4x, None after."""
+    return value is None or (isinstance(value, QVariant) and value.isNull())
+
+
+def wkt_for_gdal(crs: QgsCoordinateReferenceSystem) -> str:
+    variant = getattr(QgsCoordinateReferenceSystem, "WKT_PREFERRED_GDAL", None)
+    if variant is None:
+        variant = Qgis.CrsWktVariant.PreferredGdal
+    return crs.toWkt(variant)
+
+
+def is_metric(crs: QgsCoordinateReferenceSystem) -> bool:
+    """Whether the CRS is projected with metres as unit."""
+    meters = Qgis.DistanceUnit.Meters if Qgis.QGIS_VERSION_INT >= 33000 else QgsUnitTypes.DistanceMeters
+    return crs.isValid() and not crs.isGeographic() and crs.mapUnits() == meters
+
+
+POLYGON = Qgis.WkbType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.Polygon
+POINT = Qgis.WkbType.Point if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.Point
+NO_GEOMETRY = Qgis.WkbType.NoGeometry if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.NoGeometry
+POLYGON_GEOMETRY = Qgis.GeometryType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.PolygonGeometry
+
+if Qgis.QGIS_VERSION_INT >= 33600:
+    SOURCE_POLYGON = Qgis.ProcessingSourceType.VectorPolygon
+    SOURCE_POINT = Qgis.ProcessingSourceType.VectorPoint
+    SOURCE_FILE = Qgis.ProcessingSourceType.File
+else:
+    SOURCE_POLYGON = QgsProcessing.TypeVectorPolygon
+    SOURCE_POINT = QgsProcessing.TypeVectorPoint
+    SOURCE_FILE = QgsProcessing.TypeFile

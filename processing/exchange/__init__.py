@@ -1,0 +1,1 @@
+"""The only code of the plugin that reads and writes rasters, layers and GeoPackages."""

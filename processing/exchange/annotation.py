@@ -1,0 +1,331 @@
+"""Annotation layers: polygons with a class field, as people have them, made ready for burning into a label map."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field
+from typing import Callable, Dict, Iterator, List, Optional, Tuple
+
+from osgeo import gdal, ogr, osr
+from qgis.core import (
+    QgsCategorizedSymbolRenderer,
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsFeatureRequest,
+    QgsGeometry,
+    QgsProcessingFeatureSourceDefinition,
+    QgsRectangle,
+    QgsVectorLayer,
+    QgsVectorLayerFeatureSource,
+    QgsWkbTypes,
+)
+
+from ...core.class_table import ClassTable, LandCoverClass, class_table_from_names, class_table_from_values
+from ...core.errors import AnnotationError
+from ..compat import POLYGON_GEOMETRY, is_null
+
+_NO_PRIORITY = float("-inf")
+"""Features without a priority lie below all others."""
+
+_NAMED_AT_MOST = 5
+"""Unknown class values that a message names."""
+
+
+@dataclass(frozen=True)
+class AnnotationSource:
+    """A snapshot of an annotation layer that a worker thread may read while the layer is edited or removed.
+
+    ``styled``: the classes of the layer's categorised renderer with the raw value of each, if it classifies
+    ``class_field``; ``unstyled_allowed``: whether that renderer has a category for all other values.
+    """
+
+    name: str
+    crs: QgsCoordinateReferenceSystem
+    extent: QgsRectangle
+    features: QgsVectorLayerFeatureSource
+    request: QgsFeatureRequest
+    count: int
+    class_index: int
+    class_is_number: bool
+    priority_index: int
+    styled: Tuple[Tuple[object, str, str], ...]
+    unstyled_allowed: bool
+
+
+@dataclass
+class AnnotationCounts:
+    """What happened to the features on their way into the label map."""
+
+    used: int = 0
+    repaired: int = 0
+    repaired_parts: int = 0
+    empty: int = 0
+    without_area: int = 0
+    without_class: int = 0
+    not_in_style: int = 0
+    three_dimensional: int = 0
+    multipart: int = 0
+    unprojectable: int = 0
+    unknown: Counter = field(default_factory=Counter)
+
+    def sentences(self) -> List[Tuple[bool, str]]:
+        """(is a warning, sentence) for everything that is worth saying."""
+        said = [(False, f"Used: {_features(self.used)}, {self.multipart} of them multipart.")]
+        repaired = f"Repaired invalid geometry: {_features(self.repaired)}, {self.repaired_parts} polygons."
+        if self.repaired:
+            said.append((True, repaired))
+        for warns, number, what in (
+            (True, self.empty, "Skipped, without geometry"),
+            (True, self.without_area, "Skipped, without area"),
+            (True, self.without_class, "Skipped, class is NULL"),
+            (True, self.not_in_style, "Left unlabelled, no category in the layer's style"),
+            (True, self.unprojectable, "Skipped, could not be reprojected"),
+            (False, self.three_dimensional, "Heights (Z) left out"),
+        ):
+            if number:
+                said.append((warns, f"{what}: {_features(number)}."))
+        return said
+
+
+def _features(number: int) -> str:
+    return "1 feature" if number == 1 else f"{number} features"
+
+
+@dataclass(frozen=True)
+class BurnPolygon:
+    """One polygon to burn: WKB in the target CRS, class value, priority (higher on top), bounds."""
+
+    wkb: bytes
+    value: int
+    priority: float
+    bounds: Tuple[float, float, float, float]
+
+
+def annotation_source(
+    layer: Optional[QgsVectorLayer], definition: object, class_field: str, priority_field: str
+) -> AnnotationSource:
+    """Takes what is needed out of a layer, in the thread it lives in. Raises AnnotationError.
+
+    ``definition``: the parameter's value; "selected features only" and a filter expression in it are heeded.
+    """
+    if layer is None or not layer.isValid():
+        raise AnnotationError("INPUT is not a vector layer that can be read; choose a polygon layer.")
+    if layer.geometryType() != POLYGON_GEOMETRY:
+        kind = QgsWkbTypes.displayString(layer.wkbType())
+        raise AnnotationError(f"“{layer.name()}” holds {kind} geometry; an annotation layer holds polygons.")
+    fields = layer.fields()
+    class_index = _field_index(layer, class_field, "CLASS_FIELD")
+    priority_index = _field_index(layer, priority_field, "PRIORITY_FIELD") if priority_field else -1
+    if priority_index >= 0 and not fields.at(priority_index).isNumeric():
+        raise AnnotationError(f"The priority field “{priority_field}” does not hold numbers; choose one that does.")
+    request = QgsFeatureRequest()
+    request.setSubsetOfAttributes([i for i in (class_index, priority_index) if i >= 0])
+    count = layer.featureCount()
+    if isinstance(definition, QgsProcessingFeatureSourceDefinition):
+        if definition.selectedFeaturesOnly:
+            request.setFilterFids(layer.selectedFeatureIds())
+            count = layer.selectedFeatureCount()
+        if getattr(definition, "filterExpression", ""):
+            request.setFilterExpression(definition.filterExpression)
+    styled, unstyled_allowed = _styled_classes(layer, class_field)
+    return AnnotationSource(
+        layer.name(),
+        layer.crs(),
+        layer.extent(),
+        QgsVectorLayerFeatureSource(layer),
+        request,
+        count,
+        class_index,
+        fields.at(class_index).isNumeric(),
+        priority_index,
+        styled,
+        unstyled_allowed,
+    )
+
+
+def _field_index(layer: QgsVectorLayer, name: str, key: str) -> int:
+    index = layer.fields().lookupField(name)
+    if index < 0:
+        names = ", ".join(f.name() for f in layer.fields())
+        raise AnnotationError(f"{key}: “{layer.name()}” has no field “{name}”; its fields are {names}.")
+    return index
+
+
+def _styled_classes(layer: QgsVectorLayer, class_field: str) -> Tuple[Tuple[Tuple[object, str, str], ...], bool]:
+    renderer = layer.renderer()
+    if not isinstance(renderer, QgsCategorizedSymbolRenderer):
+        return (), False
+    if renderer.classAttribute().strip('"').casefold() != class_field.casefold():
+        return (), False
+    found, others = [], False
+    for category in renderer.categories():
+        values = category.value() if isinstance(category.value(), list) else [category.value()]
+        for value in values:
+            if is_null(value) or value == "":
+                others = others or category.renderState()
+            else:
+                found.append((value, category.label() or str(value), category.symbol().color().name()))
+    return tuple(found), others
+
+
+class ClassLookup:
+    """Raw attribute value → class value, as the class table says."""
+
+    def __init__(self, table: ClassTable, by_raw: Optional[Dict[str, int]] = None) -> None:
+        """``by_raw``: class values by the text of the raw value; without it the table's own names and values."""
+        self.table = table
+        self._known: Dict[object, Optional[int]] = dict(by_raw or {})
+        self._fixed = by_raw is not None
+
+    def value(self, raw: object) -> Optional[int]:
+        """The class value of an attribute, or None when the table does not have it."""
+        text = _raw_text(raw)
+        if text not in self._known:
+            found = None if self._fixed else self.table.find(text)
+            self._known[text] = found.value if found else None
+        return self._known[text]
+
+
+def _raw_text(raw: object) -> str:
+    if isinstance(raw, float) and raw.is_integer():
+        return str(int(raw))
+    return str(raw).strip()
+
+
+def class_lookup(source: AnnotationSource, given: Optional[ClassTable], canceled: Callable[[], bool]) -> ClassLookup:
+    """The classes of an annotation: from the given table, else the layer's style, else the field's distinct values."""
+    if given is not None:
+        return ClassLookup(given)
+    raws = [(value, label, color) for value, label, color in source.styled]
+    if not raws:
+        raws = [(value, str(value), "") for value in _distinct_values(source, canceled)]
+    if not raws:
+        raise AnnotationError(f"“{source.name}” has no feature with a class; fill its class field first.")
+    texts = [_raw_text(value) for value, _, _ in raws]
+    as_values = source.class_is_number and all(t.isdigit() and 1 <= int(t) <= 255 for t in texts)
+    labels = [label for _, label, _ in raws]
+    if len(set(labels)) < len(labels):
+        labels = texts
+    base = class_table_from_values(int(t) for t in texts) if as_values else class_table_from_names(labels)
+    numbers = [int(t) for t in texts] if as_values else list(range(1, len(texts) + 1))
+    classes = []
+    for number, label, (_, _, color) in zip(numbers, labels, raws):
+        classes.append(LandCoverClass(number, label, color or base.by_value(number).color))
+    return ClassLookup(ClassTable(tuple(classes)), dict(zip(texts, numbers)))
+
+
+def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> List[object]:
+    request = QgsFeatureRequest(source.request)
+    request.setFlags(QgsFeatureRequest.NoGeometry)
+    found: Dict[str, object] = {}
+    for feature in source.features.getFeatures(request):
+        raw = feature.attribute(source.class_index)
+        if not is_null(raw) and _raw_text(raw):
+            found.setdefault(_raw_text(raw), raw)
+        if canceled():
+            return []
+    numeric = all(text.lstrip("-").isdigit() for text in found)
+    return [found[text] for text in sorted(found, key=int if numeric else None)]
+
+
+def burn_polygons(
+    source: AnnotationSource,
+    lookup: ClassLookup,
+    transform: Optional[QgsCoordinateTransform],
+    counts: AnnotationCounts,
+) -> Iterator[List[BurnPolygon]]:
+    """The polygons of each feature, one list a feature (empty when it is skipped); ``counts`` is kept up to date."""
+    order_of_class = {c.value: c.draw_order for c in lookup.table if c.draw_order is not None}
+    for feature in source.features.getFeatures(source.request):
+        raw = feature.attribute(source.class_index)
+        geometry = feature.geometry()
+        if geometry.isNull() or geometry.isEmpty():
+            counts.empty += 1
+            yield []
+            continue
+        if is_null(raw) or not _raw_text(raw):
+            counts.without_class += 1
+            yield []
+            continue
+        value = lookup.value(raw)
+        if value is None:
+            if source.styled and source.unstyled_allowed:
+                counts.not_in_style += 1
+            else:
+                counts.unknown[_raw_text(raw)] += 1
+            yield []
+            continue
+        priority = order_of_class.get(value, 0.0)
+        if source.priority_index >= 0:
+            raw_priority = feature.attribute(source.priority_index)
+            priority = _NO_PRIORITY if is_null(raw_priority) else float(raw_priority)
+        yield [BurnPolygon(wkb, value, priority, bounds) for wkb, bounds in _parts(geometry, transform, counts)]
+
+
+def _parts(
+    geometry: QgsGeometry, transform: Optional[QgsCoordinateTransform], counts: AnnotationCounts
+) -> List[Tuple[bytes, Tuple[float, float, float, float]]]:
+    """Valid single polygons of a feature. GDAL would fill the parts of a multipolygon by even and odd."""
+    if QgsWkbTypes.hasZ(geometry.wkbType()):
+        counts.three_dimensional += 1
+    if transform is not None:
+        try:
+            geometry.transform(transform)
+        except QgsCsException:
+            counts.unprojectable += 1
+            return []
+    parts = geometry.asGeometryCollection() if geometry.isMultipart() else [geometry]
+    counts.multipart += len(parts) > 1
+    found, repaired = [], False
+    for part in parts:
+        if not part.isGeosValid():
+            repaired = True
+            counts.repaired_parts += 1
+            part = part.makeValid()
+        for polygon in part.asGeometryCollection() if part.isMultipart() else [part]:
+            if polygon.type() == POLYGON_GEOMETRY and polygon.area() > 0:
+                box = polygon.boundingBox()
+                bounds = (box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum())
+                found.append((polygon.asWkb().data(), bounds))
+    counts.repaired += repaired and bool(found)
+    if found:
+        counts.used += 1
+    else:
+        counts.without_area += 1
+    return found
+
+
+def require_known_classes(counts: AnnotationCounts, source: AnnotationSource, table: ClassTable) -> None:
+    """Raises AnnotationError naming the class values that the table does not have."""
+    if not counts.unknown:
+        return
+    named = [f"“{text}” ({number})" for text, number in counts.unknown.most_common(_NAMED_AT_MOST)]
+    more = len(counts.unknown) - len(named)
+    raise AnnotationError(
+        f"“{source.name}” has classes that the class table does not have: {', '.join(named)}"
+        f"{f' and {more} more' if more else ''}; add them to the table ({table.describe()}) or leave those features out."
+    )
+
+
+class BurnLayer:
+    """Polygons in memory, bottom first, to be burnt strip by strip with GDAL."""
+
+    def __init__(self, polygons: List[BurnPolygon], crs_wkt: str) -> None:
+        driver = gdal.GetDriverByName("Memory") or gdal.GetDriverByName("MEM")
+        self._dataset = driver.Create("", 0, 0, 0, gdal.GDT_Unknown)
+        self._layer = self._dataset.CreateLayer("polygons", osr.SpatialReference(crs_wkt), ogr.wkbPolygon)
+        self._layer.CreateField(ogr.FieldDefn("value", ogr.OFTInteger))
+        definition = self._layer.GetLayerDefn()
+        for polygon in sorted(polygons, key=lambda p: p.priority):
+            feature = ogr.Feature(definition)
+            feature.SetField(0, polygon.value)
+            feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(polygon.wkb))
+            self._layer.CreateFeature(feature)
+
+    def burn(self, strip: gdal.Dataset) -> None:
+        """Burns what touches ``strip`` (in memory, with geotransform and the same CRS) into its first band."""
+        x0, pixel, _, y0, _, _ = strip.GetGeoTransform()
+        right, bottom = x0 + strip.RasterXSize * pixel, y0 - strip.RasterYSize * pixel
+        self._layer.SetSpatialFilterRect(x0, bottom, right, y0)
+        gdal.RasterizeLayer(strip, [1], self._layer, options=["ATTRIBUTE=value"])

@@ -1,0 +1,334 @@
+"""Label maps and label images: reading and writing rasters with GDAL."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Callable, Dict, List, Optional, Tuple
+
+import numpy as np
+from osgeo import gdal
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsPalettedRasterRenderer,
+    QgsRasterLayer,
+)
+
+from ...core.build import MapFrame
+from ...core.class_table import ClassTable, LandCoverClass, class_table_from_csv, class_table_from_values, default_color
+from ...core.color_labels import decode_by_hsv, decode_by_nearest_color
+from ...core.errors import ClassTableError, LabelMapError
+from ..compat import is_metric, wkt_for_gdal
+from .reference_systems import describe_crs
+
+CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
+"""Metadata item of a label map that holds its class table as CSV."""
+
+LABEL_MAP_OPTIONS = ("TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS")
+
+MAXIMUM_IMAGE_PIXELS = 400_000_000
+"""A query image is held in memory; larger ones are refused."""
+
+_COUNTED_AT_ONCE = 8_000_000
+
+_INTEGER_TYPES = {
+    gdal.GDT_Byte: np.uint8,
+    gdal.GDT_UInt16: np.uint16,
+    gdal.GDT_Int16: np.int16,
+    gdal.GDT_UInt32: np.uint32,
+    gdal.GDT_Int32: np.int32,
+}
+
+IMAGE_EXTENSIONS = (".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".bmp", ".gif", ".webp", ".vrt", ".img", ".asc")
+
+
+def gdal_failure(error: Optional[Exception] = None) -> str:
+    """What GDAL said last, whether it raised or not."""
+    text = (str(error) if error else "") or gdal.GetLastErrorMsg() or "unknown reason"
+    return " ".join(text.split()).rstrip(".")
+
+
+def open_raster(path: str, what: str = "raster") -> gdal.Dataset:
+    """A GDAL dataset for reading; raises LabelMapError with GDAL's reason. GDAL may raise or return None."""
+    try:
+        gdal.ErrorReset()
+        dataset = gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_READONLY)
+    except RuntimeError as error:
+        raise LabelMapError(f"{what} {path} can't be read: {gdal_failure(error)}.") from None
+    if dataset is None or dataset.RasterCount == 0:
+        raise LabelMapError(f"{what} {path} can't be read: {gdal_failure()}.")
+    return dataset
+
+
+class GdalLabels:
+    """A LabelSource on disk: one band of whole numbers 0–255. Raises LabelMapError for anything else."""
+
+    def __init__(self, path: str) -> None:
+        self._path = path
+        self._dataset = open_raster(path, "Label map")
+        self._band = self._dataset.GetRasterBand(1)
+        if self._dataset.RasterCount != 1:
+            raise LabelMapError(
+                f"{path} has {self._dataset.RasterCount} bands; a label map has one: decode a colour image with "
+                "“Decode color labels” first."
+            )
+        if self._band.DataType not in _INTEGER_TYPES:
+            kind = gdal.GetDataTypeName(self._band.DataType)
+            raise LabelMapError(f"{path} holds {kind} values; a label map holds whole numbers from 0 to 255.")
+        self._nodata = self._band.GetNoDataValue()
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        return self._dataset.RasterYSize, self._dataset.RasterXSize
+
+    @property
+    def dataset(self) -> gdal.Dataset:
+        return self._dataset
+
+    def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        try:
+            block = self._band.ReadAsArray(column, row, width, height)
+        except RuntimeError as error:
+            raise LabelMapError(f"{self._path} is damaged or cut short: {gdal_failure(error)}.") from None
+        if block is None:
+            raise LabelMapError(f"{self._path} is damaged or cut short: {gdal_failure()}.")
+        # Blocks are read once and in order: keeping them would only fill GDAL's cache.
+        self._dataset.FlushCache()
+        if self._nodata is not None and self._nodata != 0:
+            block[block == self._nodata] = 0
+        if block.dtype == np.uint8:
+            return np.ascontiguousarray(block)
+        if block.size and (block.min() < 0 or block.max() > 255):
+            found = int(block.max() if block.max() > 255 else block.min())
+            raise LabelMapError(f"{self._path} has the value {found}; a label map holds class values from 0 to 255.")
+        return block.astype(np.uint8)
+
+
+@dataclass(frozen=True)
+class LabelMapLayer:
+    """What the main thread knows of a raster layer: its GDAL source, CRS, and the classes of its style, if any."""
+
+    path: str
+    crs: QgsCoordinateReferenceSystem
+    styled_classes: Tuple[LandCoverClass, ...]
+
+
+def label_map_layer(layer: Optional[QgsRasterLayer], name: str) -> LabelMapLayer:
+    """Takes what is needed out of a layer, in the thread it lives in. Raises LabelMapError."""
+    if layer is None or not layer.isValid():
+        raise LabelMapError(f"{name} is not a raster that can be read; choose a label map.")
+    if layer.providerType() != "gdal":
+        raise LabelMapError(f"“{layer.name()}” comes from {layer.providerType()}; save it as GeoTIFF first.")
+    return LabelMapLayer(layer.source(), layer.crs(), _styled_classes(layer))
+
+
+def _styled_classes(layer: QgsRasterLayer) -> Tuple[LandCoverClass, ...]:
+    renderer = layer.renderer()
+    if not isinstance(renderer, QgsPalettedRasterRenderer):
+        return ()
+    found: Dict[int, LandCoverClass] = {}
+    for entry in renderer.classes():
+        value = int(entry.value)
+        # 0 is unlabelled whatever the palette calls it; labels repeat in palettes that were made automatically.
+        if 0 < value <= 255:
+            found[value] = LandCoverClass(value, entry.label or str(value), entry.color.name())
+    names = [c.name for c in found.values()]
+    return tuple(found.values()) if len(set(names)) == len(names) else ()
+
+
+def stored_class_table(dataset: gdal.Dataset, path: str) -> Optional[ClassTable]:
+    """The class table that a label map made by SemRef carries."""
+    text = dataset.GetMetadataItem(CLASS_TABLE_ITEM)
+    return class_table_from_csv(text, f"the class table inside {path}") if text else None
+
+
+def named_classes(dataset: gdal.Dataset) -> Tuple[LandCoverClass, ...]:
+    """Classes from GDAL's category names and colour table."""
+    band = dataset.GetRasterBand(1)
+    colors = band.GetRasterColorTable()
+    found = []
+    for value, name in enumerate(band.GetRasterCategoryNames() or []):
+        if value > 0 and name and value <= 255:
+            entry = colors.GetColorEntry(value) if colors is not None and value < colors.GetCount() else None
+            color = "#{:02x}{:02x}{:02x}".format(*entry[:3]) if entry else default_color(value)
+            found.append(LandCoverClass(value, name, color))
+    names = [c.name for c in found]
+    return tuple(found) if len(set(names)) == len(names) else ()
+
+
+def class_table_of_map(labels: GdalLabels, layer: LabelMapLayer) -> Optional[ClassTable]:
+    """The map's own table, else that of its category names, else of its layer's style; None when it has none."""
+    stored = stored_class_table(labels.dataset, layer.path)
+    if stored is not None:
+        return stored
+    classes = named_classes(labels.dataset) or layer.styled_classes
+    return ClassTable(classes) if classes else None
+
+
+def count_values(labels: GdalLabels, canceled: Callable[[], bool]) -> np.ndarray:
+    """(256,) pixels of each value of the whole map; zeros when canceled."""
+    height, width = labels.shape_hw
+    rows = max(1, _COUNTED_AT_ONCE // width)
+    counts = np.zeros(256, np.int64)
+    for first in range(0, height, rows):
+        counts += np.bincount(labels.read(0, first, width, min(rows, height - first)).ravel(), minlength=256)
+        if canceled():
+            return np.zeros(256, np.int64)
+    return counts
+
+
+def class_table_of_values(counts: np.ndarray) -> ClassTable:
+    """Table of the label values that occur; ``counts``: (256,) pixels a value."""
+    return class_table_from_values(int(v) for v in np.flatnonzero(counts) if v)
+
+
+def map_frame(labels: GdalLabels, layer: LabelMapLayer) -> MapFrame:
+    """CRS and geotransform of a label map; raises LabelMapError unless metric, north up, with square pixels."""
+    if not layer.crs.isValid():
+        raise LabelMapError(f"{layer.path} has no coordinate reference system; assign a metric one to the layer.")
+    if not is_metric(layer.crs):
+        raise LabelMapError(
+            f"{layer.path} is in {describe_crs(layer.crs)}, which does not measure in metres; "
+            "rasterise or warp it to a projected CRS in metres."
+        )
+    transform = labels.dataset.GetGeoTransform(can_return_null=True)
+    if transform is None:
+        raise LabelMapError(f"{layer.path} has no georeference, so its windows would have no place on the map.")
+    _, pixel_x, turn_x, _, turn_y, pixel_y = transform
+    if turn_x or turn_y or pixel_y >= 0 or pixel_x <= 0:
+        raise LabelMapError(f"{layer.path} is rotated or mirrored; warp it to a north-up grid first.")
+    if abs(pixel_x + pixel_y) > 1e-6 * pixel_x:
+        raise LabelMapError(
+            f"{layer.path} has pixels of {pixel_x:g} × {-pixel_y:g}; resample it to square pixels first."
+        )
+    return MapFrame(wkt_for_gdal(layer.crs), tuple(transform))
+
+
+def create_label_map(
+    path: str, width: int, height: int, geotransform: Optional[tuple], crs_wkt: str, table: ClassTable
+) -> gdal.Dataset:
+    """An empty label map to be filled band by band: GeoTIFF, uint8, tiled, DEFLATE, with classes and colours."""
+    try:
+        dataset = gdal.GetDriverByName("GTiff").Create(path, width, height, 1, gdal.GDT_Byte, list(LABEL_MAP_OPTIONS))
+    except RuntimeError as error:
+        raise LabelMapError(f"{path} can't be written: {gdal_failure(error)}.") from None
+    if dataset is None:
+        raise LabelMapError(f"{path} can't be written: {gdal_failure()}.")
+    if geotransform is not None:
+        dataset.SetGeoTransform(geotransform)
+    if crs_wkt:
+        dataset.SetProjection(crs_wkt)
+    dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
+    set_class_colors(dataset.GetRasterBand(1), table)
+    return dataset
+
+
+def set_class_colors(band: gdal.Band, table: ClassTable) -> None:
+    """Colour table (0 transparent) and category names; GDAL keeps the names of a GeoTIFF in its .aux.xml."""
+    colors = gdal.ColorTable()
+    last = max([c.value for c in table], default=0)
+    names = [""] * (last + 1)
+    colors.SetColorEntry(0, (0, 0, 0, 0))
+    for value in range(1, last + 1):
+        colors.SetColorEntry(value, (0, 0, 0, 255))
+    for c in table:
+        if c.value:
+            colors.SetColorEntry(c.value, (*c.rgb, 255))
+        names[c.value] = c.name
+    names[0] = names[0] or "unlabeled"
+    band.SetRasterColorTable(colors)
+    band.SetRasterCategoryNames(names)
+
+
+def write_rows(dataset: gdal.Dataset, first_row: int, labels_hw: np.ndarray, path: str) -> None:
+    """Writes whole rows; raises LabelMapError when GDAL can't (disk full)."""
+    try:
+        failed = dataset.GetRasterBand(1).WriteArray(labels_hw, 0, first_row)
+    except RuntimeError as error:
+        raise LabelMapError(f"{path} can't be written: {gdal_failure(error)}.") from None
+    if failed:
+        raise LabelMapError(f"{path} can't be written: {gdal_failure()}.")
+
+
+def close_written(dataset: gdal.Dataset, path: str) -> None:
+    """Flushes a written dataset and makes sure that GDAL had nothing to complain about."""
+    gdal.ErrorReset()
+    try:
+        dataset.FlushCache()
+    except RuntimeError as error:
+        raise LabelMapError(f"{path} can't be written: {gdal_failure(error)}.") from None
+    if gdal.GetLastErrorType() >= gdal.CE_Failure:
+        raise LabelMapError(f"{path} can't be written: {gdal_failure()}.")
+
+
+def read_label_image(path: str, table: ClassTable) -> np.ndarray:
+    """A query image's labels (H, W) uint8: single-band values, or three and more bands decoded by colour.
+
+    Colours are decoded by the table's HSV ranges if it has any, else by nearest colour. Raises LabelMapError.
+    """
+    dataset = open_raster(path, "Image")
+    width, height = dataset.RasterXSize, dataset.RasterYSize
+    if width * height > MAXIMUM_IMAGE_PIXELS:
+        raise LabelMapError(
+            f"{path} has {width} × {height} pixels, more than a query image may have "
+            f"({MAXIMUM_IMAGE_PIXELS // 1_000_000} million); cut it to what one photo shows."
+        )
+    if dataset.RasterCount == 1:
+        return GdalLabels(path).read(0, 0, width, height)
+    return decode_colors(read_bgr(dataset, path, 0, height), table)
+
+
+def decode_colors(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
+    """THE choice between the two decodings: HSV ranges when the table has them, else nearest colour."""
+    if any(c.hsv_min is not None for c in table):
+        return decode_by_hsv(image_bgr, table)
+    return decode_by_nearest_color(image_bgr, table)
+
+
+def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.ndarray:
+    """Rows of an RGB(A) image as (rows, W, 3) uint8, blue first; raises LabelMapError for other kinds of image."""
+    if dataset.RasterCount < 3:
+        raise LabelMapError(f"{path} has {dataset.RasterCount} band(s); a colour image has three.")
+    bands = []
+    for number in (3, 2, 1):
+        band = dataset.GetRasterBand(number)
+        if band.DataType != gdal.GDT_Byte:
+            kind = gdal.GetDataTypeName(band.DataType)
+            raise LabelMapError(f"{path} holds {kind} values; a colour label image has 8 bits a band.")
+        try:
+            data = band.ReadAsArray(0, first_row, dataset.RasterXSize, rows)
+        except RuntimeError as error:
+            raise LabelMapError(f"{path} is damaged or cut short: {gdal_failure(error)}.") from None
+        if data is None:
+            raise LabelMapError(f"{path} is damaged or cut short: {gdal_failure()}.")
+        bands.append(data)
+    return np.dstack(bands)
+
+
+def image_files(paths: List[str]) -> List[str]:
+    """Files as given; a folder stands for the images in it, in order of name. Raises LabelMapError for an empty folder."""
+    found: List[str] = []
+    for path in paths:
+        if not os.path.isdir(path):
+            found.append(path)
+            continue
+        inside = sorted(os.listdir(path))
+        images = [os.path.join(path, name) for name in inside if name.lower().endswith(IMAGE_EXTENSIONS)]
+        if not images:
+            raise LabelMapError(f"The folder {path} holds no image ({', '.join(IMAGE_EXTENSIONS)}).")
+        found += images
+    return found
+
+
+def read_class_table(path: str) -> ClassTable:
+    """A class-table CSV in UTF-8 (or, failing that, Latin-1); raises ClassTableError."""
+    try:
+        with open(path, "rb") as file:
+            data = file.read()
+    except OSError as error:
+        raise ClassTableError(f"The class table {path} can't be read: {error.strerror}.") from None
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError:
+        text = data.decode("latin-1")
+    return class_table_from_csv(text, path)

@@ -1,0 +1,82 @@
+"""Coordinate reference systems: metric ones for label maps, longitude and latitude for results."""
+
+from __future__ import annotations
+
+from typing import Tuple
+
+import numpy as np
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCoordinateTransformContext,
+    QgsCsException,
+    QgsPointXY,
+    QgsRectangle,
+)
+
+from ...core.errors import ParameterError
+from ..compat import is_metric
+
+WGS84 = "EPSG:4326"
+
+_UTM_NORTH, _UTM_SOUTH = 32600, 32700
+_UPS_NORTH, _UPS_SOUTH = 32661, 32761
+
+
+def describe_crs(crs: QgsCoordinateReferenceSystem) -> str:
+    """“EPSG:32632 WGS 84 / UTM zone 32N” – for messages."""
+    return f"{crs.authid()} {crs.description()}".strip() or "unnamed CRS"
+
+
+def metric_crs(
+    source: QgsCoordinateReferenceSystem,
+    target: QgsCoordinateReferenceSystem,
+    extent: QgsRectangle,
+    transform_context: QgsCoordinateTransformContext,
+) -> QgsCoordinateReferenceSystem:
+    """The CRS for a label map: ``target`` if given, else ``source`` if it is metric, else a UTM zone for ``extent``.
+
+    Raises ParameterError when ``target`` is not metric or ``source`` is unknown.
+    """
+    if not source.isValid():
+        raise ParameterError(
+            "The annotation layer has no coordinate reference system; set one in the layer's properties."
+        )
+    if target.isValid():
+        if not is_metric(target):
+            raise ParameterError(
+                f"{describe_crs(target)} does not measure in metres; choose a projected CRS in metres as TARGET_CRS."
+            )
+        return target
+    return source if is_metric(source) else utm_zone(source, extent, transform_context)
+
+
+def utm_zone(
+    crs: QgsCoordinateReferenceSystem, extent: QgsRectangle, transform_context: QgsCoordinateTransformContext
+) -> QgsCoordinateReferenceSystem:
+    """The UTM zone (near the poles UPS) of the middle of ``extent``, on WGS 84."""
+    to_degrees = QgsCoordinateTransform(crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
+    try:
+        middle = to_degrees.transform(extent.center())
+    except QgsCsException:
+        raise ParameterError(
+            f"The layer's extent does not fit its CRS {describe_crs(crs)}; correct the CRS or choose TARGET_CRS."
+        ) from None
+    longitude, latitude = middle.x(), middle.y()
+    if latitude > 84:
+        code = _UPS_NORTH
+    elif latitude < -80:
+        code = _UPS_SOUTH
+    else:
+        zone = int((longitude + 180) % 360 // 6) + 1
+        code = (_UTM_NORTH if latitude >= 0 else _UTM_SOUTH) + zone
+    return QgsCoordinateReferenceSystem(f"EPSG:{code}")
+
+
+def longitudes_latitudes(
+    points: np.ndarray, crs: QgsCoordinateReferenceSystem, transform_context: QgsCoordinateTransformContext
+) -> Tuple[np.ndarray, np.ndarray]:
+    """(N, 2) map coordinates → longitudes (N,), latitudes (N,) in degrees, EPSG:4326."""
+    transform = QgsCoordinateTransform(crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
+    moved = [transform.transform(QgsPointXY(x, y)) for x, y in np.asarray(points).tolist()]
+    return np.array([p.x() for p in moved]), np.array([p.y() for p in moved])

@@ -1,0 +1,69 @@
+"""The Processing provider."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider, QgsProcessingRegistry
+from qgis.PyQt.QtGui import QIcon
+
+from .base import ICON_PATH
+from .build_database import BuildDatabase
+from .decode_color_labels import DecodeColorLabels
+from .describe_image import DescribeImage
+from .localize_images import LocalizeImages
+from .rasterize_annotation import RasterizeAnnotation
+
+MODELS = Path(__file__).resolve().parent.parent / "models"
+"""Ready-made models (.model3) that are offered beside the algorithms."""
+
+ALGORITHMS = (RasterizeAnnotation, DecodeColorLabels, BuildDatabase, DescribeImage, LocalizeImages)
+
+
+class SemRefProvider(QgsProcessingProvider):
+    """Id ``semref``; the ids and keys of its algorithms are public."""
+
+    def id(self):
+        return "semref"
+
+    def name(self):
+        return "SemRef"
+
+    def icon(self):
+        return QIcon(str(ICON_PATH))
+
+    def svgIconPath(self):
+        return str(ICON_PATH)
+
+    def loadAlgorithms(self):
+        for algorithm in ALGORITHMS:
+            self.addAlgorithm(algorithm())
+
+    def add_models(self) -> None:
+        """Adds the models that ship. A model can be read only when the algorithms in it are registered."""
+        for path in sorted(MODELS.glob("*.model3")):
+            model = QgsProcessingModelAlgorithm()
+            if model.fromFile(str(path)):
+                self.addAlgorithm(model)
+
+    def defaultVectorFileExtension(self, has_geometry=True):
+        return "gpkg"
+
+    def defaultRasterFileExtension(self):
+        return "tif"
+
+
+def register_provider(registry: QgsProcessingRegistry):
+    """A registered SemRefProvider with its models; the caller keeps it and removes it from the registry.
+
+    Returns the provider that is there already when one is: QGIS crashes when one id is registered twice.
+    """
+    registered = registry.providerById("semref")
+    if registered is not None:
+        return registered
+    provider = SemRefProvider()
+    registry.addProvider(provider)
+    provider.add_models()
+    # Settings that reload the algorithms (language, icons) must not lose the models.
+    provider.algorithmsLoaded.connect(provider.add_models)
+    return provider

@@ -1,0 +1,248 @@
+"""semref:rasterizeannotation – land-cover polygons to a label map."""
+
+from __future__ import annotations
+
+import math
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterCrs,
+    QgsProcessingParameterExtent,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterDestination,
+)
+
+from ..core.errors import ParameterError
+from .base import ANNOTATION, SemRefAlgorithm, check_canceled
+from .compat import SOURCE_POLYGON, wkt_for_gdal
+from .translation import tr
+
+STRIP_PIXELS = 16_000_000
+"""Pixels burnt and written at a time."""
+
+MAXIMUM_PIXELS = 1_000_000_000_000
+"""Beyond this a pixel size is taken for a mistake (a country at 1 cm)."""
+
+READING_SHARE = 30.0
+"""Percent of the progress that reading the polygons takes."""
+
+
+class RasterizeAnnotation(SemRefAlgorithm):
+    ID = "rasterizeannotation"
+    GROUP = ANNOTATION
+    TAGS = ("rasterize", "burn", "land cover", "label map", "polygons", "shapefile")
+
+    INPUT = "INPUT"
+    CLASS_FIELD = "CLASS_FIELD"
+    PRIORITY_FIELD = "PRIORITY_FIELD"
+    CLASS_TABLE = "CLASS_TABLE"
+    PIXEL_SIZE = "PIXEL_SIZE"
+    EXTENT = "EXTENT"
+    TARGET_CRS = "TARGET_CRS"
+    OUTPUT = "OUTPUT"
+    CLASS_COUNT = "CLASS_COUNT"
+    LABELED_FRACTION = "LABELED_FRACTION"
+
+    def title(self):
+        return tr("Rasterize annotation")
+
+    def summary(self):
+        return tr(
+            "Burns land-cover polygons into a label map: a single-band GeoTIFF whose pixels hold class values, "
+            "0 where no polygon lies.\n\n"
+            "Classes come from the class table, else from the layer’s categorized style, else from the values of "
+            "the class field. Invalid polygons are repaired, empty ones skipped; the log says how many."
+        )
+
+    def initAlgorithm(self, config=None):
+        def add(parameter, text):
+            parameter.setHelp(text)
+            self.addParameter(parameter)
+
+        add(
+            QgsProcessingParameterFeatureSource(self.INPUT, tr("Annotation layer"), [SOURCE_POLYGON]),
+            tr("Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional."),
+        )
+        add(
+            QgsProcessingParameterField(self.CLASS_FIELD, tr("Class field"), parentLayerParameterName=self.INPUT),
+            tr("Text or number field that tells the class of each polygon."),
+        )
+        add(
+            QgsProcessingParameterField(
+                self.PRIORITY_FIELD, tr("Priority field"), parentLayerParameterName=self.INPUT, optional=True
+            ),
+            tr(
+                "Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw "
+                "order of the class table counts, else later polygons lie on top."
+            ),
+        )
+        add(
+            QgsProcessingParameterFile(
+                self.CLASS_TABLE, tr("Class table"), fileFilter=tr("CSV files (*.csv)"), optional=True
+            ),
+            tr(
+                "CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. "
+                "Every class value of the layer must be in it."
+            ),
+        )
+        add(
+            QgsProcessingParameterNumber(
+                self.PIXEL_SIZE, tr("Pixel size (m)"), QgsProcessingParameterNumber.Double, 1.0, minValue=0.001
+            ),
+            tr("Edge length of a pixel in metres. The smallest landmark should cover some 50 pixels."),
+        )
+        add(
+            QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
+            tr("Area to rasterize, widened to whole pixels; the extent of the polygons if left out."),
+        )
+        add(
+            QgsProcessingParameterCrs(self.TARGET_CRS, tr("Target CRS"), optional=True),
+            tr(
+                "Projected CRS in metres. If left out, the layer’s own if it is metric, else the UTM zone of its middle."
+            ),
+        )
+        add(
+            QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
+            tr("GeoTIFF, 8 bits a pixel, with the class table, colors and class names."),
+        )
+        self.addOutput(QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes on the map")))
+        self.addOutput(QgsProcessingOutputNumber(self.LABELED_FRACTION, tr("Fraction of the map that is labeled")))
+
+    def read_layers(self, parameters, context, feedback):
+        from .exchange.annotation import annotation_source
+
+        self._source = annotation_source(
+            self.parameterAsVectorLayer(parameters, self.INPUT, context),
+            parameters[self.INPUT],
+            self.parameterAsString(parameters, self.CLASS_FIELD, context),
+            self.parameterAsString(parameters, self.PRIORITY_FIELD, context),
+        )
+
+    def work(self, parameters, context, feedback):
+        from .exchange.files import written_beside
+        from .exchange.reference_systems import describe_crs, metric_crs
+
+        source = self._source
+        pixel_size = self.parameterAsDouble(parameters, self.PIXEL_SIZE, context)
+        asked_crs = self.parameterAsCrs(parameters, self.TARGET_CRS, context)
+        crs = metric_crs(source.crs, asked_crs, source.extent, context.transformContext())
+        if crs != source.crs and not asked_crs.isValid():
+            feedback.pushWarning(
+                tr("{source} does not measure in metres; the label map is made in {target}.").format(
+                    source=describe_crs(source.crs), target=describe_crs(crs)
+                )
+            )
+        polygons, table = self._polygons(parameters, context, feedback, crs)
+        extent = self.parameterAsExtent(parameters, self.EXTENT, context, crs)
+        bounds = (extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum())
+        if extent.isEmpty():
+            bounds = _union([p.bounds for p in polygons])
+        width, height, geotransform = pixel_grid(bounds, pixel_size)
+        output = self.parameterAsOutputLayer(parameters, self.OUTPUT, context)
+        feedback.setProgressText(
+            tr("Burning {count} polygons into {width} × {height} pixels").format(
+                count=len(polygons), width=width, height=height
+            )
+        )
+        with written_beside(output) as temporary:
+            counts = _burn(polygons, temporary, width, height, geotransform, wkt_for_gdal(crs), table, feedback)
+        labeled = int(counts[1:].sum())
+        present = [c for c in table if c.value and counts[c.value]]
+        feedback.pushInfo(
+            tr("Label map of {width} × {height} pixels, {share:.1%} labeled: {classes}").format(
+                width=width,
+                height=height,
+                share=labeled / (width * height),
+                classes=", ".join(f"{c.value} {c.name} {counts[c.value] / (width * height):.2%}" for c in present),
+            )
+        )
+        return {
+            self.OUTPUT: output,
+            self.CLASS_COUNT: len(present),
+            self.LABELED_FRACTION: labeled / (width * height),
+        }
+
+    def _polygons(self, parameters, context, feedback, crs: QgsCoordinateReferenceSystem):
+        """Polygons to burn and the class table; says what was repaired and skipped."""
+        from .exchange.annotation import AnnotationCounts, burn_polygons, class_lookup, require_known_classes
+        from .exchange.rasters import read_class_table
+
+        source = self._source
+        table_path = self.parameterAsFile(parameters, self.CLASS_TABLE, context)
+        lookup = class_lookup(source, read_class_table(table_path) if table_path else None, feedback.isCanceled)
+        check_canceled(feedback)
+        transform = None
+        if crs != source.crs:
+            transform = QgsCoordinateTransform(source.crs, crs, context.transformContext())
+        counts, polygons = AnnotationCounts(), []
+        for n, found in enumerate(burn_polygons(source, lookup, transform, counts)):
+            polygons += found
+            if n % 256 == 0:
+                check_canceled(feedback)
+                feedback.setProgress(READING_SHARE * n / max(source.count, 1))
+        for warns, sentence in counts.sentences():
+            (feedback.pushWarning if warns else feedback.pushInfo)(sentence)
+        require_known_classes(counts, source, lookup.table)
+        if not polygons:
+            raise ParameterError(f"“{source.name}” has no polygon with area and class; there is nothing to rasterise.")
+        return polygons, lookup.table
+
+
+def pixel_grid(bounds, pixel_size: float):
+    """(width, height, geotransform) of the grid of whole pixels around ``bounds``, aligned to multiples of the pixel size.
+
+    Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
+    """
+    if not pixel_size > 0 or not math.isfinite(pixel_size):
+        raise ParameterError(f"The pixel size is {pixel_size:g} m; it must be more than 0.")
+    # A bound that is a multiple but for rounding must not add a row of pixels.
+    slack = 1e-6
+    left, bottom = (math.floor(v / pixel_size + slack) for v in bounds[:2])
+    right, top = (math.ceil(v / pixel_size - slack) for v in bounds[2:])
+    width, height = max(right - left, 1), max(top - bottom, 1)
+    if width * height > MAXIMUM_PIXELS or max(width, height) > 2**31 - 1:
+        raise ParameterError(
+            f"The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT."
+        )
+    return width, height, (left * pixel_size, pixel_size, 0.0, top * pixel_size, 0.0, -pixel_size)
+
+
+def _union(bounds):
+    lefts, bottoms, rights, tops = zip(*bounds)
+    return min(lefts), min(bottoms), max(rights), max(tops)
+
+
+def _burn(polygons, path, width, height, geotransform, crs_wkt, table, feedback):
+    """Writes the label map strip by strip; returns (256,) pixels of each value."""
+    import cv2
+    import numpy as np
+    from osgeo import gdal
+
+    from .exchange.annotation import BurnLayer
+    from .exchange.rasters import close_written, create_label_map, write_rows
+
+    layer = BurnLayer(polygons, crs_wkt)
+    x0, pixel, _, y0, _, _ = geotransform
+    dataset = create_label_map(path, width, height, geotransform, crs_wkt, table)
+    counts = np.zeros(256, np.int64)
+    # Whole tile rows, so that no tile is compressed twice.
+    rows = max(256, STRIP_PIXELS // width // 256 * 256)
+    for first in range(0, height, rows):
+        check_canceled(feedback)
+        strip = gdal.GetDriverByName("MEM").Create("", width, min(rows, height - first), 1, gdal.GDT_Byte)
+        strip.SetGeoTransform((x0, pixel, 0.0, y0 - first * pixel, 0.0, -pixel))
+        strip.SetProjection(crs_wkt)
+        layer.burn(strip)
+        labels = strip.ReadAsArray()
+        # OpenCV counts in single precision, exact to 16 million.
+        for part in np.array_split(labels, labels.size // 16_000_000 + 1):
+            counts += cv2.calcHist([part], [0], None, [256], [0, 256])[:, 0].astype(np.int64)
+        write_rows(dataset, first, labels, path)
+        feedback.setProgress(READING_SHARE + (100 - READING_SHARE) * (first + len(labels)) / height)
+    close_written(dataset, path)
+    return counts
