@@ -82,7 +82,7 @@ class DatabaseBuilder:
         self.database: Optional[ReferenceDatabase] = None
 
     def steps(self) -> Iterator[Tuple[str, float]]:
-        """Yields (what is being done, share of the whole done 0…1). Raises LabelMapError without any reference object."""
+        """Yields (what is being done, share done 0…1). Raises LabelMapError for a map without reference objects."""
         objects, map_hash = None, ""
         for share, result in self._scan():
             yield "Finding reference objects", 0.3 * share
@@ -90,8 +90,8 @@ class DatabaseBuilder:
                 objects, map_hash = result
         if not len(objects):
             raise LabelMapError(
-                f"The map shows no reference object of {', '.join(c.name for c in self._table.references)} with at least "
-                f"{self._settings.minimum_area:g} m²; choose other reference classes or a smaller minimum area."
+                f"The map shows no reference object of {', '.join(c.name for c in self._table.references)} with at "
+                f"least {self._settings.minimum_area:g} m²; choose other reference classes or a smaller minimum area."
             )
         described: List[Tuple[int, WindowGrid, DescribedWindows]] = []
         total = sum(len(grid) for grid in self.grids)
@@ -107,7 +107,7 @@ class DatabaseBuilder:
         )
 
     def distinctiveness(self) -> Iterator[Tuple[float, Optional[np.ndarray]]]:
-        """Yields (share done, None), at last (1, (N,) distances; NaN for windows without a vector or without others)."""
+        """Yields (share done, None), at last (1, (N,) distances; NaN without a vector or without others)."""
         windows = self.database.windows
         index = np.flatnonzero(windows.described)
         found = np.full(len(windows), np.nan)

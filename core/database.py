@@ -38,7 +38,8 @@ class Windows:
 class MapReferences:
     """The reference objects of the whole map, N of them.
 
-    positions: (N, 2) float64 map coordinates (x, y); classes: (N,) uint8; areas_m2: (N,) float64; touches_edge: (N,) bool.
+    positions: (N, 2) float64 map coordinates (x, y); classes: (N,) uint8; areas_m2: (N,) float64;
+    touches_edge: (N,) bool.
     """
 
     positions: np.ndarray

@@ -49,7 +49,10 @@ class Localization:
 
 @dataclass(frozen=True)
 class DescribedImage:
-    """The largest centred square of an image: its first pixel (column, row), size, objects in the square's own pixels, vector."""
+    """The largest centred square of an image, described.
+
+    first_xy: its first pixel (column, row); size: its edge in pixels; objects: in the square's own pixels.
+    """
 
     first_xy: Tuple[int, int]
     size: int

@@ -180,7 +180,7 @@ class _Strip:
 
         Every part of a region that a frame cuts has pixels on one of the frame's sides, and every pixel of a reference
         class on this side belongs to one of the regions ``crossing`` it (or to one too small to count): so the
-        contours that touch the side are exactly the wanted ones. Those that touch a side already ``done`` were found there.
+        contours that touch the side are exactly the wanted ones. Those on a side already ``done`` were found there.
         """
         found = []
         for value in np.unique(crossing[:, CLASS]).tolist():
@@ -247,7 +247,7 @@ def _rows_by_line(rows: np.ndarray, lines: np.ndarray) -> Dict[int, np.ndarray]:
 
 
 def _nearest(rows: np.ndarray, center: np.ndarray, count: int) -> np.ndarray:
-    """(n, 3) offset x, offset y, class of the ``count`` regions nearest to ``center``, and of all tied with the last."""
+    """(n, 3) offset x, offset y, class of the ``count`` regions nearest to ``center`` and those tied with the last."""
     offsets = rows[:, (CENTER_X, CENTER_Y, CLASS)]
     offsets[:, :2] -= center
     if len(rows) <= count:

@@ -25,7 +25,7 @@ class Canceled(Exception):
 
 
 class SemRefAlgorithm(QgsProcessingAlgorithm):
-    """Base of the algorithms. A subclass has ID, GROUP and TAGS and the methods title, summary, initAlgorithm and work."""
+    """Base of the algorithms. A subclass has ID, GROUP, TAGS and the methods title, summary, initAlgorithm, work."""
 
     ID = ""
     GROUP = ""

@@ -36,7 +36,8 @@ class DecodeColorLabels(SemRefAlgorithm):
         return tr(
             "Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as "
             "published or by the nearest class color.\n\n"
-            "Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is black."
+            "Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is "
+            "black."
         )
 
     def initAlgorithm(self, config=None):

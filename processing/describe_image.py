@@ -86,7 +86,7 @@ class DescribeImage(SemRefAlgorithm):
                 self.MINIMUM_AREA, tr("Minimum area"), QgsProcessingParameterNumber.Double, 100.0, minValue=0.0
             ),
             tr(
-                "Without a database: smallest landmark in square map units of the image; in pixels if it has no georeference."
+                "Without a database: smallest landmark in square map units, in pixels without georeference."
             ),
         )
         add(
@@ -102,9 +102,7 @@ class DescribeImage(SemRefAlgorithm):
         )
         add(
             QgsProcessingParameterFeatureSink(self.REFERENCES, tr("Landmarks"), SOURCE_POINT),
-            tr(
-                "Points with class, area and pixel position; in pixels (y up, negative) for an image without georeference."
-            ),
+            tr("Points with class, area and pixel position; in pixels (y up, negative) without georeference."),
         )
         add(
             QgsProcessingParameterFileDestination(

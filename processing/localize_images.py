@@ -72,11 +72,11 @@ class LocalizeImages(SemRefAlgorithm):
 
     def summary(self):
         return tr(
-            "Finds where images were taken: each label image is described by its landmarks and matched with the windows "
-            "of a reference database.\n\n"
-            "Every image gives one point; without a fix it has no geometry and its reason says why. The topology vector "
-            "method finds images centered on a window of the database and is known to accept images from elsewhere: "
-            "check what it finds."
+            "Finds where images were taken: each label image is described by its landmarks and matched with the "
+            "windows of a reference database.\n\n"
+            "Every image gives one point; without a fix it has no geometry and its reason says why. The topology "
+            "vector method finds images centered on a window of the database and is known to accept images from "
+            "elsewhere: check what it finds."
         )
 
     def initAlgorithm(self, config=None):
@@ -113,9 +113,7 @@ class LocalizeImages(SemRefAlgorithm):
         )
         add(
             QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), SOURCE_POINT),
-            tr(
-                "One point an image: status, position, confidence, distance, matched window and, without a fix, the reason."
-            ),
+            tr("One point an image: status, position, confidence, distance, window and, without a fix, the reason."),
         )
         add(
             QgsProcessingParameterFeatureSink(

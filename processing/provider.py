@@ -7,17 +7,37 @@ from pathlib import Path
 from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider, QgsProcessingRegistry
 from qgis.PyQt.QtGui import QIcon
 
-from .base import ICON_PATH
+from .base import ICON_PATH, REFERENCE_DATABASE
 from .build_database import BuildDatabase
 from .decode_color_labels import DecodeColorLabels
 from .describe_image import DescribeImage
 from .localize_images import LocalizeImages
 from .rasterize_annotation import RasterizeAnnotation
+from .translation import tr
 
 MODELS = Path(__file__).resolve().parent.parent / "models"
 """Ready-made models (.model3) that are offered beside the algorithms."""
 
 ALGORITHMS = (RasterizeAnnotation, DecodeColorLabels, BuildDatabase, DescribeImage, LocalizeImages)
+
+
+class ShippedModel(QgsProcessingModelAlgorithm):
+    """A model file that stands beside the algorithms, in their group and in the user's language."""
+
+    def displayName(self):  # noqa: N802
+        return tr("Annotation to reference database")
+
+    def group(self):
+        return tr("Reference database")
+
+    def groupId(self):  # noqa: N802
+        return REFERENCE_DATABASE
+
+    def icon(self):
+        return QIcon(str(ICON_PATH))
+
+    def svgIconPath(self):  # noqa: N802
+        return str(ICON_PATH)
 
 
 class SemRefProvider(QgsProcessingProvider):
@@ -42,7 +62,7 @@ class SemRefProvider(QgsProcessingProvider):
     def add_models(self) -> None:
         """Adds the models that ship. A model can be read only when the algorithms in it are registered."""
         for path in sorted(MODELS.glob("*.model3")):
-            model = QgsProcessingModelAlgorithm()
+            model = ShippedModel()
             if model.fromFile(str(path)):
                 self.addAlgorithm(model)
 

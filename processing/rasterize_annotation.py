@@ -102,9 +102,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
         )
         add(
             QgsProcessingParameterCrs(self.TARGET_CRS, tr("Target CRS"), optional=True),
-            tr(
-                "Projected CRS in metres. If left out, the layer’s own if it is metric, else the UTM zone of its middle."
-            ),
+            tr("Projected CRS in metres. If left out: the layer’s own if it is metric, else a UTM zone."),
         )
         add(
             QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
@@ -194,7 +192,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
 
 
 def pixel_grid(bounds, pixel_size: float):
-    """(width, height, geotransform) of the grid of whole pixels around ``bounds``, aligned to multiples of the pixel size.
+    """(width, height, geotransform) of the whole pixels around ``bounds``, aligned to multiples of the pixel size.
 
     Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
     """

@@ -96,11 +96,11 @@ providers = []
 def register_provider() -> None:
     from qgis.core import QgsApplication
 
-    from semref.processing.provider import SemRefProvider
+    from semref.processing.provider import register_provider as register
 
     # The registry owns the C++ half only: without a reference the Python half, with its algorithms, is collected.
-    providers[:] = [SemRefProvider()]
-    if not QgsApplication.processingRegistry().addProvider(providers[0]):
+    providers[:] = [register(QgsApplication.processingRegistry())]
+    if QgsApplication.processingRegistry().providerById("semref") is None:
         pytest.fail("QGIS does not take the provider semref.")
 
 

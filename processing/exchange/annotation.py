@@ -304,7 +304,8 @@ def require_known_classes(counts: AnnotationCounts, source: AnnotationSource, ta
     more = len(counts.unknown) - len(named)
     raise AnnotationError(
         f"“{source.name}” has classes that the class table does not have: {', '.join(named)}"
-        f"{f' and {more} more' if more else ''}; add them to the table ({table.describe()}) or leave those features out."
+        f"{f' and {more} more' if more else ''}; add them to the table ({table.describe()}) "
+        "or leave those features out."
     )
 
 

@@ -31,7 +31,8 @@ _FEATURES_A_STEP = 2000
 _INTEGER, _REAL, _TEXT, _BLOB, _BOOLEAN = "integer", "real", "text", "blob", "boolean"
 _WINDOW_FIELDS = (
     ("name", _TEXT), ("level", _INTEGER), ("size", _REAL), ("center_x", _REAL), ("center_y", _REAL),
-    ("longitude", _REAL), ("latitude", _REAL), ("reference_count", _INTEGER), ("vector", _BLOB), ("distinctiveness", _REAL),
+    ("longitude", _REAL), ("latitude", _REAL), ("reference_count", _INTEGER), ("vector", _BLOB),
+    ("distinctiveness", _REAL),
 )  # fmt: skip
 _REFERENCE_FIELDS = (("class", _INTEGER), ("class_name", _TEXT), ("area", _REAL), ("touches_edge", _BOOLEAN))
 _STYLE_FIELDS = (

@@ -306,7 +306,7 @@ def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.
 
 
 def image_files(paths: List[str]) -> List[str]:
-    """Files as given; a folder stands for the images in it, in order of name. Raises LabelMapError for an empty folder."""
+    """Files as given; a folder stands for the images in it, by name. Raises LabelMapError for an empty folder."""
     found: List[str] = []
     for path in paths:
         if not os.path.isdir(path):

@@ -1,0 +1,51 @@
+"""QGIS without a window, with Processing and this checkout as the package ``semref``; for tools only."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import os
+import sys
+import tempfile
+from pathlib import Path
+from typing import Iterator
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def load_plugin_package() -> None:
+    """Makes this checkout, whatever its folder is called, importable as ``semref``."""
+    if "semref" not in sys.modules:
+        spec = importlib.util.spec_from_file_location(
+            "semref", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
+        )
+        sys.modules["semref"] = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(sys.modules["semref"])
+
+
+@contextlib.contextmanager
+def qgis_session() -> Iterator[object]:
+    """A QgsApplication in a fresh profile with SemRef's provider registered; gives the provider."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    with tempfile.TemporaryDirectory(prefix="semref-profile-") as home:
+        os.environ["QGIS_CUSTOM_CONFIG_PATH"] = home
+        os.environ.setdefault("XDG_RUNTIME_DIR", home)
+        from qgis.core import QgsApplication, QgsProject
+
+        # Map pictures need the fonts and widgets of the GUI application, also without a window.
+        application = QgsApplication([], True)
+        application.initQgis()
+        sys.path.append(os.path.join(QgsApplication.pkgDataPath(), "python", "plugins"))
+        from processing.core.Processing import Processing
+
+        Processing.initialize()
+        load_plugin_package()
+        from semref.processing.provider import register_provider
+
+        provider = register_provider(QgsApplication.processingRegistry())
+        try:
+            yield provider
+        finally:
+            QgsProject.instance().clear()
+            QgsApplication.processingRegistry().removeProvider("semref")
+            application.exitQgis()
