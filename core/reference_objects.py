@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Iterable, Sequence
 
@@ -55,18 +56,28 @@ def extract_reference_objects(
     without a parent) → ``cv2.contourArea`` → ``cv2.moments`` → centre of gravity (paper §2.2.2 (2)). Regions
     without area (single pixels, lines) have no centre of gravity and are never reference objects.
     """
-    rows = [region_rows(class_mask(labels_hw, value), value, minimum_area_px) for value in sorted(class_values)]
+    area_px = whole_half_pixels(minimum_area_px)
+    rows = [region_rows(class_mask(labels_hw, value), value, area_px) for value in sorted(class_values)]
     return objects_from_rows(np.concatenate([NO_ROWS, *rows]), labels_hw.shape)
 
 
 def class_mask(labels_hw: np.ndarray, value: int) -> np.ndarray:
-    """(H, W) uint8 mask, 255 where the label is ``value``."""
-    return cv2.compare(labels_hw, float(value), cv2.CMP_EQ)
+    """(H, W) uint8 mask, 1 where the label is ``value``."""
+    # Not cv2.compare: it refuses an image of one pixel.
+    return (labels_hw == np.uint8(value)).view(np.uint8)
 
 
 def minimum_area_px(minimum_area_m2: float, pixel_size_m: float) -> float:
     """The area threshold in pixels."""
-    return minimum_area_m2 / pixel_size_m**2
+    return whole_half_pixels(minimum_area_m2 / pixel_size_m**2)
+
+
+def whole_half_pixels(area_px: float) -> float:
+    """The smallest contour area (they are whole halves of a pixel) that reaches ``area_px``.
+
+    So a threshold of 100 m² that arithmetic made 100.00000000000001 pixels means the same for map and image.
+    """
+    return math.ceil(2 * area_px - 1e-6) / 2
 
 
 # While they are being collected, regions are rows of one float array; these are its columns.

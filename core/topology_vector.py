@@ -12,6 +12,9 @@ REFERENCES_PER_VECTOR = 10
 MINIMUM_REFERENCES = 3
 """Fewer reference objects than this give no vector: two points fix no shape."""
 
+TIE_DECIMALS = 6
+"""Distances in pixels and angles in degrees that agree to so many decimals are tied; rounding errors are near 1e-11."""
+
 
 def topology_vector(
     centers_xy: np.ndarray,
@@ -41,24 +44,28 @@ def class_ranks(classes: np.ndarray, reference_values: Sequence[int]) -> np.ndar
 def topology_vectors(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: int) -> np.ndarray:
     """The vectors of M images at once: (M, 3·X) float32, row after row.
 
-    ``offsets_xy``: (M, N, 2) float64 offsets of the reference objects from each image's centre, y down, padded
-    with infinity; ``ranks``: (M, N) as of ``class_ranks``. Every image must have at least one object.
+    ``offsets_xy``: (M, N, 2) float64 offsets in pixels of the reference objects from each image's centre, y down,
+    padded with infinity; ``ranks``: (M, N) as of ``class_ranks``. Every image must have at least one object.
 
     Per image: keep the X nearest; order them by their angle from the +x axis in [0°, 360°); begin with the farthest;
     then three rows, zero-padded at the end: distance ratios (eq. 2), angle differences to the next one, the last to
-    the first, over the largest (eqs. 3, 4), and ranks. Ties go by distance, then angle.
+    the first, over the largest (eqs. 3, 4), and ranks. Ties, to a millionth of a pixel or degree, go by
+    distance, then angle, then rank.
     """
     kept = min(references_per_vector, offsets_xy.shape[1])
     distances = np.hypot(offsets_xy[..., 0], offsets_xy[..., 1])
     with np.errstate(invalid="ignore"):
-        angles = np.degrees(np.arctan2(offsets_xy[..., 1], offsets_xy[..., 0])) % 360.0
-    # A tiny negative angle comes out of the modulo as 360 itself, which is 0.
-    angles[angles >= 360.0] = 0.0
+        angles = np.degrees(np.arctan2(offsets_xy[..., 1], offsets_xy[..., 0]))
+    # Equal objects lie at tied distances; the last bits, which depend on where the map was cut, must not order them.
+    distances = np.round(distances, TIE_DECIMALS)
+    # Rounded before the modulo: a tiny negative angle would come out of it as 360 itself, which is 0.
+    angles = np.round(angles, TIE_DECIMALS) % 360.0
+    angles[distances == 0.0] = 0.0
     angles[np.isinf(distances)] = np.inf
 
-    nearest = np.lexsort((angles, distances), axis=-1)[:, :kept]
+    nearest = np.lexsort((ranks, angles, distances), axis=-1)[:, :kept]
     distances, angles, ranks = (np.take_along_axis(a, nearest, axis=1) for a in (distances, angles, ranks))
-    by_angle = np.lexsort((distances, angles), axis=-1)
+    by_angle = np.lexsort((ranks, distances, angles), axis=-1)
     distances, angles, ranks = (np.take_along_axis(a, by_angle, axis=1) for a in (distances, angles, ranks))
 
     present = np.isfinite(distances)

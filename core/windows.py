@@ -33,7 +33,7 @@ from .reference_objects import (
     shift_row,
     shift_rows,
 )
-from .topology_vector import MINIMUM_REFERENCES, class_ranks, topology_vectors
+from .topology_vector import MINIMUM_REFERENCES, TIE_DECIMALS, class_ranks, topology_vectors
 from .window_grid import WindowGrid
 
 STRIP_PIXELS = 64_000_000
@@ -253,7 +253,8 @@ def _nearest(rows: np.ndarray, center: np.ndarray, count: int) -> np.ndarray:
     if len(rows) <= count:
         return offsets
     squared = offsets[:, 0] ** 2 + offsets[:, 1] ** 2
-    return offsets[squared <= np.partition(squared, count - 1)[count - 1] * (1 + 1e-12)]
+    reach = np.sqrt(np.partition(squared, count - 1)[count - 1]) + 10.0**-TIE_DECIMALS
+    return offsets[squared <= reach**2]
 
 
 def _vectors(nearest: List[np.ndarray], reference_values: Sequence[int], references_per_vector: int) -> np.ndarray:
