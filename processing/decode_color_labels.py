@@ -83,6 +83,7 @@ class DecodeColorLabels(SemRefAlgorithm):
             read_class_table,
             write_rows,
         )
+        from .exchange.styles import write_label_map_style
 
         table = read_class_table(self.parameterAsFile(parameters, self.CLASS_TABLE, context))
         nearest = self.parameterAsEnum(parameters, self.METHOD, context) == self.NEAREST_COLOR
@@ -103,6 +104,7 @@ class DecodeColorLabels(SemRefAlgorithm):
                 feedback.setProgress(100 * (first + len(decoded)) / height)
             close_written(labels, temporary)
             del labels
+        write_label_map_style(output, table)
         share = unlabeled / (width * height)
         say = feedback.pushWarning if share > 0.5 else feedback.pushInfo
         say(tr("{share:.1%} of the pixels match no class.").format(share=share))

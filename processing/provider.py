@@ -24,19 +24,19 @@ ALGORITHMS = (RasterizeAnnotation, DecodeColorLabels, BuildDatabase, DescribeIma
 class ShippedModel(QgsProcessingModelAlgorithm):
     """A model file that stands beside the algorithms, in their group and in the user's language."""
 
-    def displayName(self):  # noqa: N802
+    def displayName(self):
         return tr("Annotation to reference database")
 
     def group(self):
         return tr("Reference database")
 
-    def groupId(self):  # noqa: N802
+    def groupId(self):
         return REFERENCE_DATABASE
 
     def icon(self):
         return QIcon(str(ICON_PATH))
 
-    def svgIconPath(self):  # noqa: N802
+    def svgIconPath(self):
         return str(ICON_PATH)
 
 

@@ -124,6 +124,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
     def work(self, parameters, context, feedback):
         from .exchange.files import written_beside
         from .exchange.reference_systems import describe_crs, metric_crs
+        from .exchange.styles import write_label_map_style
 
         source = self._source
         pixel_size = self.parameterAsDouble(parameters, self.PIXEL_SIZE, context)
@@ -149,6 +150,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
         )
         with written_beside(output) as temporary:
             counts = _burn(polygons, temporary, width, height, geotransform, wkt_for_gdal(crs), table, feedback)
+        write_label_map_style(output, table)
         labeled = int(counts[1:].sum())
         present = [c for c in table if c.value and counts[c.value]]
         feedback.pushInfo(

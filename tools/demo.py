@@ -80,10 +80,10 @@ def _printing_feedback():
     from qgis.core import QgsProcessingFeedback
 
     class Printing(QgsProcessingFeedback):
-        def pushWarning(self, text):  # noqa: N802
+        def pushWarning(self, text):
             print(f"   {text}")
 
-        def reportError(self, text, fatal=False):  # noqa: N802
+        def reportError(self, text, fatal=False):
             print(f"   {text}", file=sys.stderr)
 
     return Printing(False)

@@ -18,12 +18,13 @@ from qgis.core import (
     QgsLayoutItemScaleBar,
     QgsLayoutPoint,
     QgsLayoutSize,
+    QgsLegendStyle,
     QgsMarkerSymbol,
     QgsPointXY,
     QgsPrintLayout,
     QgsProject,
     QgsRasterLayer,
-    QgsRectangle,
+    QgsReferencedRectangle,
     QgsSingleSymbolRenderer,
     QgsUnitTypes,
     QgsVectorLayer,
@@ -55,7 +56,7 @@ def write_project_and_picture(folder: Path, paths: Dict[str, str], fix: dict, im
     root = project.layerTreeRoot()
     for hidden in (windows, positions):
         root.findLayer(hidden.id()).setItemVisibilityChecked(False)
-    project.viewSettings().setDefaultViewExtent(_reference_rectangle(labels))
+    project.viewSettings().setDefaultViewExtent(QgsReferencedRectangle(labels.extent(), labels.crs()))
     layout = _layout(project, labels, fix, image)
     project.layoutManager().addLayout(layout)
     picture = str(folder / "map.png")
@@ -65,12 +66,6 @@ def write_project_and_picture(folder: Path, paths: Dict[str, str], fix: dict, im
         raise RuntimeError(f"{picture} could not be written")
     if not project.write(str(folder / "semref_demo.qgz")):
         raise RuntimeError(f"the project could not be written: {project.error()}")
-
-
-def _reference_rectangle(layer):
-    from qgis.core import QgsReferencedRectangle
-
-    return QgsReferencedRectangle(layer.extent(), layer.crs())
 
 
 def _positions_layer(path: str) -> QgsVectorLayer:
@@ -113,8 +108,10 @@ def _layout(project: QgsProject, labels: QgsRasterLayer, fix: dict, image: Path)
     page_map = QgsLayoutItemMap(layout)
     layout.addLayoutItem(page_map)
     _place(page_map, 8, 20, 196, 147)
-    extent = QgsRectangle(labels.extent())
-    page_map.zoomToExtent(extent)
+    page_map.setCrs(labels.crs())
+    page_map.setLayers([node.layer() for node in project.layerTreeRoot().findLayers() if node.isVisible()])
+    page_map.setKeepLayerSet(True)
+    page_map.setExtent(labels.extent())
     page_map.setFrameEnabled(True)
     _label(layout, "SemRef: where was this picture taken?", 8, 6, 280, 10, 18, bold=True)
     _label(layout, "Query picture (labels)", 212, 20, 78, 6, 10, bold=True)
@@ -129,19 +126,41 @@ def _layout(project: QgsProject, labels: QgsRasterLayer, fix: dict, image: Path)
         f"distance {fix['distance']:.4f}   confidence {fix['confidence']:.2f}"
     )
     _label(layout, text, 212, 100, 80, 28, 9)
-    legend = QgsLayoutItemLegend(layout)
-    legend.setLinkedMap(page_map)
-    legend.setLegendFilterByMapEnabled(True)
-    legend.setAutoUpdateModel(False)
-    layout.addLayoutItem(legend)
-    _place(legend, 210, 128, 82, 70)
-    legend.adjustBoxSize()
+    _legend(layout, project, page_map)
     scale_bar = QgsLayoutItemScaleBar(layout)
-    scale_bar.setLinkedMap(page_map)
-    scale_bar.applyDefaultSize()
     layout.addLayoutItem(scale_bar)
-    _place(scale_bar, 8, 170, 80, 14)
+    scale_bar.setLinkedMap(page_map)
+    scale_bar.setStyle("Single Box")
+    scale_bar.setUnits(QgsUnitTypes.DistanceMeters)
+    scale_bar.setUnitLabel("m")
+    scale_bar.setUnitsPerSegment(500)
+    scale_bar.setNumberOfSegments(2)
+    scale_bar.setNumberOfSegmentsLeft(0)
+    scale_bar.update()
+    scale_bar.attemptMove(QgsLayoutPoint(8, 172, MILLIMETERS))
+    _label(layout, f"Label map and landmarks of the sample area, {labels.crs().authid()}", 100, 173, 104, 8, 9)
     return layout
+
+
+def _legend(layout: QgsPrintLayout, project: QgsProject, page_map: QgsLayoutItemMap) -> None:
+    """What the map shows, small enough to stand beside it."""
+    legend = QgsLayoutItemLegend(layout)
+    layout.addLayoutItem(legend)
+    legend.setLinkedMap(page_map)
+    legend.setAutoUpdateModel(False)
+    root = legend.model().rootGroup()
+    for node in project.layerTreeRoot().findLayers():
+        if not node.isVisible():
+            root.removeLayer(node.layer())
+    for style in (QgsLegendStyle.SymbolLabel, QgsLegendStyle.Subgroup):
+        legend.setStyleFont(style, QFont("DejaVu Sans", 8))
+    legend.setSymbolHeight(3)
+    legend.setSymbolWidth(5)
+    legend.setBoxSpace(0)
+    for style, side in ((QgsLegendStyle.Symbol, QgsLegendStyle.Top), (QgsLegendStyle.Subgroup, QgsLegendStyle.Top)):
+        legend.setStyleMargin(style, side, 1.5)
+    legend.adjustBoxSize()
+    legend.attemptMove(QgsLayoutPoint(212, 127, MILLIMETERS))
 
 
 def _colored(image: Path, labels: QgsRasterLayer) -> Path:

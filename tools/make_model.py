@@ -35,7 +35,9 @@ def annotation_to_database():
     parameters = (
         QgsProcessingParameterFeatureSource("INPUT", "Annotation layer", [QgsProcessing.TypeVectorPolygon]),
         QgsProcessingParameterField("CLASS_FIELD", "Class field", parentLayerParameterName="INPUT"),
-        QgsProcessingParameterField("PRIORITY_FIELD", "Priority field", parentLayerParameterName="INPUT", optional=True),
+        QgsProcessingParameterField(
+            "PRIORITY_FIELD", "Priority field", parentLayerParameterName="INPUT", optional=True
+        ),
         QgsProcessingParameterFile("CLASS_TABLE", "Class table", fileFilter="CSV files (*.csv)", optional=True),
         number("PIXEL_SIZE", "Pixel size (m)", number.Double, 1.0, minValue=0.001),
         QgsProcessingParameterString("REFERENCE_CLASSES", "Reference classes", optional=True),

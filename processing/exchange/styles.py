@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Dict
 
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
     QgsFillSymbol,
+    QgsMapLayer,
     QgsMarkerSymbol,
+    QgsPalettedRasterRenderer,
+    QgsRasterLayer,
     QgsRendererCategory,
     QgsSingleSymbolRenderer,
     QgsVectorLayer,
 )
+from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...core.class_table import ClassTable
+from .files import written_beside
 
 WINDOW_COLOR = "#1f5fbf"
-WINDOW_NO_VECTOR_COLOR = "#c0392b"
+
+_OURS = "semref/style"
+"""Custom property that marks a style file as written by SemRef, so that it may be replaced."""
 
 
 def database_styles(table: ClassTable) -> Dict[str, str]:
@@ -47,12 +55,37 @@ def references_renderer(table: ClassTable) -> QgsCategorizedSymbolRenderer:
     return QgsCategorizedSymbolRenderer("class", categories)
 
 
+def write_label_map_style(path: str, table: ClassTable) -> None:
+    """Writes the style that QGIS finds beside a label map: only the map's own classes, 0 transparent.
+
+    Without it the legend lists all 256 entries of the GeoTIFF's colour table. A style that somebody else put
+    there stays.
+    """
+    style = Path(path).with_suffix(".qml")
+    if style.exists() and _OURS not in style.read_text(encoding="utf-8", errors="replace"):
+        return
+    layer = QgsRasterLayer(path, "style")
+    layer.setRenderer(label_renderer(layer, table))
+    layer.setCustomProperty(_OURS, True)
+    with written_beside(str(style)) as temporary:
+        Path(temporary).write_text(_exported(layer), encoding="utf-8")
+
+
+def label_renderer(layer: QgsRasterLayer, table: ClassTable) -> QgsPalettedRasterRenderer:
+    """Class colours and names for a raster of class values."""
+    classes = [QgsPalettedRasterRenderer.Class(c.value, QColor(c.color), c.name) for c in table if c.value]
+    return QgsPalettedRasterRenderer(layer.dataProvider(), 1, classes)
+
+
 def _qml(geometry: str, fields: str, renderer) -> str:
     layer = QgsVectorLayer(f"{geometry}?field={fields}", "style", "memory")
     layer.setRenderer(renderer)
+    return _exported(layer)
+
+
+def _exported(layer: QgsMapLayer) -> str:
     document = QDomDocument()
     error = layer.exportNamedStyle(document)
-    # 3.22 returns the message, later versions may return (None/"", …); an empty document is the failure either way.
     if document.isNull():
-        raise RuntimeError(f"the style of {geometry} could not be exported: {error}")
+        raise RuntimeError(f"the style of {layer.name()} could not be exported: {error}")
     return document.toString()
