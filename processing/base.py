@@ -79,11 +79,9 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return self.summary().split("\n\n")[0]
 
     def shortHelpString(self) -> str:
-        """The summary, then every parameter and output with its own help."""
+        """The summary, then every parameter with its own help."""
         paragraphs = "".join(f"<p>{paragraph}</p>" for paragraph in self.summary().split("\n\n"))
         entries = [(p.description(), p.help()) for p in self.parameterDefinitions() if p.help()]
-        names = {p.name() for p in self.parameterDefinitions()}
-        entries += [(o.description(), o.type()) for o in self.outputDefinitions() if o.name() not in names]
         return paragraphs + "".join(f"<h3>{title}</h3><p>{text}</p>" for title, text in entries)
 
     def canExecute(self):
@@ -96,14 +94,18 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return True, ""
 
     def prepareAlgorithm(self, parameters, context, feedback) -> bool:
+        self._refusal = None
         try:
             self.read_layers(parameters, context, feedback)
         except SemRefError as error:
-            raise QgsProcessingException(str(error)) from error
+            # Raised by processAlgorithm: of what prepareAlgorithm raises QGIS tells Python callers nothing.
+            self._refusal = error
         return True
 
     def processAlgorithm(self, parameters, context, feedback):
         try:
+            if self._refusal is not None:
+                raise self._refusal
             return self.work(parameters, context, feedback)
         except SemRefError as error:
             raise QgsProcessingException(str(error)) from error
