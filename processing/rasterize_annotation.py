@@ -7,6 +7,7 @@ import math
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
+    QgsProcessingFeatureSourceDefinition,
     QgsProcessingOutputNumber,
     QgsProcessingParameterCrs,
     QgsProcessingParameterExtent,
@@ -114,9 +115,14 @@ class RasterizeAnnotation(SemRefAlgorithm):
     def read_layers(self, parameters, context, feedback):
         from .exchange.annotation import annotation_source
 
+        definition = parameters[self.INPUT]
+        if isinstance(definition, QgsProcessingFeatureSourceDefinition):
+            layer = self.parameterAsVectorLayer({self.INPUT: definition.source}, self.INPUT, context)
+        else:
+            layer = self.parameterAsVectorLayer(parameters, self.INPUT, context)
         self._source = annotation_source(
-            self.parameterAsVectorLayer(parameters, self.INPUT, context),
-            parameters[self.INPUT],
+            layer,
+            definition,
             self.parameterAsString(parameters, self.CLASS_FIELD, context),
             self.parameterAsString(parameters, self.PRIORITY_FIELD, context),
         )

@@ -31,12 +31,15 @@ _NO_PRIORITY = float("-inf")
 _NAMED_AT_MOST = 5
 """Unknown class values that a message names."""
 
+StyledClass = Tuple[Tuple[object, ...], str, str]
+"""Raw values of the class field that one class stands for, its name, its colour or an empty text."""
+
 
 @dataclass(frozen=True)
 class AnnotationSource:
     """A snapshot of an annotation layer that a worker thread may read while the layer is edited or removed.
 
-    ``styled``: the classes of the layer's categorised renderer with the raw value of each, if it classifies
+    ``styled``: the classes of the layer's categorised renderer (raw values, label, colour), if it classifies
     ``class_field``; ``unstyled_allowed``: whether that renderer has a category for all other values.
     """
 
@@ -49,7 +52,7 @@ class AnnotationSource:
     class_index: int
     class_is_number: bool
     priority_index: int
-    styled: Tuple[Tuple[object, str, str], ...]
+    styled: Tuple[StyledClass, ...]
     unstyled_allowed: bool
 
 
@@ -121,18 +124,18 @@ def annotation_source(
         raise AnnotationError(f"The priority field “{priority_field}” does not hold numbers; choose one that does.")
     request = QgsFeatureRequest()
     request.setSubsetOfAttributes([i for i in (class_index, priority_index) if i >= 0])
-    count = layer.featureCount()
+    count, extent = layer.featureCount(), layer.extent()
     if isinstance(definition, QgsProcessingFeatureSourceDefinition):
         if definition.selectedFeaturesOnly:
             request.setFilterFids(layer.selectedFeatureIds())
-            count = layer.selectedFeatureCount()
+            count, extent = layer.selectedFeatureCount(), layer.boundingBoxOfSelected()
         if getattr(definition, "filterExpression", ""):
             request.setFilterExpression(definition.filterExpression)
     styled, unstyled_allowed = _styled_classes(layer, class_field)
     return AnnotationSource(
         layer.name(),
         layer.crs(),
-        layer.extent(),
+        extent,
         QgsVectorLayerFeatureSource(layer),
         request,
         count,
@@ -152,7 +155,7 @@ def _field_index(layer: QgsVectorLayer, name: str, key: str) -> int:
     return index
 
 
-def _styled_classes(layer: QgsVectorLayer, class_field: str) -> Tuple[Tuple[Tuple[object, str, str], ...], bool]:
+def _styled_classes(layer: QgsVectorLayer, class_field: str) -> Tuple[Tuple[StyledClass, ...], bool]:
     renderer = layer.renderer()
     if not isinstance(renderer, QgsCategorizedSymbolRenderer):
         return (), False
@@ -161,11 +164,11 @@ def _styled_classes(layer: QgsVectorLayer, class_field: str) -> Tuple[Tuple[Tupl
     found, others = [], False
     for category in renderer.categories():
         values = category.value() if isinstance(category.value(), list) else [category.value()]
-        for value in values:
-            if is_null(value) or value == "":
-                others = others or category.renderState()
-            else:
-                found.append((value, category.label() or str(value), category.symbol().color().name()))
+        own = tuple(value for value in values if not is_null(value) and value != "")
+        if own:
+            found.append((own, category.label() or str(own[0]), category.symbol().color().name()))
+        if len(own) < len(values):
+            others = others or category.renderState()
     return tuple(found), others
 
 
@@ -197,22 +200,21 @@ def class_lookup(source: AnnotationSource, given: Optional[ClassTable], canceled
     """The classes of an annotation: from the given table, else the layer's style, else the field's distinct values."""
     if given is not None:
         return ClassLookup(given)
-    raws = [(value, label, color) for value, label, color in source.styled]
-    if not raws:
-        raws = [(value, str(value), "") for value in _distinct_values(source, canceled)]
-    if not raws:
+    found = source.styled or [((value,), str(value), "") for value in _distinct_values(source, canceled)]
+    if not found:
         raise AnnotationError(f"“{source.name}” has no feature with a class; fill its class field first.")
-    texts = [_raw_text(value) for value, _, _ in raws]
+    texts = [_raw_text(values[0]) for values, _, _ in found]
     as_values = source.class_is_number and all(t.isdigit() and 1 <= int(t) <= 255 for t in texts)
-    labels = [label for _, label, _ in raws]
+    labels = [label for _, label, _ in found]
     if len(set(labels)) < len(labels):
         labels = texts
     base = class_table_from_values(int(t) for t in texts) if as_values else class_table_from_names(labels)
     numbers = [int(t) for t in texts] if as_values else list(range(1, len(texts) + 1))
     classes = []
-    for number, label, (_, _, color) in zip(numbers, labels, raws):
+    for number, label, (_, _, color) in zip(numbers, labels, found):
         classes.append(LandCoverClass(number, label, color or base.by_value(number).color))
-    return ClassLookup(ClassTable(tuple(classes)), dict(zip(texts, numbers)))
+    by_raw = {_raw_text(value): number for number, (values, _, _) in zip(numbers, found) for value in values}
+    return ClassLookup(ClassTable(tuple(classes)), by_raw)
 
 
 def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> List[object]:
@@ -269,6 +271,8 @@ def _parts(
     """Valid single polygons of a feature. GDAL would fill the parts of a multipolygon by even and odd."""
     if QgsWkbTypes.hasZ(geometry.wkbType()):
         counts.three_dimensional += 1
+    # GDAL burns no arcs.
+    geometry.convertToStraightSegment()
     if transform is not None:
         try:
             geometry.transform(transform)

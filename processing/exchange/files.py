@@ -10,8 +10,8 @@ from typing import Iterator
 
 from ...core.errors import ParameterError
 
-_SIDECARS = ("", ".aux.xml")
-"""What GDAL writes for one output: the file and its auxiliary metadata."""
+_SIDECARS = ("", ".aux.xml", ".ovr", "-wal", "-shm", "-journal")
+"""An output, then what GDAL or SQLite may have beside it: metadata, pyramids, changes not yet in the database."""
 
 
 @contextlib.contextmanager
@@ -50,7 +50,7 @@ def _move(temporary: str, final: Path) -> None:
             if os.path.exists(source):
                 os.replace(source, target)
             elif os.path.exists(target):
-                # An older output's metadata would be taken for the new one's.
+                # What belongs to an older output would be taken for the new one's.
                 os.remove(target)
         except PermissionError:
             raise ParameterError(

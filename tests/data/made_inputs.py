@@ -1,0 +1,132 @@
+"""Small inputs with known truth, made where a test needs them: layers, label maps, class tables."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Iterable, Optional, Sequence, Tuple
+
+import numpy as np
+from osgeo import gdal, ogr, osr
+
+METRIC_CRS = 32632
+WEST, NORTH = 550000.0, 5220000.0
+"""Upper left corner of the places below, EPSG:32632."""
+
+CLASSES_CSV = (
+    "value,name,color,role\n"
+    "1,building,#d62728,reference\n"
+    "2,water,#1f77b4,reference\n"
+    "3,bare_land,#bcbd22,reference\n"
+    "4,field,#2ca02c,background\n"
+)
+
+_FIELD_TYPES = {"text": ogr.OFTString, "integer": ogr.OFTInteger, "real": ogr.OFTReal}
+
+
+def spatial_reference(crs) -> Optional[osr.SpatialReference]:
+    """From an EPSG number or WKT; None for None."""
+    if crs is None:
+        return None
+    srs = osr.SpatialReference()
+    if isinstance(crs, int):
+        srs.ImportFromEPSG(crs)
+    else:
+        srs.ImportFromWkt(crs)
+    srs.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    return srs
+
+
+def square(column: float, row: float, size: float) -> str:
+    """WKT of a square; ``column`` and ``row`` of its upper left corner count from WEST, NORTH, rows down."""
+    return rectangle(column, row, size, size)
+
+
+def rectangle(column: float, row: float, width: float, height: float) -> str:
+    return polygon([(column, row), (column + width, row), (column + width, row + height), (column, row + height)])
+
+
+def polygon(corners: Iterable[Tuple[float, float]]) -> str:
+    """WKT of a polygon of (column, row) corners, closed here."""
+    return f"POLYGON ({ring(corners)})"
+
+
+def ring(corners: Iterable[Tuple[float, float]]) -> str:
+    corners = list(corners)
+    return "(" + ", ".join(f"{WEST + x} {NORTH - y}" for x, y in [*corners, corners[0]]) + ")"
+
+
+def write_layer(
+    path: Path,
+    features: Sequence[tuple],
+    fields: Sequence[Tuple[str, str]] = (("class", "text"),),
+    crs=METRIC_CRS,
+    geometry: int = ogr.wkbUnknown,
+    options: Sequence[str] = (),
+) -> Path:
+    """A GeoPackage or shapefile (by suffix). A feature is (WKT or None, value of each field; None for NULL)."""
+    driver = {".gpkg": "GPKG", ".shp": "ESRI Shapefile"}[path.suffix]
+    source = ogr.GetDriverByName(driver).CreateDataSource(str(path))
+    layer = source.CreateLayer(path.stem, spatial_reference(crs), geometry, list(options))
+    for name, kind in fields:
+        layer.CreateField(ogr.FieldDefn(name, _FIELD_TYPES[kind]))
+    for wkt, *values in features:
+        feature = ogr.Feature(layer.GetLayerDefn())
+        for index, value in enumerate(values):
+            if value is not None:
+                feature.SetField(index, value)
+        if wkt is not None:
+            feature.SetGeometry(ogr.CreateGeometryFromWkt(wkt))
+        layer.CreateFeature(feature)
+    return path
+
+
+def write_raster(
+    path: Path,
+    pixels: np.ndarray,
+    *,
+    crs=METRIC_CRS,
+    transform: Optional[tuple] = (WEST, 1.0, 0.0, NORTH, 0.0, -1.0),
+    kind: int = gdal.GDT_Byte,
+    nodata: Optional[float] = None,
+    names: Sequence[str] = (),
+) -> Path:
+    """A GeoTIFF or PNG (by suffix) of (H, W) or (bands, H, W) pixels; no georeference without ``transform``."""
+    bands = pixels if pixels.ndim == 3 else pixels[None]
+    memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), kind)
+    if transform is not None:
+        memory.SetGeoTransform(transform)
+        if crs is not None:
+            memory.SetProjection(spatial_reference(crs).ExportToWkt())
+    for number, band in enumerate(bands, start=1):
+        memory.GetRasterBand(number).WriteArray(band)
+    if nodata is not None:
+        memory.GetRasterBand(1).SetNoDataValue(nodata)
+    if names:
+        memory.GetRasterBand(1).SetRasterCategoryNames(list(names))
+    driver = {".tif": "GTiff", ".png": "PNG"}[path.suffix]
+    gdal.GetDriverByName(driver).CreateCopy(str(path), memory)
+    return path
+
+
+def read_pixels(path) -> np.ndarray:
+    return gdal.Open(str(path)).ReadAsArray()
+
+
+def scattered_objects(height: int, width: int, count: int, seed: int, background: int = 4) -> np.ndarray:
+    """(H, W) uint8 labels: ``count`` rectangles of classes 1 to 3, none touching another, on ``background``."""
+    random = np.random.default_rng(seed)
+    labels = np.full((height, width), background, np.uint8)
+    placed = 0
+    while placed < count:
+        h, w = random.integers(6, 16, 2)
+        row, column = random.integers(1, height - h - 1), random.integers(1, width - w - 1)
+        around = labels[row - 1 : row + h + 1, column - 1 : column + w + 1]
+        if (around == background).all():
+            labels[row : row + h, column : column + w] = random.integers(1, 4)
+            placed += 1
+    return labels
+
+
+def write_text(path: Path, text: str, encoding: str = "utf-8") -> Path:
+    path.write_bytes(text.encode(encoding))
+    return path
