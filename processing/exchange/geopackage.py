@@ -331,3 +331,13 @@ def _points(blobs: Sequence[bytes]) -> np.ndarray:
         order = "<" if blob[8] else ">"
         found.append(struct.unpack_from(f"{order}dd", blob, 13))
     return np.array(found, np.float64).reshape(-1, 2)
+
+
+def stored_style(path: str, table: str) -> Optional[str]:
+    """QML of the style of one table of a database, None when it has none."""
+    try:
+        with contextlib.closing(_connect(path)) as connection:
+            row = connection.execute("SELECT styleQML FROM layer_styles WHERE f_table_name = ?", (table,)).fetchone()
+    except sqlite3.Error:
+        return None
+    return row[0] if row else None

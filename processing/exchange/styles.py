@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 from typing import Dict
+from uuid import uuid4
 
+from osgeo import gdal
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
     QgsFillSymbol,
@@ -21,6 +23,7 @@ from qgis.PyQt.QtXml import QDomDocument
 
 from ...core.class_table import ClassTable
 from .files import written_beside
+from .geopackage import stored_style
 
 WINDOW_COLOR = "#1f5fbf"
 
@@ -29,10 +32,11 @@ _OURS = "semref/style"
 
 
 def database_styles(table: ClassTable) -> Dict[str, str]:
-    """QML of the default style of each vector layer of a database, by table name."""
+    """QML of the default style of each layer of a database, by table name."""
     return {
         "windows": _qml("Polygon", "reference_count:integer", windows_renderer()),
         "references": _qml("Point", "class:integer&field=class_name:string", references_renderer(table)),
+        "overview": _overview_qml(table),
     }
 
 
@@ -75,6 +79,28 @@ def label_renderer(layer: QgsRasterLayer, table: ClassTable) -> QgsPalettedRaste
     """Class colours and names for a raster of class values."""
     classes = [QgsPalettedRasterRenderer.Class(c.value, QColor(c.color), c.name) for c in table if c.value]
     return QgsPalettedRasterRenderer(layer.dataProvider(), 1, classes)
+
+
+def apply_overview_style(layer: QgsRasterLayer, database: str) -> None:
+    """Gives an overview layer the style in its database; QGIS itself does so for vector layers only."""
+    qml = stored_style(database, "overview")
+    document = QDomDocument()
+    if qml and document.setContent(qml):
+        layer.importNamedStyle(document)
+
+
+def _overview_qml(table: ClassTable) -> str:
+    # A style is exported from a layer, and a raster layer needs a raster: one pixel in memory.
+    path = f"/vsimem/semref_style_{uuid4().hex}.tif"
+    try:
+        raster = gdal.GetDriverByName("GTiff").Create(path, 1, 1, 1, gdal.GDT_Byte)
+        raster.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
+        raster.FlushCache()
+        layer = QgsRasterLayer(path, "overview")
+        layer.setRenderer(label_renderer(layer, table))
+        return _exported(layer)
+    finally:
+        gdal.Unlink(path)
 
 
 def _qml(geometry: str, fields: str, renderer) -> str:
