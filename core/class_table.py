@@ -155,7 +155,7 @@ class ClassTable:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(_COLUMNS)
         for c in self.classes:
-            order = "" if c.draw_order is None else f"{c.draw_order:g}"
+            order = "" if c.draw_order is None else _number_text(c.draw_order)
             writer.writerow([c.value, c.name, c.color, c.role, order, _hsv_text(c.hsv_min), _hsv_text(c.hsv_max)])
         return text.getvalue()
 
@@ -197,7 +197,7 @@ def class_table_from_values(values: Iterable[int]) -> ClassTable:
 
 def default_color(value: int) -> str:
     """A colour ``#rrggbb`` for a class that brings none, the same every time."""
-    if value <= len(_PALETTE):
+    if 0 <= value <= len(_PALETTE):
         return _PALETTE[value - 1]
     return "#" + hashlib.sha256(str(value).encode("ascii")).hexdigest()[:6]
 
@@ -238,9 +238,15 @@ def _hsv(text: str, where: str) -> Optional[Hsv]:
         return None
     parts = text.split()
     limits = (180, 255, 255)
-    if len(parts) != 3 or not all(p.isdigit() for p in parts) or any(int(p) > m for p, m in zip(parts, limits)):
+    if len(parts) != 3 or not all(p.isdecimal() for p in parts) or any(int(p) > m for p, m in zip(parts, limits)):
         raise ClassTableError(f"{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).")
     return int(parts[0]), int(parts[1]), int(parts[2])
+
+
+def _number_text(number: float) -> str:
+    """The shortest text that reads back as the same number: 3, 0.1, 1234567.0."""
+    short = f"{number:g}"
+    return short if float(short) == number else repr(number)
 
 
 def _hsv_text(hsv: Optional[Hsv]) -> str:
