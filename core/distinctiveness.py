@@ -11,6 +11,9 @@ BLOCK = 1024
 
 _BLOCK_BYTES = 128_000_000
 
+_TOUCHING = 1 - 1e-6
+"""Windows side by side share no area, though rounding of large map coordinates may let them overlap by a hair."""
+
 
 def distinctiveness(vectors: np.ndarray, centers: np.ndarray, sizes: np.ndarray) -> Iterator[Tuple[slice, np.ndarray]]:
     """Yields (slice of windows, (n,) float64 distances); infinity where every other window overlaps.
@@ -30,7 +33,7 @@ def distinctiveness(vectors: np.ndarray, centers: np.ndarray, sizes: np.ndarray)
             (centers[:, 1] + half > (centers[block, 1] - half[block]).min())
             & (centers[:, 1] - half < (centers[block, 1] + half[block]).max())
         )
-        reach = half[block, None] + half[None, near]
+        reach = (half[block, None] + half[None, near]) * _TOUCHING
         overlap = (np.abs(centers[block, None, 0] - centers[None, near, 0]) < reach) & (
             np.abs(centers[block, None, 1] - centers[None, near, 1]) < reach
         )

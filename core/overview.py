@@ -5,6 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
+from .label_counts import count_labels
+
 OVERVIEW_FACTOR = 4
 """Default reduction; 300 km² at 1 m become 4 m pixels."""
 
@@ -15,18 +17,21 @@ def most_frequent_labels(labels_hw: np.ndarray, factor: int = OVERVIEW_FACTOR) -
     Blocks that stick out over the right and lower edge count the pixels they have.
     """
     height, width = labels_hw.shape
-    padded = cv2.copyMakeBorder(labels_hw, 0, -height % factor, 0, -width % factor, cv2.BORDER_REPLICATE)
-    size = padded.shape[1] // factor, padded.shape[0] // factor
+    size = -(-width // factor), -(-height // factor)
     # The mean of f² where the label is right and 0 elsewhere is the count, exactly, as long as f² fits into 8 bits.
     weight = factor**2 if factor**2 <= 255 else 1
     kind = np.uint8 if factor**2 <= 255 else np.float32
     best = np.zeros(size[::-1], kind)
     reduced = np.zeros(size[::-1], np.uint8)
-    present = cv2.calcHist([padded], [0], None, [256], [0, 256])[:, 0]
+    present = count_labels(labels_hw)
     for value in np.flatnonzero(present):
         table = np.zeros(256, kind)
         table[value] = weight
-        share = cv2.resize(cv2.LUT(padded, table), size, interpolation=cv2.INTER_AREA)
+        # Beyond the edges nothing counts for any label.
+        weights = cv2.copyMakeBorder(
+            cv2.LUT(labels_hw, table), 0, -height % factor, 0, -width % factor, cv2.BORDER_CONSTANT, value=0
+        )
+        share = cv2.resize(weights, size, interpolation=cv2.INTER_AREA)
         more = share > best
         reduced[more] = value
         best[more] = share[more]

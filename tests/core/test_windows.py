@@ -45,7 +45,7 @@ def plain_vector(objects, size, values, references_per_vector):
     kept = sorted(sorted(polar)[:references_per_vector], key=lambda p: (p[1], p[0]))
     farthest = max(range(len(kept)), key=lambda k: kept[k][0])
     kept = kept[farthest:] + kept[:farthest]
-    ratios = [distance / kept[0][0] for distance, _, _ in kept]
+    ratios = [distance / (kept[0][0] or 1) for distance, _, _ in kept]
     differences = [(following[1] - this[1]) % 360 for this, following in zip(kept, kept[1:] + kept[:1])]
     largest = max(differences) or 1
     rows = (ratios, [d / largest for d in differences], [rank for _, _, rank in kept])
