@@ -27,10 +27,15 @@ class SemRefPlugin:
 
     def initGui(self) -> None:
         self.initProcessing()
-        # Widgets only where there are windows: qgis_process never comes here.
-        from .ui.entry import DockEntry
+        try:
+            # Widgets only where there are windows: qgis_process never comes here.
+            from .ui.entry import DockEntry
 
-        self._entry = DockEntry(self._iface)
+            self._entry = DockEntry(self._iface)
+        except Exception:
+            # QGIS drops a plugin that fails here, and with it the Python half of a provider still registered.
+            self.unload()
+            raise
 
     def unload(self) -> None:
         if self._entry is not None:

@@ -29,7 +29,7 @@ class ArrayLabels:
         return self._labels_hw.shape[0], self._labels_hw.shape[1]
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        return np.ascontiguousarray(self._labels_hw[row : row + height, column : column + width])
+        return np.ascontiguousarray(self._labels_hw[row:row + height, column:column + width])
 
 
 class RollingRows:
@@ -53,11 +53,11 @@ class RollingRows:
         needed = row + self._height
         if needed > self._end:
             kept = max(0, self._end - row)
-            self._buffer[:kept] = self._buffer[row - self._first : self._end - self._first].copy() if kept else 0
+            self._buffer[:kept] = self._buffer[row - self._first:self._end - self._first].copy() if kept else 0
             self._first = row
             start = row + kept
             stop = min(row + self._capacity, self._map_height)
             width = self._buffer.shape[1]
-            self._buffer[kept : stop - row] = self._source.read(self._column, start, width, stop - start)
+            self._buffer[kept:stop - row] = self._source.read(self._column, start, width, stop - start)
             self._end = stop
-        return self._buffer[row - self._first : row - self._first + self._height]
+        return self._buffer[row - self._first:row - self._first + self._height]

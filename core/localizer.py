@@ -71,7 +71,7 @@ def describe_image(
     column, row, size = centered_square(labels_hw.shape)
     if size < 1:
         raise LabelMapError("The image has no pixels.")
-    square = np.ascontiguousarray(labels_hw[row : row + size, column : column + size])
+    square = np.ascontiguousarray(labels_hw[row:row + size, column:column + size])
     objects = extract_reference_objects(square, reference_values, area_fraction * size * size)
     vector = topology_vector(
         objects.centers_xy, objects.classes, (size / 2, size / 2), reference_values, references_per_vector

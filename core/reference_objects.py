@@ -144,9 +144,9 @@ def objects_from_rows(rows: np.ndarray, shape_hw: Iterable[int]) -> ReferenceObj
     """Region rows → ReferenceObjects in THE order; ``shape_hw`` is the whole image's (height, width)."""
     height, width = shape_hw
     rows = rows[np.lexsort((rows[:, CENTER_X], rows[:, LEFT], rows[:, TOP], rows[:, CLASS]))]
-    bounds = rows[:, LEFT : BOTTOM + 1].astype(np.int64)
+    bounds = rows[:, LEFT:BOTTOM + 1].astype(np.int64)
     touches = (bounds[:, 0] <= 0) | (bounds[:, 1] <= 0) | (bounds[:, 2] >= width) | (bounds[:, 3] >= height)
-    centers = rows[:, CENTER_X : CENTER_Y + 1].copy()
+    centers = rows[:, CENTER_X:CENTER_Y + 1].copy()
     return ReferenceObjects(centers, rows[:, CLASS].astype(np.uint8), rows[:, AREA].copy(), bounds, touches)
 
 

@@ -107,7 +107,7 @@ def _column_blocks(grid: WindowGrid, strip_pixels: int) -> List[np.ndarray]:
     columns = grid.columns
     width = max(grid.size, strip_pixels // grid.size)
     per_block = max(1, (width - grid.size) // grid.stride + 1)
-    return [columns[i : i + per_block] for i in range(0, len(columns), per_block)]
+    return [columns[i:i + per_block] for i in range(0, len(columns), per_block)]
 
 
 class _Strip:
@@ -146,7 +146,7 @@ class _Strip:
         begins = np.searchsorted(regions[:, LEFT], self._columns, side="right")
         ends = np.searchsorted(regions[:, LEFT], self._columns + size, side="left")
         for k, column in enumerate(self._columns.tolist()):
-            inside = regions[begins[k] : ends[k]]
+            inside = regions[begins[k]:ends[k]]
             inside = inside[inside[:, RIGHT] < column + size]
             frame = (column, 0, column + size, size)
             cut = []
@@ -215,7 +215,7 @@ def _patches(crossing: np.ndarray, frame: Tuple[int, int, int, int], side: int) 
     Regions whose extents along the side's line overlap share a patch, so that the patches' extents along the line
     are apart and no region shows up in two of them.
     """
-    bounds = np.clip(crossing[:, LEFT : BOTTOM + 1], (frame[0], frame[1]) * 2, (frame[2], frame[3]) * 2).astype(
+    bounds = np.clip(crossing[:, LEFT:BOTTOM + 1], (frame[0], frame[1]) * 2, (frame[2], frame[3]) * 2).astype(
         np.int64
     )
     vertical = side in (LEFT, RIGHT)

@@ -206,7 +206,7 @@ class DescribeImage(SemRefAlgorithm):
             "image_center": [described.first_xy[0] + described.size / 2, described.first_xy[1] + described.size / 2],
             "vector": vector,
             "distance_ratios": vector and vector[:length],
-            "angle_differences": vector and vector[length : 2 * length],
+            "angle_differences": vector and vector[length:2 * length],
             "class_ranks": vector and vector[2 * length :],
         }
         with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:

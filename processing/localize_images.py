@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from dataclasses import dataclass
 from typing import Optional
@@ -188,7 +189,8 @@ class LocalizeImages(SemRefAlgorithm):
                     (x, y) = item.result.position
                     feature.setGeometry(QgsGeometry.fromPointXY(QgsPointXY(x, y)))
                     longitudes, latitudes = longitudes_latitudes([(x, y)], crs, context.transformContext())
-                    feature["longitude"], feature["latitude"] = float(longitudes[0]), float(latitudes[0])
+                    if math.isfinite(longitudes[0]):
+                        feature["longitude"], feature["latitude"] = float(longitudes[0]), float(latitudes[0])
             sink.addFeature(feature, QgsFeatureSink.FastInsert)
         del sink
         return destination

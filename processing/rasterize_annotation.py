@@ -23,9 +23,6 @@ from .base import ANNOTATION, SemRefAlgorithm, check_canceled
 from .compat import SOURCE_POLYGON, wkt_for_gdal
 from .translation import tr
 
-STRIP_PIXELS = 16_000_000
-"""Pixels burnt and written at a time."""
-
 MAXIMUM_PIXELS = 1_000_000_000_000
 """Beyond this a pixel size is taken for a mistake (a country at 1 cm)."""
 
@@ -128,6 +125,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
         )
 
     def work(self, parameters, context, feedback):
+        from .exchange.burning import LabelMapBurning
         from .exchange.files import written_beside
         from .exchange.reference_systems import describe_crs, metric_crs
         from .exchange.styles import write_label_map_style
@@ -155,7 +153,11 @@ class RasterizeAnnotation(SemRefAlgorithm):
             )
         )
         with written_beside(output) as temporary:
-            counts = _burn(polygons, temporary, width, height, geotransform, wkt_for_gdal(crs), table, feedback)
+            burning = LabelMapBurning(temporary, width, height, geotransform, wkt_for_gdal(crs), table, polygons)
+            for share in burning.steps():
+                check_canceled(feedback)
+                feedback.setProgress(READING_SHARE + (100 - READING_SHARE) * share)
+        counts = burning.counts
         write_label_map_style(output, table)
         labeled = int(counts[1:].sum())
         present = [c for c in table if c.value and counts[c.value]]
@@ -221,34 +223,3 @@ def pixel_grid(bounds, pixel_size: float):
 def _union(bounds):
     lefts, bottoms, rights, tops = zip(*bounds)
     return min(lefts), min(bottoms), max(rights), max(tops)
-
-
-def _burn(polygons, path, width, height, geotransform, crs_wkt, table, feedback):
-    """Writes the label map strip by strip; returns (256,) pixels of each value."""
-    import cv2
-    import numpy as np
-    from osgeo import gdal
-
-    from .exchange.annotation import BurnLayer
-    from .exchange.rasters import close_written, create_label_map, write_rows
-
-    layer = BurnLayer(polygons, crs_wkt)
-    x0, pixel, _, y0, _, _ = geotransform
-    dataset = create_label_map(path, width, height, geotransform, crs_wkt, table)
-    counts = np.zeros(256, np.int64)
-    # Whole tile rows, so that no tile is compressed twice.
-    rows = max(256, STRIP_PIXELS // width // 256 * 256)
-    for first in range(0, height, rows):
-        check_canceled(feedback)
-        strip = gdal.GetDriverByName("MEM").Create("", width, min(rows, height - first), 1, gdal.GDT_Byte)
-        strip.SetGeoTransform((x0, pixel, 0.0, y0 - first * pixel, 0.0, -pixel))
-        strip.SetProjection(crs_wkt)
-        layer.burn(strip)
-        labels = strip.ReadAsArray()
-        # OpenCV counts in single precision, exact to 16 million.
-        for part in np.array_split(labels, labels.size // 16_000_000 + 1):
-            counts += cv2.calcHist([part], [0], None, [256], [0, 256])[:, 0].astype(np.int64)
-        write_rows(dataset, first, labels, path)
-        feedback.setProgress(READING_SHARE + (100 - READING_SHARE) * (first + len(labels)) / height)
-    close_written(dataset, path)
-    return counts

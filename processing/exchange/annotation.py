@@ -6,7 +6,6 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Callable, Dict, Iterator, List, Optional, Tuple
 
-from osgeo import gdal, ogr, osr
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
     QgsCoordinateReferenceSystem,
@@ -311,26 +310,3 @@ def require_known_classes(counts: AnnotationCounts, source: AnnotationSource, ta
         f"{f' and {more} more' if more else ''}; add them to the table ({table.describe()}) "
         "or leave those features out."
     )
-
-
-class BurnLayer:
-    """Polygons in memory, bottom first, to be burnt strip by strip with GDAL."""
-
-    def __init__(self, polygons: List[BurnPolygon], crs_wkt: str) -> None:
-        driver = gdal.GetDriverByName("Memory") or gdal.GetDriverByName("MEM")
-        self._dataset = driver.Create("", 0, 0, 0, gdal.GDT_Unknown)
-        self._layer = self._dataset.CreateLayer("polygons", osr.SpatialReference(crs_wkt), ogr.wkbPolygon)
-        self._layer.CreateField(ogr.FieldDefn("value", ogr.OFTInteger))
-        definition = self._layer.GetLayerDefn()
-        for polygon in sorted(polygons, key=lambda p: p.priority):
-            feature = ogr.Feature(definition)
-            feature.SetField(0, polygon.value)
-            feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(polygon.wkb))
-            self._layer.CreateFeature(feature)
-
-    def burn(self, strip: gdal.Dataset) -> None:
-        """Burns what touches ``strip`` (in memory, with geotransform and the same CRS) into its first band."""
-        x0, pixel, _, y0, _, _ = strip.GetGeoTransform()
-        right, bottom = x0 + strip.RasterXSize * pixel, y0 - strip.RasterYSize * pixel
-        self._layer.SetSpatialFilterRect(x0, bottom, right, y0)
-        gdal.RasterizeLayer(strip, [1], self._layer, options=["ATTRIBUTE=value"])

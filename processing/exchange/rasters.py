@@ -18,6 +18,7 @@ from ...core.build import MapFrame
 from ...core.class_table import ClassTable, LandCoverClass, class_table_from_csv, class_table_from_values, default_color
 from ...core.color_labels import decode_by_hsv, decode_by_nearest_color
 from ...core.errors import ClassTableError, LabelMapError
+from ...core.label_counts import count_labels
 from ..compat import is_metric, wkt_for_gdal
 from .reference_systems import describe_crs
 
@@ -31,13 +32,9 @@ MAXIMUM_IMAGE_PIXELS = 400_000_000
 
 _COUNTED_AT_ONCE = 8_000_000
 
-_INTEGER_TYPES = {
-    gdal.GDT_Byte: np.uint8,
-    gdal.GDT_UInt16: np.uint16,
-    gdal.GDT_Int16: np.int16,
-    gdal.GDT_UInt32: np.uint32,
-    gdal.GDT_Int32: np.int32,
-}
+_INTEGER_NAMES = ("Byte", "Int8", "UInt16", "Int16", "UInt32", "Int32", "UInt64", "Int64")
+_INTEGER_TYPES = {getattr(gdal, f"GDT_{name}") for name in _INTEGER_NAMES if hasattr(gdal, f"GDT_{name}")}
+"""Integer types that this GDAL has; it got 64 bits with 3.5 and Int8 with 3.7."""
 
 IMAGE_EXTENSIONS = (".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".bmp", ".gif", ".webp", ".vrt", ".img", ".asc")
 
@@ -171,7 +168,7 @@ def count_values(labels: GdalLabels, canceled: Callable[[], bool]) -> np.ndarray
     rows = max(1, _COUNTED_AT_ONCE // width)
     counts = np.zeros(256, np.int64)
     for first in range(0, height, rows):
-        counts += np.bincount(labels.read(0, first, width, min(rows, height - first)).ravel(), minlength=256)
+        counts += count_labels(labels.read(0, first, width, min(rows, height - first)))
         if canceled():
             return np.zeros(256, np.int64)
     return counts

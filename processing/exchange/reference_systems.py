@@ -76,7 +76,10 @@ def utm_zone(
 def longitudes_latitudes(
     points: np.ndarray, crs: QgsCoordinateReferenceSystem, transform_context: QgsCoordinateTransformContext
 ) -> Tuple[np.ndarray, np.ndarray]:
-    """(N, 2) map coordinates → longitudes (N,), latitudes (N,) in degrees, EPSG:4326."""
+    """(N, 2) map coordinates → longitudes (N,), latitudes (N,) in degrees, EPSG:4326; NaN for an unplaced CRS."""
     transform = QgsCoordinateTransform(crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
+    if not transform.isValid():
+        nowhere = np.full(len(points), np.nan)
+        return nowhere, nowhere.copy()
     moved = [transform.transform(QgsPointXY(x, y)) for x, y in np.asarray(points).tolist()]
     return np.array([p.x() for p in moved]), np.array([p.y() for p in moved])
