@@ -207,7 +207,7 @@ class DescribeImage(SemRefAlgorithm):
             "vector": vector,
             "distance_ratios": vector and vector[:length],
             "angle_differences": vector and vector[length:2 * length],
-            "class_ranks": vector and vector[2 * length :],
+            "class_ranks": vector and vector[2 * length:],
         }
         with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
             json.dump(content, file, indent=1)
