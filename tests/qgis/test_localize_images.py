@@ -1,0 +1,332 @@
+"""semref:localizeimages: one row an image, with its position or with the reason why there is none."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal, ogr, osr
+from qgis.core import QgsVectorLayer
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import METRIC_CRS, NORTH, WEST, scattered_objects, spatial_reference, write_raster
+
+LOCALIZE = "semref:localizeimages"
+SIZE, STRIDE = 120, 40
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+COLORS = {0: (0, 0, 0), 1: (204, 102, 119), 2: (51, 34, 136), 3: (221, 204, 119), 4: (17, 119, 51)}
+"""Colours (red, green, blue) that the class names above are given."""
+
+FIELDS = (
+    "image String, status String, x Real, y Real, longitude Real, latitude Real, heading Real, pixel_size Real, "
+    "confidence Real, distance Real, inliers Integer, references Integer, log_odds Real, error_95 Real, window String, "
+    "method String, reason String"
+)
+LABELS = scattered_objects(400, 480, 240, seed=11)
+
+
+@pytest.fixture(scope="module")
+def database(run_algorithm, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("area")
+    parameters = {
+        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
+        "REFERENCE_CLASSES": "building;water;bare_land",
+        "WINDOW_SIZE": SIZE,
+        "STRIDE": STRIDE,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+
+
+@pytest.fixture
+def localize(run_algorithm, database, tmp_path, feedback):
+    """`localize(images, **parameters)` gives (features of OUTPUT as dicts with their point, results)."""
+
+    def run(images, **parameters):
+        defaults = {"DATABASE": database, "METHOD": 1, "OUTPUT": str(tmp_path / "positions.gpkg")}
+        results = run_algorithm(LOCALIZE, {"IMAGES": images, **defaults, **parameters}, feedback)
+        return rows(results["OUTPUT"]), results
+
+    return run
+
+
+def rows(path) -> list:
+    source = ogr.Open(path)
+    found = []
+    for feature in source.GetLayer(0):
+        geometry = feature.GetGeometryRef()
+        # QGIS writes a missing point into files as an empty one.
+        point = None if geometry is None or geometry.IsEmpty() else geometry.GetPoint_2D()
+        found.append({**feature.items(), "point": point})
+    return found
+
+
+def window(column: int, row: int, size: int = SIZE) -> np.ndarray:
+    return LABELS[row : row + size, column : column + size]
+
+
+def image(folder: Path, name: str, labels: np.ndarray) -> str:
+    return str(write_raster(folder / name, labels, transform=None))
+
+
+def colored(labels: np.ndarray) -> np.ndarray:
+    palette = np.array([COLORS[value] for value in range(5)], np.uint8)
+    return np.moveaxis(palette[labels], 2, 0)
+
+
+# --- rows and columns ---
+
+
+def test_the_columns_are_those_of_the_format_in_order(localize, tmp_path):
+    _, results = localize([image(tmp_path, "a.png", window(0, 0))])
+    source = ogr.Open(results["OUTPUT"])
+    layer = source.GetLayer(0)
+    definition = layer.GetLayerDefn()
+    fields = [definition.GetFieldDefn(i) for i in range(definition.GetFieldCount())]
+    assert ", ".join(f"{f.GetName()} {ogr.GetFieldTypeName(f.GetType())}" for f in fields) == FIELDS
+    assert layer.GetGeomType() == ogr.wkbPoint
+    assert layer.GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
+
+
+@pytest.mark.parametrize(("column", "row"), [(0, 0), (160, 200), (360, 280)])
+def test_an_image_cut_on_a_window_is_found_there(localize, tmp_path, column, row):
+    path = image(tmp_path, "a.png", window(column, row))
+    (found,), results = localize([path])
+    x, y = WEST + column + SIZE / 2, NORTH - row - SIZE / 2
+    degrees = osr.CoordinateTransformation(spatial_reference(METRIC_CRS), spatial_reference(4326))
+    assert (found["status"], found["window"]) == ("fix", f"{column}_{row}")
+    assert (found["x"], found["y"]) == (x, y)
+    assert found["point"] == (x, y)
+    assert (found["longitude"], found["latitude"]) == pytest.approx(degrees.TransformPoint(x, y)[:2], abs=1e-9)
+    assert found["distance"] == pytest.approx(0, abs=1e-6)
+    assert found["confidence"] == pytest.approx(1, abs=1e-6)
+    assert found["image"] == path
+    assert found["method"] == "topology vector"
+    assert found["references"] >= 3
+    assert found["reason"] in ("", None)
+    assert results["FIX_COUNT"] == 1
+
+
+def test_what_the_topology_vector_does_not_tell_is_null(localize, tmp_path):
+    (found,), _ = localize([image(tmp_path, "a.png", window(0, 0))])
+    for name in ("heading", "pixel_size", "inliers", "log_odds", "error_95"):
+        assert found[name] is None
+
+
+@pytest.mark.parametrize("turns", [1, 2, 3])
+def test_an_image_turned_by_quarters_is_found(localize, tmp_path, turns):
+    (found,), _ = localize([image(tmp_path, "a.png", np.rot90(window(160, 200), turns))])
+    assert found["window"] == "160_200"
+    assert found["distance"] < 0.2
+
+
+def test_an_image_of_twice_the_scale_is_found(localize, tmp_path):
+    (found,), _ = localize([image(tmp_path, "a.png", np.kron(window(160, 200), np.ones((2, 2), np.uint8)))])
+    assert found["window"] == "160_200"
+
+
+def test_an_image_that_is_not_square_is_described_in_its_centered_square(localize, tmp_path):
+    wide = LABELS[200 : 200 + SIZE, 140 : 140 + SIZE + 40]
+    tall = LABELS[170 : 170 + SIZE + 60, 160 : 160 + SIZE]
+    found, _ = localize([image(tmp_path, "wide.png", wide), image(tmp_path, "tall.png", tall)])
+    assert [row["window"] for row in found] == ["160_200", "160_200"]
+    assert [row["distance"] for row in found] == pytest.approx([0, 0], abs=1e-6)
+
+
+def test_too_few_references_give_no_geometry_and_say_how_many_are_missing(localize, tmp_path):
+    labels = np.full((SIZE, SIZE), 4, np.uint8)
+    labels[20:40, 20:40] = 1
+    (found,), results = localize([image(tmp_path, "a.png", labels)])
+    assert (found["status"], found["point"], results["FIX_COUNT"]) == ("too_few_references", None, 0)
+    assert "1 reference object" in found["reason"] and "2 more" in found["reason"]
+    for name in ("x", "y", "longitude", "latitude", "window"):
+        assert found[name] is None
+
+
+def test_a_bad_image_gives_a_row_with_its_reason_and_does_not_stop_the_others(localize, tmp_path, feedback):
+    good = image(tmp_path, "good.png", window(0, 0))
+    missing = str(tmp_path / "missing.png")
+    empty = tmp_path / "empty.png"
+    empty.touch()
+    found, results = localize([missing, good, str(empty)])
+    assert [(row["image"], row["status"]) for row in found] == [
+        (missing, "error"),
+        (good, "fix"),
+        (str(empty), "error"),
+    ]
+    assert [row["point"] is None for row in found] == [True, False, True]
+    assert "missing.png" in found[0]["reason"] and "empty.png" in found[2]["reason"]
+    assert results["FIX_COUNT"] == 1
+    assert "missing.png" in feedback.textLog()
+
+
+# --- ways to name images ---
+
+
+@pytest.fixture
+def three(tmp_path):
+    """A folder with three images and what else lies in folders."""
+    folder = tmp_path / "flight"
+    folder.mkdir()
+    paths = [image(folder, name, window(40 * n, 40 * n)) for n, name in enumerate(["a.png", "b.tif", "c.png"])]
+    (folder / "notes.txt").write_text("not an image")
+    (folder / "a.png.aux.xml").write_text("<PAMDataset/>")
+    (folder / "deeper").mkdir()
+    return folder, paths
+
+
+def test_a_folder_stands_for_its_images_in_order_of_name(localize, three):
+    folder, paths = three
+    found, _ = localize([str(folder)])
+    assert [row["image"] for row in found] == paths
+    assert [row["window"] for row in found] == ["0_0", "40_40", "80_80"]
+
+
+@pytest.mark.parametrize("separator", [";", " ; ", ";;"])
+def test_a_list_given_as_text_is_separated_by_semicolons(localize, three, separator):
+    _, paths = three
+    found, _ = localize(separator.join(paths))
+    assert [row["image"] for row in found] == paths
+
+
+def test_a_folder_given_as_text_and_one_file_given_as_text_will_do(localize, three):
+    folder, paths = three
+    assert [row["image"] for row in localize(str(folder))[0]] == paths
+    assert [row["image"] for row in localize(paths[0])[0]] == paths[:1]
+
+
+def test_files_and_folders_may_be_mixed(localize, three, tmp_path):
+    folder, paths = three
+    single = image(tmp_path, "single.png", window(0, 0))
+    assert [row["image"] for row in localize([single, str(folder)])[0]] == [single, *paths]
+
+
+def test_a_name_with_spaces_umlauts_and_a_semicolon_is_found(localize, tmp_path):
+    path = image(tmp_path, "Flug 1; über Čačak.png", window(0, 0))
+    assert localize(path)[0][0]["window"] == "0_0"
+    assert localize([path])[0][0]["window"] == "0_0"
+
+
+# --- kinds of images ---
+
+
+@pytest.mark.parametrize("suffix", [".png", ".tif"])
+def test_color_images_are_decoded_by_the_databases_colors(localize, tmp_path, suffix):
+    path = image(tmp_path, f"color{suffix}", colored(window(160, 200)))
+    (found,), _ = localize([path])
+    assert found["window"] == "160_200"
+    assert found["distance"] == pytest.approx(0, abs=1e-6)
+
+
+def test_an_alpha_band_does_no_harm(localize, tmp_path):
+    bands = colored(window(160, 200))
+    opaque = np.concatenate([bands, np.full_like(bands[:1], 255)])
+    (found,), _ = localize([image(tmp_path, "color.png", opaque)])
+    assert found["window"] == "160_200"
+
+
+def test_the_values_of_a_paletted_image_are_its_classes_whatever_its_colors(localize, tmp_path):
+    memory = gdal.GetDriverByName("MEM").Create("", SIZE, SIZE, 1)
+    memory.GetRasterBand(1).WriteArray(window(160, 200))
+    colors = gdal.ColorTable()
+    for value in range(5):
+        colors.SetColorEntry(value, (200 - value, 10, 10, 255))
+    memory.GetRasterBand(1).SetColorTable(colors)
+    for driver, name in (("PNG", "a.png"), ("GTiff", "a.tif")):
+        gdal.GetDriverByName(driver).CreateCopy(str(tmp_path / name), memory)
+    found, _ = localize([str(tmp_path / "a.png"), str(tmp_path / "a.tif")])
+    assert [row["window"] for row in found] == ["160_200", "160_200"]
+
+
+def test_label_images_of_16_bits_will_do(localize, tmp_path):
+    path = write_raster(tmp_path / "a.png", window(160, 200).astype(np.uint16), transform=None, kind=gdal.GDT_UInt16)
+    assert localize([str(path)])[0][0]["window"] == "160_200"
+
+
+def test_a_georeference_is_not_needed_and_not_used(localize, tmp_path):
+    elsewhere = (0.0, 3.0, 0.0, 0.0, 0.0, -3.0)
+    path = write_raster(tmp_path / "a.tif", window(160, 200), transform=elsewhere, crs=3857)
+    assert localize([str(path)])[0][0]["window"] == "160_200"
+
+
+def test_one_row_images_and_single_pixels_are_no_crash(localize, tmp_path):
+    line = image(tmp_path, "line.png", np.ones((1, 50), np.uint8))
+    pixel = image(tmp_path, "pixel.png", np.ones((1, 1), np.uint8))
+    found, _ = localize([line, pixel])
+    assert [row["status"] for row in found] == ["too_few_references"] * 2
+
+
+# --- outputs ---
+
+
+def test_footprints_are_the_matched_windows(localize, tmp_path):
+    paths = [image(tmp_path, "a.png", window(160, 200)), str(tmp_path / "missing.png")]
+    _, results = localize(paths, FOOTPRINTS=str(tmp_path / "footprints.gpkg"))
+    source = ogr.Open(results["FOOTPRINTS"])
+    (footprint,) = list(source.GetLayer(0))
+    left, top = WEST + 160, NORTH - 200
+    assert footprint.GetGeometryRef().GetEnvelope() == (left, left + SIZE, top - SIZE, top)
+    assert footprint["image"] == paths[0] and footprint["window"] == "160_200"
+    assert source.GetLayer(0).GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
+
+
+def test_without_footprints_asked_none_are_made(localize, tmp_path):
+    _, results = localize([image(tmp_path, "a.png", window(0, 0))])
+    assert "FOOTPRINTS" not in results
+
+
+def test_temporary_outputs_are_layers_with_the_rows(localize, run_algorithm, database, tmp_path):
+    parameters = {
+        "DATABASE": database,
+        "IMAGES": [image(tmp_path, "a.png", window(0, 0))],
+        "OUTPUT": "TEMPORARY_OUTPUT",
+        "FOOTPRINTS": "TEMPORARY_OUTPUT",
+    }
+    results = run_algorithm(LOCALIZE, parameters)
+    assert isinstance(results["OUTPUT"], QgsVectorLayer)
+    assert results["OUTPUT"].featureCount() == results["FOOTPRINTS"].featureCount() == 1
+
+
+def test_positions_can_be_a_shapefile_or_csv(localize, tmp_path):
+    path = image(tmp_path, "a.png", window(0, 0))
+    for name in ("positions.shp", "positions.csv", "positions.geojson"):
+        found, _ = localize([path, str(tmp_path / "missing.png")], OUTPUT=str(tmp_path / name))
+        assert [row["status"] for row in found] == ["fix", "error"]
+
+
+def test_the_topology_vector_is_the_default_method(run_algorithm, database, tmp_path):
+    path = image(tmp_path, "a.png", window(0, 0))
+    results = run_algorithm(LOCALIZE, {"DATABASE": database, "IMAGES": [path], "OUTPUT": "TEMPORARY_OUTPUT"})
+    assert [feature["method"] for feature in results["OUTPUT"].getFeatures()] == ["topology vector"]
+
+
+def test_the_method_given_as_text_is_accepted(localize, tmp_path):
+    (found,), _ = localize([image(tmp_path, "a.png", window(0, 0))], METHOD="1")
+    assert found["window"] == "0_0"
+
+
+def test_a_database_with_two_levels_matches_the_level_of_the_image(run_algorithm, database, tmp_path):
+    labels = write_raster(tmp_path / "labels.tif", LABELS, names=NAMES)
+    parameters = {
+        "LABELS": str(labels),
+        "REFERENCE_CLASSES": "1;2;3",
+        "WINDOW_SIZE": SIZE,
+        "STRIDE": STRIDE,
+        "LEVELS": "1;2",
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(tmp_path / "levels.gpkg"),
+    }
+    levels = run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+    images = [image(tmp_path, "low.png", window(160, 200)), image(tmp_path, "high.png", window(80, 160, 2 * SIZE))]
+    parameters = {"DATABASE": levels, "IMAGES": images, "OUTPUT": str(tmp_path / "positions.gpkg")}
+    parameters["FOOTPRINTS"] = str(tmp_path / "footprints.gpkg")
+    found = rows(run_algorithm(LOCALIZE, parameters)["OUTPUT"])
+    assert [(row["x"], row["y"]) for row in found] == [
+        (WEST + 160 + SIZE / 2, NORTH - 200 - SIZE / 2),
+        (WEST + 80 + SIZE, NORTH - 160 - SIZE),
+    ]
+    source = ogr.Open(parameters["FOOTPRINTS"])
+    assert [f.GetGeometryRef().GetArea() for f in source.GetLayer(0)] == [SIZE**2, 4 * SIZE**2]
