@@ -1,0 +1,147 @@
+"""semref:decodecolorlabels: every colour becomes its class, on the grid of the image."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import QgsRasterLayer
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
+
+DECODE = "semref:decodecolorlabels"
+HSV_RANGES, NEAREST_COLOR = 0, 1
+COLORS = {1: (0xD6, 0x27, 0x28), 2: (0x1F, 0x77, 0xB4), 3: (0xBC, 0xBD, 0x22), 4: (0x2C, 0xA0, 0x2C)}
+"""Red, green, blue of CLASSES_CSV."""
+
+RED_CSV = "value,name,color,role,draw_order,hsv_min,hsv_max\n7,roof,#ff0000,reference,,170 100 100,10 255 255\n"
+"""One class whose range of hues goes over 180 back to 0."""
+
+LABELS = scattered_objects(90, 130, 25, seed=3)
+
+
+@pytest.fixture
+def decode(run_algorithm, feedback, tmp_path):
+    """`decode(image, class_table_text, **parameters)` gives the path of the label map."""
+
+    def run(image, table=CLASSES_CSV, **parameters):
+        table = write_text(tmp_path / "classes.csv", table)
+        defaults = {"METHOD": NEAREST_COLOR, "OUTPUT": str(tmp_path / "labels.tif"), "CLASS_TABLE": str(table)}
+        source = str(image) if isinstance(image, Path) else image
+        return run_algorithm(DECODE, {"INPUT": source, **defaults, **parameters}, feedback)["OUTPUT"]
+
+    return run
+
+
+def bands_of(colors_hw3: np.ndarray) -> np.ndarray:
+    return np.moveaxis(colors_hw3, 2, 0)
+
+
+def painted(labels: np.ndarray) -> np.ndarray:
+    palette = np.zeros((256, 3), np.uint8)
+    for value, color in COLORS.items():
+        palette[value] = color
+    return bands_of(palette[labels])
+
+
+def test_exact_colors_give_back_the_labels(decode, tmp_path):
+    image = write_raster(tmp_path / "a.png", painted(LABELS), transform=None)
+    np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
+
+
+def test_the_nearest_color_forgives_noise(decode, tmp_path):
+    noise = np.random.default_rng(1).integers(-20, 21, (3, *LABELS.shape))
+    noisy = np.clip(painted(LABELS).astype(int) + noise, 0, 255).astype(np.uint8)
+    image = write_raster(tmp_path / "a.tif", noisy)
+    np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
+
+
+def test_black_is_unlabeled_for_the_nearest_color(decode, tmp_path):
+    labels = LABELS.copy()
+    labels[:20] = 0
+    image = write_raster(tmp_path / "a.png", painted(labels), transform=None)
+    np.testing.assert_array_equal(read_pixels(decode(image)), labels)
+
+
+def test_black_is_a_class_when_the_table_says_so(decode, tmp_path):
+    image = write_raster(tmp_path / "a.png", np.zeros((3, 8, 8), np.uint8), transform=None)
+    table = "value,name,color,role\n5,water,#000000,reference\n6,snow,#ffffff,background\n"
+    assert (read_pixels(decode(image, table)) == 5).all()
+
+
+def test_hsv_ranges_may_wrap_over_red(decode, tmp_path):
+    hues = np.array([[0, 9, 10, 11, 90, 169, 170, 175, 179]], np.uint8)
+    hsv = np.dstack([hues, np.full_like(hues, 255), np.full_like(hues, 255)])
+    image = write_raster(tmp_path / "a.png", bands_of(cv2.cvtColor(hsv, cv2.COLOR_HSV2RGB)), transform=None)
+    found = read_pixels(decode(image, RED_CSV, METHOD=HSV_RANGES))
+    np.testing.assert_array_equal(found, [[7, 7, 7, 0, 0, 0, 7, 7, 7]])
+
+
+def test_what_no_hsv_range_covers_is_unlabeled_and_said(decode, tmp_path, feedback):
+    red_and_blue = np.zeros((3, 4, 4), np.uint8)
+    red_and_blue[0, :, :1] = 255
+    red_and_blue[2, :, 1:] = 255
+    image = write_raster(tmp_path / "a.png", red_and_blue, transform=None)
+    found = read_pixels(decode(image, RED_CSV, METHOD=HSV_RANGES))
+    np.testing.assert_array_equal(found[0], [7, 0, 0, 0])
+    assert "75.0%" in feedback.textLog()
+
+
+def test_the_published_method_is_the_default(run_algorithm, tmp_path):
+    image = write_raster(tmp_path / "a.png", bands_of(np.full((4, 4, 3), (255, 0, 0), np.uint8)), transform=None)
+    table = write_text(tmp_path / "t.csv", RED_CSV)
+    parameters = {"INPUT": str(image), "CLASS_TABLE": str(table), "OUTPUT": str(tmp_path / "labels.tif")}
+    assert (read_pixels(run_algorithm(DECODE, parameters)["OUTPUT"]) == 7).all()
+
+
+def test_the_label_map_lies_where_the_image_lies(decode, tmp_path):
+    image = write_raster(tmp_path / "a.tif", painted(LABELS), transform=(WEST, 0.5, 0, NORTH, 0, -0.5), crs=25832)
+    raster = gdal.Open(decode(image))
+    assert raster.GetGeoTransform() == (WEST, 0.5, 0, NORTH, 0, -0.5)
+    layer = QgsRasterLayer(str(tmp_path / "labels.tif"))
+    assert layer.crs().authid() == "EPSG:25832"
+
+
+def test_an_image_without_georeference_gives_a_label_map_without_one(decode, tmp_path):
+    raster = gdal.Open(decode(write_raster(tmp_path / "a.png", painted(LABELS), transform=None)))
+    assert raster.GetGeoTransform(can_return_null=True) is None
+    assert raster.GetProjection() == ""
+
+
+def test_the_label_map_has_the_format_of_label_maps(decode, tmp_path):
+    raster = gdal.Open(decode(write_raster(tmp_path / "a.tif", painted(LABELS))))
+    assert raster.GetMetadataItem("SEMREF_CLASS_TABLE").startswith("value,name,color,role")
+    band = raster.GetRasterBand(1)
+    assert (raster.RasterCount, band.DataType) == (1, gdal.GDT_Byte)
+    assert raster.GetMetadataItem("COMPRESSION", "IMAGE_STRUCTURE") == "DEFLATE"
+    assert band.GetRasterCategoryNames()[1:] == ["building", "water", "bare_land", "field"]
+    assert band.GetRasterColorTable().GetColorEntry(2)[:3] == COLORS[2]
+
+
+def test_a_fourth_band_is_left_out(decode, tmp_path):
+    opaque = np.concatenate([painted(LABELS), np.full((1, *LABELS.shape), 255, np.uint8)])
+    image = write_raster(tmp_path / "a.tif", opaque)
+    np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
+
+
+def test_a_layer_will_do_as_input(decode, tmp_path):
+    layer = QgsRasterLayer(str(write_raster(tmp_path / "a.tif", painted(LABELS))), "image")
+    np.testing.assert_array_equal(read_pixels(decode(layer)), LABELS)
+
+
+def test_an_image_of_several_slices_equals_one_decoded_at_once(decode, tmp_path, monkeypatch):
+    from semref.processing import decode_color_labels
+
+    image = write_raster(tmp_path / "a.tif", painted(LABELS))
+    monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 7 * LABELS.shape[1])
+    np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
+
+
+def test_the_output_may_replace_its_input(decode, tmp_path):
+    image = write_raster(tmp_path / "a.tif", painted(LABELS))
+    np.testing.assert_array_equal(read_pixels(decode(image, OUTPUT=str(image))), LABELS)

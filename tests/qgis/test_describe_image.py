@@ -1,0 +1,182 @@
+"""semref:describeimage: the landmarks lie on the objects of the image, and the vector is the one that is matched."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal, ogr
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import CLASSES_CSV, METRIC_CRS, NORTH, WEST, scattered_objects, write_raster, write_text
+
+DESCRIBE = "semref:describeimage"
+PIXEL = 2.0
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+WIDE = scattered_objects(150, 210, 60, seed=7)
+"""Labels of an image that is wider than high: its centred square are the columns 30 to 180."""
+
+SQUARE = WIDE[:, 30:180]
+
+
+@pytest.fixture
+def describe(run_algorithm, feedback, tmp_path):
+    """`describe(image, **parameters)` gives (points as dicts with x and y, the vector file's content, results)."""
+    table = write_text(tmp_path / "classes.csv", CLASSES_CSV)
+
+    def run(image, **parameters):
+        defaults = {
+            "CLASS_TABLE": str(table),
+            "MINIMUM_AREA": 40,
+            "REFERENCES": str(tmp_path / "points.gpkg"),
+            "VECTOR": str(tmp_path / "vector.json"),
+        }
+        results = run_algorithm(DESCRIBE, {"INPUT": str(image), **defaults, **parameters}, feedback)
+        vector = json.loads(Path(results["VECTOR"]).read_text(encoding="utf-8")) if "VECTOR" in results else None
+        return points(results["REFERENCES"]), vector, results
+
+    return run
+
+
+def points(path) -> list:
+    source = ogr.Open(str(path))
+    found = []
+    for feature in source.GetLayer(0):
+        x, y = feature.GetGeometryRef().GetPoint_2D()
+        found.append({**feature.items(), "x": x, "y": y})
+    return found
+
+
+def expected_objects(labels: np.ndarray, minimum_area_px: float):
+    from semref.core.reference_objects import extract_reference_objects
+
+    return extract_reference_objects(np.ascontiguousarray(labels), (1, 2, 3), minimum_area_px)
+
+
+@pytest.fixture
+def georeferenced(tmp_path):
+    transform = (WEST, PIXEL, 0, NORTH, 0, -PIXEL)
+    return write_raster(tmp_path / "image.tif", WIDE, transform=transform, names=NAMES)
+
+
+def test_points_fall_on_the_objects_of_a_georeferenced_image(describe, georeferenced):
+    found, _, results = describe(georeferenced)
+    expected = expected_objects(SQUARE, 40 / PIXEL**2)
+    assert results["REFERENCE_COUNT"] == len(found) == len(expected) > 10
+    for n, row in enumerate(found):
+        column, line = (row["x"] - WEST) / PIXEL, (NORTH - row["y"]) / PIXEL
+        assert (column, line) == pytest.approx(expected.centers_xy[n] + (30, 0), abs=1e-6)
+        assert (row["column"], row["row"]) == pytest.approx((column, line), abs=1e-6)
+        assert WIDE[int(line), int(column)] == row["class"]
+        assert row["class_name"] == NAMES[row["class"]]
+        assert row["area"] == pytest.approx(expected.areas_px[n] * PIXEL**2)
+        assert bool(row["touches_edge"]) == expected.touches_edge[n]
+
+
+def test_the_points_lie_in_the_crs_of_the_image(describe, georeferenced, tmp_path):
+    describe(georeferenced)
+    source = ogr.Open(str(tmp_path / "points.gpkg"))
+    assert source.GetLayer(0).GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
+
+
+def test_points_of_a_turned_image_fall_on_its_objects(describe, tmp_path):
+    transform = (WEST, 1.2, 0.9, NORTH, 0.9, -1.2)
+    image = write_raster(tmp_path / "turned.tif", WIDE, transform=transform, names=NAMES)
+    found, _, _ = describe(image)
+    assert len(found) > 10
+    for row in found:
+        column, line = gdal.ApplyGeoTransform(gdal.InvGeoTransform(transform), row["x"], row["y"])
+        assert WIDE[int(line), int(column)] == row["class"]
+
+
+def test_points_of_an_image_without_georeference_are_pixels_with_y_up(describe, tmp_path):
+    found, _, _ = describe(write_raster(tmp_path / "image.png", WIDE, transform=None))
+    expected = expected_objects(SQUARE, 40)
+    assert len(found) == len(expected) > 10
+    for n, row in enumerate(found):
+        assert (row["x"], -row["y"]) == pytest.approx(expected.centers_xy[n] + (30, 0), abs=1e-6)
+
+
+def test_the_vector_is_that_of_the_core(describe, georeferenced):
+    from semref.core.localizer import describe_image
+
+    _, vector, _ = describe(georeferenced)
+    expected = describe_image(WIDE, (1, 2, 3), 40 / PIXEL**2 / 150**2, 10).vector
+    np.testing.assert_allclose(vector["vector"], expected, rtol=0, atol=1e-7)
+    np.testing.assert_array_equal(
+        vector["vector"], vector["distance_ratios"] + vector["angle_differences"] + vector["class_ranks"]
+    )
+    assert vector["references_per_vector"] == len(vector["class_ranks"]) == 10
+    assert vector["reference_classes"] == [
+        {"value": 1, "name": "building"},
+        {"value": 2, "name": "water"},
+        {"value": 3, "name": "bare_land"},
+    ]
+    assert vector["image_center"] == [105, 75]
+
+
+def test_the_vector_may_be_shorter_and_of_fewer_classes(describe, georeferenced):
+    found, vector, _ = describe(georeferenced, REFERENCES_PER_VECTOR=4, REFERENCE_CLASSES="water;1")
+    assert len(vector["vector"]) == 12
+    assert {row["class"] for row in found} == {1, 2}
+
+
+def test_without_a_vector_file_asked_none_is_made(describe, georeferenced, tmp_path):
+    _, vector, results = describe(georeferenced, VECTOR=None)
+    assert vector is None and "VECTOR" not in results
+    assert not (tmp_path / "vector.json").exists()
+
+
+def test_fewer_than_three_landmarks_give_no_vector_and_that_is_said(describe, tmp_path, feedback):
+    labels = np.full((60, 60), 4, np.uint8)
+    labels[10:20, 10:20] = labels[40:50, 40:50] = 2
+    found, vector, _ = describe(write_raster(tmp_path / "image.png", labels, transform=None))
+    assert [(row["column"], row["row"]) for row in found] == [(15, 15), (45, 45)]
+    assert vector["vector"] is None and vector["distance_ratios"] is None
+    assert "Fewer than three landmarks" in feedback.textLog()
+
+
+def test_an_image_without_landmarks_gives_an_empty_layer(describe, tmp_path):
+    found, _, results = describe(write_raster(tmp_path / "image.png", np.full((60, 60), 4, np.uint8), transform=None))
+    assert (found, results["REFERENCE_COUNT"]) == ([], 0)
+
+
+def test_with_a_database_the_image_is_described_as_its_windows_are(describe, run_algorithm, tmp_path):
+    labels = write_raster(tmp_path / "map.tif", WIDE, names=NAMES)
+    parameters = {
+        "LABELS": str(labels),
+        "REFERENCE_CLASSES": "building;water",
+        "WINDOW_SIZE": 150,
+        "STRIDE": 30,
+        "MINIMUM_AREA": 50,
+        "REFERENCES_PER_VECTOR": 7,
+        "DATABASE": str(tmp_path / "area.gpkg"),
+    }
+    database = run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+    source = ogr.Open(database)
+    window = next(f for f in source.GetLayerByName("windows") if f["name"] == "30_0")
+    stored = np.frombuffer(bytes(window.GetFieldAsBinary("vector")), "<f4")
+    image = write_raster(tmp_path / "image.png", SQUARE, transform=None)
+    # What the database says outranks the settings.
+    found, vector, _ = describe(image, DATABASE=database, CLASS_TABLE=None, MINIMUM_AREA=1)
+    np.testing.assert_allclose(vector["vector"], stored, rtol=0, atol=1e-7)
+    assert {row["class"] for row in found} == {1, 2}
+
+
+def test_a_label_map_that_carries_its_classes_needs_no_table(describe, tmp_path):
+    path = write_raster(tmp_path / "image.tif", WIDE)
+    labels = gdal.Open(str(path), gdal.GA_Update)
+    labels.SetMetadataItem("SEMREF_CLASS_TABLE", CLASSES_CSV)
+    del labels
+    assert len(describe(path, CLASS_TABLE=None)[0]) > 10
+
+
+def test_color_images_are_decoded_by_the_class_table(describe, tmp_path):
+    palette = np.zeros((5, 3), np.uint8)
+    palette[1:] = [(0xD6, 0x27, 0x28), (0x1F, 0x77, 0xB4), (0xBC, 0xBD, 0x22), (0x2C, 0xA0, 0x2C)]
+    plain, vector, _ = describe(write_raster(tmp_path / "labels.png", WIDE, transform=None))
+    colored = write_raster(tmp_path / "color.png", np.moveaxis(palette[WIDE], 2, 0), transform=None)
+    assert describe(colored)[:2] == (plain, vector)
