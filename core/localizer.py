@@ -91,7 +91,7 @@ class Localizer:
                 "build it with larger windows, a smaller minimum area or more reference classes."
             )
         self._levels = []
-        for size in np.unique(windows.sizes):
+        for size in np.unique(windows.sizes[windows.described]):
             index = np.flatnonzero(windows.described & (windows.sizes == size))
             self._levels.append((float(size), index, windows.vectors[index]))
 
@@ -106,7 +106,7 @@ class Localizer:
         for size, index, vectors in self._levels:
             described = self.describe(labels_hw, size)
             count = max(count, len(described.objects))
-            if described.vector is None or not len(index):
+            if described.vector is None:
                 continue
             distances = vector_distances(described.vector, vectors)
             nearest = int(distances.argmin())

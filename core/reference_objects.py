@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Iterable, Sequence
 
@@ -77,7 +76,7 @@ def whole_half_pixels(area_px: float) -> float:
 
     So a threshold of 100 m² that arithmetic made 100.00000000000001 pixels means the same for map and image.
     """
-    return math.ceil(2 * area_px - 1e-6) / 2
+    return float(np.ceil(2 * area_px - 1e-6)) / 2
 
 
 # While they are being collected, regions are rows of one float array; these are its columns.
