@@ -1,0 +1,73 @@
+"""Benchmarks of SemRef; each prints Markdown and can write it into its section of a page in docs/.
+
+    .venv/bin/python tools/bench NAME... [--data FOLDER] [--work FOLDER] [--repetitions N] [--write]
+
+NAME is one of rasterize, build, memory, matching, sizes, published, or all. Times are compared within one run: the
+candidates take turns, and the ratio of each turn is what counts. Without the real data (--data, ../shared/data) the
+sample area of tools/make_sample.py is measured instead, and the text says so. --work keeps label maps and databases
+from one run for the next; without it they go into a temporary folder that is removed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import importlib
+import sys
+import tempfile
+from pathlib import Path
+
+TOOLS = Path(__file__).resolve().parents[1]
+ROOT = TOOLS.parent
+
+# Only packages on the path: a file of ours must not hide a module of the same name.
+sys.path[0] = str(TOOLS)
+
+NAMES = ("rasterize", "build", "memory", "matching", "sizes", "published")
+MINIMUM_REPETITIONS = 5
+
+
+def main(arguments: list[str] | None = None) -> int:
+    options = parse(arguments)
+    from bench import inputs, machine, page, plugin
+
+    with contextlib.ExitStack() as stack:
+        work = options.work or Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="semref-bench-")))
+        work.mkdir(parents=True, exist_ok=True)
+        stack.enter_context(plugin.qgis())
+        area = inputs.main_area(options.data, work, options.sample)
+        print(area.sentence, file=sys.stderr)
+        run = inputs.Run(area, options.data, work, options.repetitions, options.quick)
+        for name in options.names:
+            benchmark = importlib.import_module(f"bench.{name}")
+            before = machine.load()
+            sections = benchmark.measure(run)
+            footer = machine.footer(f"tools/bench {name}{options.shown}", area.sentence, before)
+            for section, body in sections.items():
+                text = f"{body.strip()}\n\n{footer}"
+                print(f"\n## {section}\n\n{text}", flush=True)
+                if options.write:
+                    page.write_section(ROOT / "docs" / benchmark.PAGE, section, text)
+    return 0
+
+
+def parse(arguments: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser("tools/bench", description=__doc__.splitlines()[0])
+    parser.add_argument("names", nargs="+", choices=(*NAMES, "all"), metavar="NAME", help=", ".join((*NAMES, "all")))
+    parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="the real data's folder")
+    parser.add_argument("--work", type=Path, help="folder that keeps label maps and databases between runs")
+    parser.add_argument("--repetitions", type=int, default=MINIMUM_REPETITIONS, help="turns; default %(default)s")
+    parser.add_argument("--sample", action="store_true", help="measure the sample area though the real data is here")
+    parser.add_argument("--quick", action="store_true", help="smaller cases, to try the benchmark itself")
+    parser.add_argument("--write", action="store_true", help="write the results into docs/")
+    options = parser.parse_args(arguments)
+    if "all" in options.names:
+        options.names = list(NAMES)
+    options.shown = "".join(f" --{flag}" for flag in ("sample", "quick") if getattr(options, flag))
+    if options.repetitions != MINIMUM_REPETITIONS:
+        options.shown += f" --repetitions {options.repetitions}"
+    return options
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,86 @@
+"""Why turned and scaled images of a window are taken for another one: which of the kept landmarks changed, and how."""
+
+from __future__ import annotations
+
+import numpy as np
+from sample.pictures import View
+
+from bench import page
+from bench.rates import share
+from bench.trials import Ground
+
+CASES = (("rotation 30°", 30, 1.0), ("rotation 60°", 60, 1.0), ("view radius 1.2 ×", 0, 1.2),
+         ("view radius 0.8 ×", 0, 0.8), ("view radius 1.5 ×", 0, 1.5), ("view radius 0.65 ×", 0, 0.65))  # fmt: skip
+
+SAME_WITHIN_PX = 4.0
+"""Centres of one object in two pictures differ by less than this (map pixels), unless the object itself changed."""
+
+NEAR_THRESHOLD = 1.6
+"""Objects up to this many times the minimum area may fall below it when pixels or the view change."""
+
+BORDER, THRESHOLD, OTHER, SAME = (
+    "an object cut by the border", "an object near the minimum area", "other change of an object", "same objects",
+)  # fmt: skip
+
+
+def measure(ground: Ground, windows: np.ndarray) -> str:
+    rows = []
+    for title, heading, scale in CASES:
+        reasons = []
+        for window in windows:
+            view = ground.view(window, heading, scale)
+            if not ground.try_view(view).right:
+                reasons.append(_reasons(ground, ground.view(window), view))
+        wrong = len(reasons)
+        row = [title, share(wrong, len(windows))]
+        row += [sum(reason in found for found in reasons) for reason in (THRESHOLD, BORDER, OTHER, SAME)]
+        rows.append(row)
+    header = ["", "not the right window", THRESHOLD, BORDER, OTHER, SAME]
+    return page.table(header, rows)
+
+
+def _reasons(ground: Ground, window: View, view: View) -> set[str]:
+    """What differs between the landmarks kept for a window's vector and for a view of it; several may hold."""
+    first, second = (_kept(ground, v) for v in (window, view))
+    found = set()
+    for one, other in ((first, second), (second, first)):
+        for k in range(len(one["classes"])):
+            near = np.hypot(*(other["places"] - one["places"][k]).T) <= SAME_WITHIN_PX
+            if (near & (other["classes"] == one["classes"][k])).any():
+                continue
+            if one["touches"][k]:
+                found.add(BORDER)
+            elif one["areas"][k] < NEAR_THRESHOLD * one["least"]:
+                found.add(THRESHOLD)
+            elif not _kept_elsewhere(ground, view if one is first else window, one, k):
+                found.add(OTHER)
+    return found or {SAME}
+
+
+def _kept(ground: Ground, view: View, everything: bool = False) -> dict:
+    """Places on the map (pixels), classes, areas (map pixels), `touches` of the objects nearest to a view's centre."""
+    described = ground.localizer.describe(ground.cut(view), ground.database.parameters.window_size)
+    objects, size = described.objects, ground.size_px
+    offsets = objects.centers_xy - size / 2
+    if not everything:
+        nearest = np.argsort(np.hypot(*offsets.T), kind="stable")[: ground.database.parameters.references_per_vector]
+        objects, offsets = objects.select(nearest), offsets[nearest]
+    turn = np.deg2rad(view.heading_deg)
+    c, s = np.cos(turn) * view.scale, np.sin(turn) * view.scale
+    right, down = offsets.T
+    places = np.column_stack([view.column + c * right - s * down, view.row + s * right + c * down])
+    least = ground.database.parameters.minimum_area / ground.pixel_size**2 * view.scale**2
+    return {
+        "places": places,
+        "classes": objects.classes,
+        "areas": objects.areas_px * view.scale**2,
+        "touches": objects.touches_edge,
+        "least": least,
+    }
+
+
+def _kept_elsewhere(ground: Ground, view: View, one: dict, k: int) -> bool:
+    """Whether the object is there in the other picture too and was only pushed out of the kept ones by another."""
+    other = _kept(ground, view, everything=True)
+    near = np.hypot(*(other["places"] - one["places"][k]).T) <= SAME_WITHIN_PX
+    return bool((near & (other["classes"] == one["classes"][k])).any())

@@ -1,0 +1,49 @@
+"""One algorithm in a process of its own, so that its peak memory and whole running time can be told.
+
+    python tools/bench/child.py '{"algorithm": "builddatabase", "parameters": {…}}'
+
+Without an algorithm QGIS is started and stopped. The last line printed is JSON: seconds, peak_bytes, log.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+
+def run_in_child(algorithm: str = "", parameters: dict | None = None) -> dict:
+    """Runs an algorithm in a child process: its seconds, peak_bytes and log, and `whole`, the process's own seconds."""
+    order = json.dumps({"algorithm": algorithm, "parameters": parameters or {}})
+    begin = time.perf_counter()
+    finished = subprocess.run([sys.executable, __file__, order], capture_output=True, text=True, check=False)
+    whole = time.perf_counter() - begin
+    if finished.returncode:
+        raise RuntimeError(f"semref:{algorithm} failed in a child process:\n{finished.stderr}")
+    return {**json.loads(finished.stdout.splitlines()[-1]), "whole": whole}
+
+
+def main() -> None:
+    sys.path[0] = str(Path(__file__).resolve().parents[1])
+    from bench import plugin
+
+    order = json.loads(sys.argv[1])
+    with plugin.qgis():
+        begin = time.perf_counter()
+        log = plugin.run_algorithm(order["algorithm"], order["parameters"]).log if order["algorithm"] else ()
+        seconds = time.perf_counter() - begin
+    print(json.dumps({"seconds": seconds, "peak_bytes": peak_bytes(), "log": log}))
+
+
+def peak_bytes() -> int:
+    """Largest resident memory of this process. Not getrusage's: Linux hands the parent's peak down to it."""
+    for line in Path("/proc/self/status").read_text(encoding="ascii", errors="replace").splitlines():
+        if line.startswith("VmHWM:"):
+            return int(line.split()[1]) * 1024
+    raise RuntimeError("/proc/self/status has no VmHWM; peak memory can be measured on Linux only.")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,45 @@
+"""Markdown: tables, and the sections of a page that benchmarks refresh between marker comments."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+
+def table(header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
+    """A Markdown table; the first column is text, the others are aligned right."""
+    lines = [_line(header), _line(["---"] + ["---:"] * (len(header) - 1))]
+    return "\n".join(lines + [_line(row) for row in rows])
+
+
+def _line(cells: Sequence[object]) -> str:
+    return "| " + " | ".join(str(cell) for cell in cells) + " |"
+
+
+def write_section(path: Path, name: str, body: str) -> None:
+    """Replaces what stands between the markers of `name` in a page, or adds them at its end."""
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(with_section(text, name, body), encoding="utf-8")
+
+
+def with_section(text: str, name: str, body: str) -> str:
+    """`text` with `body` between `<!-- bench:name -->` and `<!-- /bench:name -->`; raises ValueError for one alone."""
+    begin, end = f"<!-- bench:{name} -->", f"<!-- /bench:{name} -->"
+    section = f"{begin}\n\n{body.strip()}\n\n{end}"
+    if begin not in text and end not in text:
+        return f"{text.rstrip()}\n\n## {name}\n\n{section}\n".lstrip()
+    before, found, rest = text.partition(begin)
+    _, closed, after = rest.partition(end)
+    if not found or not closed:
+        raise ValueError(f"The page has only one of the markers {begin} and {end}; add the other.")
+    return before + section + after
+
+
+def size(count: float) -> str:
+    """Bytes for people: “33.1 kB”, in thousands."""
+    for unit in ("B", "kB", "MB"):
+        if count < 1000:
+            return f"{count:.0f} {unit}" if unit == "B" else f"{count:.1f} {unit}"
+        count /= 1000
+    return f"{count:.2f} GB"

@@ -1,0 +1,180 @@
+"""The published method on real data: the main job, on windows, turned, scaled, off the grid, from elsewhere."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bench import causes, inputs, main_job, on_windows, other_data, page, trials
+from bench.rates import share
+from bench.trials import Ground, Trial, count, median
+
+PAGE = "published_method.md"
+
+ROTATIONS_DEG = tuple(range(0, 360, 30))
+SCALES = (2.0, 1.8, 1.5, 1.2, 1.0, 0.8, 0.75, 0.65, 0.6, 0.5)
+
+PAPER_SCALES = {
+    2.0: (2.674882, 0.0), 1.8: (1.650056, 0.17), 1.5: (1.404390, 0.30), 1.2: (0.209932, 0.90), 1.0: (0.0, 1.0),
+    0.8: (0.086993, 0.96), 0.75: (0.151239, 0.92), 0.65: (0.276655, 0.86), 0.6: (0.303107, 0.85), 0.5: (2.720949, 0.0),
+}  # fmt: skip
+"""Table 4 of the paper: scale → distance, confidence, of its one image 5950_2100."""
+
+PAPER_ROTATIONS = {
+    0: (0.0, 1.0), 30: (0.031209, 0.98), 60: (0.103701, 0.95), 90: (0.000403, 1.0), 120: (0.059721, 0.97),
+    150: (0.108878, 0.95), 180: (0.000754, 1.0), 210: (0.044473, 0.98), 240: (0.10018, 0.95), 270: (0.000679, 1.0),
+    300: (0.0421, 0.98), 330: (0.107759, 0.95),
+}  # fmt: skip
+"""Table 5 of the paper, the same for rotations in degrees."""
+
+MOVES_PER_WINDOW = 10
+ELSEWHERE_COUNT = 200
+LANDSCAPES = 10
+LANDMARK_GROUPS = ((3, 5), (6, 9), (10, 19), (20, 10**9))
+
+
+def measure(run: inputs.Run) -> dict[str, str]:
+    sections = {"main job": main_job.measure(run)}
+    ground = Ground(inputs.read_labels(run.label_map()), run.database(run.area.stride))
+    windows = ground.choose_windows(trials.WINDOW_COUNT if not run.quick else 10)
+    sections["on windows"] = on_windows.measure(run, ground, windows)
+    turned = {h: [ground.try_view(ground.view(w, heading_deg=h)) for w in windows] for h in ROTATIONS_DEG}
+    sections["rotation"] = _transformed("rotation", turned, PAPER_ROTATIONS, "{}°")
+    scaled = {s: [ground.try_view(ground.view(w, scale=s)) for w in windows] for s in SCALES}
+    known = {s: [ground.try_with_ground_area(ground.view(w, scale=s)) for w in windows] for s in SCALES}
+    sections["scale"] = _transformed("view radius", scaled, PAPER_SCALES, "{:g} ×", known)
+    sections["landmarks"] = _by_landmarks(ground, windows, turned, scaled)
+    sections["causes"] = causes.measure(ground, windows)
+    sections["off the grid"] = _off_grid(ground, windows)
+    sections["elsewhere"] = _elsewhere(run, ground)
+    sections["other data"] = other_data.measure(run)
+    return sections
+
+
+def _transformed(what: str, found: dict, paper: dict, form: str, known: dict | None = None) -> str:
+    header = [
+        what, "paper: distance", "paper: confidence", "median distance", "median confidence", "right window",
+        "accepted (d ≤ 2)", "accepted, wrong",
+    ]  # fmt: skip
+    rows = []
+    for value, results in found.items():
+        number = len(results)
+        wrong = sum(t.accepted and not t.right for t in results)
+        row = [form.format(value), f"{paper[value][0]:.3f}", f"{paper[value][1]:.2f}"]
+        row += [f"{median(results, 'distance'):.3f}", f"{median(results, 'confidence'):.2f}"]
+        row += [share(count(results, "right"), number), share(count(results, "accepted"), number), share(wrong, number)]
+        if known:
+            row.append(share(count(known[value], "right"), number))
+        rows.append(row)
+    return page.table(header + (["right, if the scale were known"] if known else []), rows)
+
+
+def _by_landmarks(ground: Ground, windows: np.ndarray, turned: dict, scaled: dict) -> str:
+    """Right windows by how many landmarks the window has."""
+    landmarks = ground.database.windows.counts[windows]
+    every = ground.database.windows.counts[ground.database.windows.described]
+    cases = {
+        "rotation, not 0/90/180/270°": [turned[h] for h in ROTATIONS_DEG if h % 90],
+        "view radius 1.2 and 0.8 ×": [scaled[s] for s in (1.2, 0.8)],
+        "view radius 1.5 and 0.65 ×": [scaled[s] for s in (1.5, 0.65)],
+    }
+    rows = []
+    for low, high in LANDMARK_GROUPS:
+        inside = np.flatnonzero((landmarks >= low) & (landmarks <= high))
+        row = [f"{low}–{high}" if high < 10**9 else f"≥ {low}", len(inside), _percent((every >= low) & (every <= high))]
+        for results in cases.values():
+            chosen = [group[i] for group in results for i in inside]
+            row.append(share(count(chosen, "right"), len(chosen)) if chosen else "–")
+        rows.append(row)
+    return page.table(["landmarks in the window", "of the 100", "of all windows with a vector", *cases], rows)
+
+
+def _percent(mask: np.ndarray) -> str:
+    return f"{100 * mask.mean():.0f} %"
+
+
+def _off_grid(ground: Ground, windows: np.ndarray) -> str:
+    rng = np.random.default_rng([trials.SEED, 1])
+    half = ground.stride_px / 2
+    cases: dict[str, list[Trial]] = {}
+    moves = rng.uniform(-half, half, (MOVES_PER_WINDOW, len(windows), 2))
+    headings = rng.uniform(0, 360, (MOVES_PER_WINDOW, len(windows)))
+
+    def views(round_: int, turned: bool):
+        for k, window in enumerate(windows):
+            yield ground.view(window, headings[round_, k] if turned else 0.0, 1.0, moves[round_, k])
+
+    cases["moved, any heading"] = [ground.try_view(v) for v in views(0, True)]
+    cases["moved, north up"] = [ground.try_view(v) for v in views(0, False)]
+    more = [ground.try_view(v) for n in range(1, MOVES_PER_WINDOW) for v in views(n, True)]
+    cases[f"moved {MOVES_PER_WINDOW} times each, any heading"] = cases["moved, any heading"] + more
+    farthest = np.hypot(half, half) * ground.pixel_size
+    half_m = half * ground.pixel_size
+    header = [
+        "", "images", "right window", "within 10 m", f"within {half_m:g} m", "accepted (d ≤ 2)",
+        f"wrong but accepted (> {farthest:.0f} m off)", "median error of accepted",
+    ]  # fmt: skip
+    rows = []
+    for name, results in cases.items():
+        accepted = [t for t in results if t.accepted]
+        number = len(results)
+        rows.append(
+            [
+                name,
+                number,
+                share(count(results, "right"), number),
+                *(share(sum(t.error_m <= limit for t in accepted), number) for limit in (10, half_m)),
+                share(len(accepted), number),
+                share(sum(t.error_m > farthest for t in accepted), number),
+                f"{median(accepted, 'error_m'):,.0f} m",
+            ]
+        )
+    return page.table(header, rows)
+
+
+def _elsewhere(run: inputs.Run, ground: Ground) -> str:
+    cases = {
+        f"sample area, {LANDSCAPES} landscapes": _sample_crops(ground),
+        f"{run.area.name}, mirrored": _mirrored_crops(ground),
+    }
+    header = ["images from", "images", "too few landmarks", "accepted (d ≤ 2)", "median distance", "median confidence"]
+    rows = []
+    for name, crops in cases.items():
+        results = [ground.localizer.localize_by_topology_vector(labels) for labels in crops]
+        distances = [r.distance for r in results if r.distance is not None]
+        accepted = [r for r in results if r.status == "fix"]
+        few = sum(r.status == "too_few_references" for r in results)
+        rows.append(
+            [
+                name,
+                len(results),
+                few,
+                share(len(accepted), len(results)),
+                f"{np.median(distances):.2f} ({min(distances):.2f}–{max(distances):.2f})",
+                f"{np.median([r.confidence for r in accepted]):.2f}" if accepted else "–",
+            ]
+        )
+    return page.table(header, rows)
+
+
+def _sample_crops(ground: Ground):
+    """Images of made-up landscapes, any place and heading, with the reference classes' values as on the real map."""
+    from sample import writers
+    from sample.landscape import make_landscape
+
+    rng = np.random.default_rng([trials.SEED, 2])
+    reach = ground.size_px / np.sqrt(2) + 2
+    for seed in range(trials.SEED, trials.SEED + LANDSCAPES):
+        labels = writers.rasterize(make_landscape(seed), ground.pixel_size)
+        for _ in range(ELSEWHERE_COUNT // LANDSCAPES):
+            column, row = rng.uniform(reach, np.subtract(labels.shape[::-1], reach))
+            view = trials.View("elsewhere", "bench", column, row, rng.uniform(0, 360))
+            yield trials.cut(labels, view, ground.size_px)
+
+
+def _mirrored_crops(ground: Ground):
+    """Images of the same ground as a mirror shows it, any heading: they lie nowhere on the map."""
+    rng = np.random.default_rng([trials.SEED, 3])
+    half = ground.stride_px / 2
+    for window in ground.choose_windows(ELSEWHERE_COUNT):
+        view = ground.view(window, rng.uniform(0, 360), 1.0, rng.uniform(-half, half, 2))
+        yield np.ascontiguousarray(ground.cut(view)[:, ::-1])
