@@ -19,7 +19,7 @@ NEAR_THRESHOLD = 1.6
 """Objects up to this many times the minimum area may fall below it when pixels or the view change."""
 
 BORDER, THRESHOLD, OTHER, SAME = (
-    "an object cut by the border", "an object near the minimum area", "other change of an object", "same objects",
+    "object cut by a border", "object near the minimum area", "object merged, split or else", "same objects",
 )  # fmt: skip
 
 
@@ -48,7 +48,7 @@ def _reasons(ground: Ground, window: View, view: View) -> set[str]:
             near = np.hypot(*(other["places"] - one["places"][k]).T) <= SAME_WITHIN_PX
             if (near & (other["classes"] == one["classes"][k])).any():
                 continue
-            if one["touches"][k]:
+            if one["touches"][k] or _leaves(ground, view if one is first else window, one["corners"][k]):
                 found.add(BORDER)
             elif one["areas"][k] < NEAR_THRESHOLD * one["least"]:
                 found.add(THRESHOLD)
@@ -58,25 +58,40 @@ def _reasons(ground: Ground, window: View, view: View) -> set[str]:
 
 
 def _kept(ground: Ground, view: View, everything: bool = False) -> dict:
-    """Places on the map (pixels), classes, areas (map pixels), `touches` of the objects nearest to a view's centre."""
+    """The objects nearest to a view's centre, in map pixels: places, corners of boxes, classes, areas, touches."""
     described = ground.localizer.describe(ground.cut(view), ground.database.parameters.window_size)
     objects, size = described.objects, ground.size_px
     offsets = objects.centers_xy - size / 2
     if not everything:
         nearest = np.argsort(np.hypot(*offsets.T), kind="stable")[: ground.database.parameters.references_per_vector]
         objects, offsets = objects.select(nearest), offsets[nearest]
-    turn = np.deg2rad(view.heading_deg)
-    c, s = np.cos(turn) * view.scale, np.sin(turn) * view.scale
-    right, down = offsets.T
-    places = np.column_stack([view.column + c * right - s * down, view.row + s * right + c * down])
+    corners = objects.bounds[:, [[0, 1], [2, 1], [2, 3], [0, 3]]] - size / 2
     least = ground.database.parameters.minimum_area / ground.pixel_size**2 * view.scale**2
     return {
-        "places": places,
+        "places": _on_map(view, offsets),
+        "corners": _on_map(view, corners),
         "classes": objects.classes,
         "areas": objects.areas_px * view.scale**2,
         "touches": objects.touches_edge,
         "least": least,
     }
+
+
+def _on_map(view: View, offsets: np.ndarray) -> np.ndarray:
+    """Map pixels (…, 2) of offsets (…, 2) from a view's centre in its own pixels."""
+    turn = np.deg2rad(view.heading_deg)
+    c, s = np.cos(turn) * view.scale, np.sin(turn) * view.scale
+    right, down = offsets[..., 0], offsets[..., 1]
+    return np.stack([view.column + c * right - s * down, view.row + s * right + c * down], axis=-1)
+
+
+def _leaves(ground: Ground, view: View, corners: np.ndarray) -> bool:
+    """Whether an object with these corners (4, 2) of its box, in map pixels, reaches over the border of a view."""
+    turn = np.deg2rad(view.heading_deg)
+    right, down = (corners - (view.column, view.row)).T / view.scale
+    c, s = np.cos(turn), np.sin(turn)
+    inside = np.abs(np.stack([c * right + s * down, c * down - s * right])) <= ground.size_px / 2
+    return not inside.all()
 
 
 def _kept_elsewhere(ground: Ground, view: View, one: dict, k: int) -> bool:
