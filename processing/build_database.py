@@ -99,6 +99,9 @@ class BuildDatabase(SemRefAlgorithm):
         self.addOutput(QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")))
 
     def checkParameterValues(self, parameters, context):
+        possible, reason = super().checkParameterValues(parameters, context)
+        if not possible:
+            return False, reason
         size = self.parameterAsDouble(parameters, self.WINDOW_SIZE, context)
         stride = self.parameterAsDouble(parameters, self.STRIDE, context)
         if stride > size:
@@ -106,7 +109,7 @@ class BuildDatabase(SemRefAlgorithm):
                 "The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be "
                 "missed; make the stride at most the window size."
             ).format(stride=stride, size=size)
-        return super().checkParameterValues(parameters, context)
+        return True, ""
 
     def read_layers(self, parameters, context, feedback):
         from .exchange.rasters import label_map_layer

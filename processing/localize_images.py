@@ -23,7 +23,7 @@ from qgis.core import (
 )
 
 from ..core.class_table import LIST_SEPARATOR
-from ..core.errors import ParameterError, SemRefError
+from ..core.errors import DatabaseError, ParameterError, SemRefError
 from .base import LOCALIZATION, SemRefAlgorithm, check_canceled
 from .compat import POINT, POLYGON, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON, make_field
 from .translation import tr
@@ -137,6 +137,8 @@ class LocalizeImages(SemRefAlgorithm):
         feedback.setProgressText(tr("Reading the database"))
         database = read_database(self.parameterAsFile(parameters, self.DATABASE, context))
         crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
+        if not crs.isValid():
+            raise DatabaseError(f"{database.source} has no readable parameter crs; build it again.")
         localizer = Localizer(database)
         paths = image_files(self._paths(parameters, context))
         if not paths:

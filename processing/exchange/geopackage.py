@@ -227,6 +227,9 @@ def _leave_wal(path: str) -> None:
 
 # --- reading ---
 
+_JSON_TYPES = {"str": str, "int": int, "float": (int, float), "tuple": list}
+"""What JSON makes of the types of BuildParameters."""
+
 
 def read_database(path: str) -> ReferenceDatabase:
     """Reads a reference database. Raises DatabaseError for files that are missing, foreign, truncated or too new."""
@@ -239,7 +242,7 @@ def read_database(path: str) -> ReferenceDatabase:
             table = class_table_from_csv(_class_csv(connection), f"the class table of {path}")
             windows = _read_windows(connection, parameters.references_per_vector, path)
             references = _read_references(connection)
-    except sqlite3.Error as error:
+    except (sqlite3.Error, TypeError, ValueError, IndexError, struct.error) as error:
         raise DatabaseError(
             f"{path} is damaged or cut short ({error}); build it again or fetch another copy."
         ) from None
@@ -248,8 +251,13 @@ def read_database(path: str) -> ReferenceDatabase:
 
 def _connect(path: str) -> sqlite3.Connection:
     with open(path, "rb") as file:
-        if file.read(16) != b"SQLite format 3\0":
-            raise DatabaseError(f"{path} is not a GeoPackage; choose a database made by “Build reference database”.")
+        header = file.read(100)
+    if not header.startswith(b"SQLite format 3\0"):
+        raise DatabaseError(f"{path} is not a GeoPackage; choose a database made by “Build reference database”.")
+    # SQLite notices missing pages only when it comes to them.
+    page_size, pages = struct.unpack_from(">16xH10xI", header.ljust(100, b"\0"))
+    if os.path.getsize(path) < pages * (page_size if page_size > 1 else 65536):
+        raise ValueError("its end is missing")
     wal = Path(path + "-wal")
     # Without changes in waiting the file is read as it is, so that read-only places work and no -shm appears.
     quiet = "" if wal.exists() and wal.stat().st_size else "&immutable=1"
@@ -277,6 +285,9 @@ def _read_parameters(connection: sqlite3.Connection, path: str) -> BuildParamete
                 f"({FORMAT_VERSION}); update the plugin."
             )
         known = {item.name: values[item.name] for item in fields(BuildParameters)}
+        for item in fields(BuildParameters):
+            if not isinstance(known[item.name], _JSON_TYPES[item.type]):
+                raise TypeError(f"{item.name} (it is {known[item.name]!r})")
     except (KeyError, ValueError, TypeError) as error:
         raise DatabaseError(f"{path} has no readable parameter {error}; build it again.") from None
     for name in ("geotransform", "levels"):
@@ -301,6 +312,9 @@ def _read_windows(connection: sqlite3.Connection, references_per_vector: int, pa
     length = 3 * references_per_vector
     if any(blob is not None and len(blob) != 4 * length for blob in blobs):
         raise DatabaseError(f"{path} has vectors that are not {length} numbers long; build it again.")
+    places = np.array([sizes, xs, ys], np.float64)
+    if not np.isfinite(places).all():
+        raise ValueError("a window has no place or size")
     vectors = np.zeros((len(rows), length), np.float32)
     for i, blob in enumerate(blobs):
         if blob is not None:
@@ -308,8 +322,8 @@ def _read_windows(connection: sqlite3.Connection, references_per_vector: int, pa
     return Windows(
         np.array(names, dtype=str),
         np.array(levels, np.int64),
-        np.array(sizes, np.float64),
-        np.column_stack([np.array(xs, np.float64), np.array(ys, np.float64)]),
+        places[0],
+        places[1:].T.copy(),
         np.array(counts, np.int64),
         vectors,
         np.array([blob is not None for blob in blobs], bool),

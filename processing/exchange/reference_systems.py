@@ -58,11 +58,14 @@ def utm_zone(
     to_degrees = QgsCoordinateTransform(crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
     try:
         middle = to_degrees.transform(extent.center())
+        longitude, latitude = middle.x(), middle.y()
+        fits = abs(longitude) <= 360 and abs(latitude) <= 90
     except QgsCsException:
+        fits = False
+    if not fits:
         raise ParameterError(
             f"The layer's extent does not fit its CRS {describe_crs(crs)}; correct the CRS or choose TARGET_CRS."
-        ) from None
-    longitude, latitude = middle.x(), middle.y()
+        )
     if latitude > 84:
         code = _UPS_NORTH
     elif latitude < -80:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -543,7 +544,9 @@ def test_berlin_with_invalid_parts(rasterize, real_data, feedback):
     layer = real_data("berlin_urban_gradient/LandCov_BerlinUrbanGradient.shp")
     results = rasterize(layer, CLASS_FIELD="Level_2", PIXEL_SIZE=3.6)
     assert results["CLASS_COUNT"] == 6
-    assert "22 polygons" in feedback.textLog()
+    # Newer GEOS finds fewer of the parts invalid: 22 with 3.11, 6 with 3.14.
+    found = re.search(r"Repaired invalid geometry: \d features, (\d+) polygons", feedback.textLog())
+    assert 6 <= int(found.group(1)) <= 22
 
 
 @pytest.mark.real_data
