@@ -169,6 +169,13 @@ def test_rounding_errors_do_not_decide_ties(seed, noise):
     np.testing.assert_allclose(shaken, exact, rtol=0, atol=1e-6)
 
 
+@pytest.mark.parametrize("last_two", [[(30, 200, 3), (30, 200, 1)], [(30, 200, 1), (30, 200, 3)]])
+def test_of_two_objects_in_one_place_the_lower_rank_is_kept(last_two):
+    """Rings in rings have one centre of gravity; the order they come in must not tell which of them counts."""
+    rows = vector_rows([(10, 0, 2), (20, 90, 2), *last_two], references_per_vector=3)
+    np.testing.assert_allclose(rows[2], [1 / 3, 2 / 3, 2 / 3], atol=1e-7)
+
+
 @pytest.mark.parametrize(
     ("classes", "expected"), [([], []), ([7], [2 / 3]), ([200, 3, 7, 3], [1, 1 / 3, 2 / 3, 1 / 3])]
 )
