@@ -151,6 +151,7 @@ class LocalizeImages(SemRefAlgorithm):
             _say(localized[-1], feedback)
             feedback.setProgress(95 * (n + 1) / len(paths))
         # Sinks are made last: a cancel before leaves nothing behind.
+        check_canceled(feedback)
         results = {self.OUTPUT: self._write_positions(parameters, context, localized, crs)}
         footprints = self._write_footprints(parameters, context, localized, database, crs)
         if footprints:

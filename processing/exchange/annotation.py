@@ -200,7 +200,7 @@ def class_lookup(source: AnnotationSource, given: Optional[ClassTable], canceled
     if given is not None:
         return ClassLookup(given)
     found = source.styled or [((value,), str(value), "") for value in _distinct_values(source, canceled)]
-    if not found:
+    if not found and not canceled():
         raise AnnotationError(f"“{source.name}” has no feature with a class; fill its class field first.")
     texts = [_raw_text(values[0]) for values, _, _ in found]
     as_values = source.class_is_number and all(t.isdigit() and 1 <= int(t) <= 255 for t in texts)

@@ -1,0 +1,147 @@
+"""Cancel: an algorithm stops at once, leaves nothing under the final name and an older output untouched."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import CLASSES_CSV, scattered_objects, square, write_layer, write_raster, write_text
+
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+OLDER = b"an older output"
+PROMPT_S = 1.0
+
+
+class CancelAt(QgsProcessingFeedback):
+    """Cancels itself when the progress reaches ``percent``; None never. Remembers the progress and when it canceled."""
+
+    def __init__(self, percent):
+        super().__init__(False)
+        self.percent = percent
+        self.shown = []
+        self.canceled_at = None
+        self.progressChanged.connect(self._look)
+        if percent == 0:
+            self._stop()
+
+    def _look(self, progress):
+        self.shown.append(progress)
+        if self.percent is not None and progress >= self.percent and self.canceled_at is None:
+            self._stop()
+
+    def _stop(self):
+        self.canceled_at = time.monotonic()
+        self.cancel()
+
+
+@pytest.fixture(scope="module")
+def jobs(run_algorithm, tmp_path_factory):
+    """(algorithm id, parameters, key of its output, name of its output) by name: jobs of many steps."""
+    folder = tmp_path_factory.mktemp("inputs")
+    random = np.random.default_rng(4)
+    features = [(square(*random.uniform(0, 900, 2), 12), f"class {n % 7}") for n in range(3000)]
+    labels = write_raster(folder / "labels.tif", scattered_objects(700, 700, 500, seed=6), names=NAMES)
+    color = write_raster(folder / "color.tif", random.integers(0, 255, (3, 700, 700)).astype(np.uint8))
+    build = {
+        "LABELS": str(labels),
+        "REFERENCE_CLASSES": "1;2;3",
+        "WINDOW_SIZE": 120,
+        "STRIDE": 20,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    run_algorithm("semref:builddatabase", build)
+    flight = folder / "flight"
+    flight.mkdir()
+    for n in range(20):
+        write_raster(flight / f"{n}.png", scattered_objects(120, 120, 10, seed=n), transform=None)
+    return {
+        "rasterize": (
+            "semref:rasterizeannotation",
+            {
+                "INPUT": str(write_layer(folder / "annotation.shp", features)),
+                "CLASS_FIELD": "class",
+                "PIXEL_SIZE": 0.2,
+            },
+            "OUTPUT",
+            "out.tif",
+        ),
+        "decode": (
+            "semref:decodecolorlabels",
+            {"INPUT": str(color), "CLASS_TABLE": str(write_text(folder / "classes.csv", CLASSES_CSV)), "METHOD": 1},
+            "OUTPUT",
+            "out.tif",
+        ),
+        "build": ("semref:builddatabase", build, "DATABASE", "out.gpkg"),
+        "localize": (
+            "semref:localizeimages",
+            {"DATABASE": build["DATABASE"], "IMAGES": [str(flight)], "METHOD": 1},
+            "OUTPUT",
+            "out.gpkg",
+        ),
+    }
+
+
+@pytest.fixture
+def small_steps(monkeypatch):
+    """Small slices, so that small inputs take many steps."""
+    from semref.processing import decode_color_labels
+    from semref.processing.exchange import burning
+
+    monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 10_000)
+    monkeypatch.setattr(burning, "STRIP_PIXELS", 1)
+
+
+def run(job, folder: Path, feedback):
+    algorithm, parameters, key, name = job
+    instance = QgsApplication.processingRegistry().createAlgorithmById(algorithm)
+    return instance.run({**parameters, key: str(folder / name)}, QgsProcessingContext(), feedback, {}, False)
+
+
+JOBS = ("rasterize", "decode", "build", "localize")
+
+
+@pytest.mark.parametrize("percent", [0, 1, 10, 31, 50, 76, 86, 94])
+@pytest.mark.parametrize("name", JOBS)
+def test_cancel_stops_at_once_and_leaves_nothing_new(jobs, small_steps, tmp_path, name, percent):
+    older = tmp_path / jobs[name][3]
+    older.write_bytes(OLDER)
+    feedback = CancelAt(percent)
+    with pytest.raises(QgsProcessingException) as caught:
+        run(jobs[name], tmp_path, feedback)
+    assert time.monotonic() - feedback.canceled_at < PROMPT_S
+    assert "Canceled" in str(caught.value)
+    assert older.read_bytes() == OLDER
+    assert [path.name for path in tmp_path.iterdir()] == [older.name]
+
+
+@pytest.mark.parametrize("name", JOBS)
+def test_cancel_leaves_nothing_where_nothing_was(jobs, small_steps, tmp_path, name):
+    with pytest.raises(QgsProcessingException):
+        run(jobs[name], tmp_path, CancelAt(40))
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", JOBS)
+def test_the_progress_goes_up_smoothly_to_its_end(jobs, small_steps, tmp_path, name):
+    feedback = CancelAt(None)
+    _, succeeded = run(jobs[name], tmp_path, feedback)
+    steps = np.diff([0.0, *feedback.shown])
+    assert succeeded
+    assert (steps >= 0).all()
+    assert len(set(feedback.shown)) >= 10
+    assert feedback.shown[-1] >= 95 and max(feedback.shown) <= 100
+
+
+@pytest.mark.parametrize("name", JOBS)
+def test_after_a_cancel_the_next_run_succeeds(jobs, small_steps, tmp_path, name):
+    with pytest.raises(QgsProcessingException):
+        run(jobs[name], tmp_path, CancelAt(50))
+    results, succeeded = run(jobs[name], tmp_path, CancelAt(None))
+    assert succeeded and Path(results[jobs[name][2]]).stat().st_size > 1000
