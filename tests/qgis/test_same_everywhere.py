@@ -1,0 +1,208 @@
+"""Python, a background task, the shipped model and qgis_process give the same label map and the same database."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import sqlite3
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from osgeo import gdal, ogr
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingAlgRunnerTask,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingModelAlgorithm,
+)
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import CLASSES_CSV, read_pixels, square, write_layer, write_raster, write_text
+
+TIMEOUT_S = 120
+MOMENTS = {"last_change", "update_time", "timestamp"}
+"""Columns that hold the time of writing."""
+
+RASTERIZE, BUILD, LOCALIZE = "semref:rasterizeannotation", "semref:builddatabase", "semref:localizeimages"
+
+
+@pytest.fixture(scope="module")
+def inputs(tmp_path_factory):
+    """Folder with an annotation of 400 × 400 m in which polygons overlap, its class table, and two images."""
+    folder = tmp_path_factory.mktemp("inputs")
+    random = np.random.default_rng(9)
+    features = [(square(0, 0, 400), "field", 0)]
+    for _ in range(150):
+        column, row = random.uniform(0, 380, 2)
+        name = ("building", "water", "bare_land")[random.integers(3)]
+        features.append((square(column, row, random.uniform(8, 20)), name, int(random.integers(1, 9))))
+    write_layer(
+        folder / "annotation.shp", features, [("class", "text"), ("zorder", "integer")], geometry=ogr.wkbPolygon
+    )
+    write_text(folder / "classes.csv", CLASSES_CSV)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def settings(inputs):
+    """Parameters of rasterizing, building and localizing, all as text, as qgis_process gives them."""
+    rasterize = {
+        "INPUT": str(inputs / "annotation.shp"),
+        "CLASS_FIELD": "class",
+        "PRIORITY_FIELD": "zorder",
+        "CLASS_TABLE": str(inputs / "classes.csv"),
+        "PIXEL_SIZE": "1",
+    }
+    build = {"REFERENCE_CLASSES": "building;water", "WINDOW_SIZE": "150", "STRIDE": "50", "MINIMUM_AREA": "60"}
+    return rasterize, build, {"METHOD": "1"}
+
+
+@pytest.fixture(scope="module")
+def expected(run_algorithm, inputs, settings, tmp_path_factory):
+    """Paths of the label map, database, images and positions that processing.run makes."""
+    return run_chain(run_algorithm, settings, tmp_path_factory.mktemp("python"), inputs)
+
+
+def run_chain(run, settings, folder: Path, inputs: Path) -> dict:
+    rasterize, build, localize = settings
+    made = {
+        "labels": str(folder / "labels.tif"),
+        "database": str(folder / "area.gpkg"),
+        "positions": str(folder / "positions.gpkg"),
+    }
+    run(RASTERIZE, {**rasterize, "OUTPUT": made["labels"]})
+    run(BUILD, {**build, "LABELS": made["labels"], "DATABASE": made["database"]})
+    images = [inputs / "a.png", inputs / "b.png"]
+    if not images[0].exists():
+        labels = read_pixels(made["labels"])
+        write_raster(images[0], labels[100:250, 50:200], transform=None)
+        write_raster(images[1], np.rot90(labels[20:170, 130:280]), transform=None)
+    localize = {**localize, "DATABASE": made["database"], "IMAGES": ";".join(map(str, images))}
+    run(LOCALIZE, {**localize, "OUTPUT": made["positions"]})
+    return made
+
+
+def tables(path: str) -> dict:
+    """Every row of every table of a GeoPackage but its spatial indexes, without the times of writing."""
+    with contextlib.closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as connection:
+        names = [row[0] for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")]
+        found = {}
+        for name in sorted(name for name in names if not name.startswith("rtree_")):
+            columns = [row[1] for row in connection.execute(f'PRAGMA table_info("{name}")') if row[1] not in MOMENTS]
+            listed = ", ".join(f'"{column}"' for column in columns)
+            rows = connection.execute(f'SELECT {listed} FROM "{name}"').fetchall()
+            found[name] = [tuple(map(canonical, row)) for row in rows]
+        return found
+
+
+def canonical(cell):
+    """Styles with their XML attributes in order: Qt writes those in another order in every process."""
+    if isinstance(cell, str) and cell.startswith("<!DOCTYPE qgis"):
+        return ElementTree.canonicalize(cell)
+    return cell
+
+
+def assert_same(made: dict, expected: dict) -> None:
+    labels, others = gdal.Open(made["labels"]), gdal.Open(expected["labels"])
+    np.testing.assert_array_equal(labels.ReadAsArray(), others.ReadAsArray())
+    assert labels.GetGeoTransform() == others.GetGeoTransform()
+    assert labels.GetProjection() == others.GetProjection()
+    assert labels.GetMetadata() == others.GetMetadata()
+    for path in ("database", "positions"):
+        if path in made:
+            found, wanted = tables(made[path]), tables(expected[path])
+            assert list(found) == list(wanted)
+            for name, rows in wanted.items():
+                assert found[name] == rows, name
+
+
+def test_what_is_compared_has_content(expected):
+    assert len(np.unique(read_pixels(expected["labels"]))) == 4
+    content = tables(expected["database"])
+    assert len(content["windows"]) == 36
+    assert len(content["references"]) > 20 and len(content["overview"]) >= 1 and len(content["layer_styles"]) >= 2
+    statuses = [row[3] for row in tables(expected["positions"])["positions"]]
+    assert statuses == ["fix", "fix"]
+
+
+def test_a_second_run_gives_the_same(run_algorithm, inputs, settings, expected, tmp_path):
+    assert_same(run_chain(run_algorithm, settings, tmp_path, inputs), expected)
+
+
+def test_numbers_as_numbers_give_the_same_as_text(run_algorithm, inputs, settings, expected, tmp_path):
+    rasterize, build, _ = settings
+    numbers = ({**rasterize, "PIXEL_SIZE": 1.0}, {**build, "WINDOW_SIZE": 150, "STRIDE": 50.0, "MINIMUM_AREA": 60}, {})
+    assert_same(run_chain(run_algorithm, numbers, tmp_path, inputs), expected)
+
+
+def test_a_background_task_as_of_toolbox_and_batch_gives_the_same(qgis_app, inputs, settings, expected, tmp_path):
+    def run(algorithm_id, parameters):
+        algorithm = QgsApplication.processingRegistry().createAlgorithmById(algorithm_id)
+        context, feedback, ended = QgsProcessingContext(), QgsProcessingFeedback(False), []
+        task = QgsProcessingAlgRunnerTask(algorithm, parameters, context, feedback)
+        task.executed.connect(lambda succeeded, results: ended.append(succeeded))
+        QgsApplication.taskManager().addTask(task)
+        assert task.waitForFinished(TIMEOUT_S * 1000)
+        while not ended:
+            qgis_app.processEvents()
+        assert ended == [True], feedback.textLog()
+
+    assert_same(run_chain(run, settings, tmp_path, inputs), expected)
+
+
+def test_the_shipped_model_gives_the_same_database(qgis_app, repository, settings, expected, tmp_path):
+    path = repository / "models" / "annotation_to_database.model3"
+    model = QgsProcessingModelAlgorithm()
+    assert model.fromFile(str(path))
+    rasterize, build, _ = settings
+    parameters = {**rasterize, **build}
+    for definition in model.destinationParameterDefinitions():
+        suffix = "gpkg" if "DATABASE" in definition.name().upper() else "tif"
+        parameters[definition.name()] = str(tmp_path / f"model.{suffix}")
+    results, succeeded = model.run(parameters, QgsProcessingContext(), QgsProcessingFeedback(False), {}, False)
+    assert succeeded
+    assert tables(str(tmp_path / "model.gpkg")) == tables(expected["database"])
+
+
+@pytest.fixture(scope="module")
+def qgis_process(repository, tmp_path_factory):
+    """`qgis_process(algorithm id, parameters)` runs it in a process of its own, in a fresh profile."""
+    # Debian 12's wrapper qgis_process passes on an option that its own qgis_process.bin does not know.
+    program = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
+    if program is None:
+        pytest.skip("qgis_process is not installed")
+    home = tmp_path_factory.mktemp("home")
+    plugins = home / ".local" / "share" / "QGIS" / "QGIS3" / "profiles" / "default" / "python" / "plugins"
+    plugins.mkdir(parents=True)
+    (plugins / "semref").symlink_to(repository)
+    environment = {
+        "PATH": os.environ["PATH"],
+        "LANG": "C.UTF-8",
+        "HOME": str(home),
+        "XDG_RUNTIME_DIR": str(tmp_path_factory.mktemp("runtime")),
+        "QT_QPA_PLATFORM": "offscreen",
+        "PYTHONDONTWRITEBYTECODE": "1",
+        "PYTHONPATH": sysconfig.get_path("purelib"),
+    }
+
+    def call(*arguments: str) -> None:
+        command = [program, *arguments]
+        answer = subprocess.run(
+            command, env=environment, cwd=home, capture_output=True, text=True, timeout=TIMEOUT_S, check=False
+        )
+        assert answer.returncode == 0, f"{command} exits {answer.returncode}:\n{answer.stdout}\n{answer.stderr}"
+
+    call("plugins", "enable", "processing")
+    call("plugins", "enable", "semref")
+    return lambda algorithm, parameters: call("run", algorithm, "--", *(f"{k}={v}" for k, v in parameters.items()))
+
+
+def test_qgis_process_gives_the_same(qgis_process, inputs, settings, expected, tmp_path):
+    assert_same(run_chain(qgis_process, settings, tmp_path, inputs), expected)
