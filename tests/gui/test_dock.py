@@ -1,0 +1,456 @@
+"""The dock in a real window, with a small database that the algorithms build."""
+
+from __future__ import annotations
+
+import gc
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+PIXELS = 600
+WINDOW = 200
+STRIDE = 50
+ORIGIN = (400_000.0, 5_400_000.0)
+CRS = "EPSG:25832"
+CUT = (150, 250)
+"""First column and row of the window that the query image shows."""
+
+DEADLINE_S = 20
+
+
+def label_map() -> np.ndarray:
+    """Small rectangles of three classes, far enough apart to stay regions of their own."""
+    generator = np.random.default_rng(7)
+    labels = np.zeros((PIXELS, PIXELS), np.uint8)
+    for row in range(5, PIXELS - 20, 25):
+        for column in range(5, PIXELS - 20, 25):
+            if generator.random() < 0.6:
+                height, width = generator.integers(6, 14, 2)
+                top, left = row + generator.integers(0, 8), column + generator.integers(0, 8)
+                labels[top : top + height, left : left + width] = generator.integers(1, 4)
+    return labels
+
+
+def write_raster(path: Path, labels: np.ndarray, georeferenced: bool) -> str:
+    from osgeo import gdal, osr
+
+    height, width = labels.shape
+    raster = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 1, gdal.GDT_Byte)
+    if georeferenced:
+        reference = osr.SpatialReference()
+        reference.ImportFromEPSG(int(CRS.partition(":")[2]))
+        raster.SetProjection(reference.ExportToWkt())
+        raster.SetGeoTransform((ORIGIN[0], 1, 0, ORIGIN[1], 0, -1))
+    raster.GetRasterBand(1).WriteArray(labels)
+    return str(path)
+
+
+class Area:
+    """Paths of a database, of an image cut from one of its windows, and of an image that isn't one."""
+
+    def __init__(self, folder: Path, run_algorithm) -> None:
+        labels = label_map()
+        column, row = CUT
+        self.database = str(folder / "area.gpkg")
+        self.image = write_raster(folder / "on_window.tif", labels[row : row + WINDOW, column : column + WINDOW], False)
+        self.unreadable = str(folder / "broken.tif")
+        Path(self.unreadable).write_text("not an image", encoding="utf-8")
+        parameters = {
+            "LABELS": write_raster(folder / "labels.tif", labels, True),
+            "REFERENCE_CLASSES": "1;2;3",
+            "WINDOW_SIZE": WINDOW,
+            "STRIDE": STRIDE,
+            "MINIMUM_AREA": 20,
+            "DATABASE": self.database,
+        }
+        run_algorithm("semref:builddatabase", parameters)
+
+
+@pytest.fixture(scope="module")
+def area(run_algorithm, tmp_path_factory):
+    return Area(tmp_path_factory.mktemp("area"), run_algorithm)
+
+
+@pytest.fixture
+def plugin(area, iface, without_provider):
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsSettings
+
+    from semref.plugin import SemRefPlugin
+
+    QgsSettings().remove("semref")
+    iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem(CRS))
+    loaded = SemRefPlugin(iface)
+    loaded.initGui()
+    yield loaded
+    loaded.unload()
+    settle()
+    QgsProject.instance().clear()
+
+
+@pytest.fixture
+def dock(plugin, iface):
+    iface.tool_bar_actions[0].trigger()
+    return iface.docks[0]
+
+
+@pytest.fixture
+def slow(monkeypatch, area):
+    """Makes a run as long as a thousand images; a cancel is heeded between two of them."""
+    from semref.processing import localize_images
+    from semref.processing.exchange import rasters
+
+    localize = localize_images._localize
+
+    def localize_slowly(*arguments):
+        time.sleep(0.03)
+        return localize(*arguments)
+
+    monkeypatch.setattr(localize_images, "_localize", localize_slowly)
+    monkeypatch.setattr(rasters, "image_files", lambda paths: paths * 1000)
+
+
+def settle() -> None:
+    """Lets queued signals and deleteLater happen."""
+    from qgis.PyQt.QtCore import QCoreApplication, QEvent
+
+    for _ in range(5):
+        QCoreApplication.processEvents()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def wait_until(condition, what: str) -> None:
+    from qgis.PyQt.QtCore import QCoreApplication
+
+    deadline = time.monotonic() + DEADLINE_S
+    while not condition():
+        if time.monotonic() > deadline:
+            pytest.fail(f"{what} did not happen within {DEADLINE_S} s.")
+        QCoreApplication.processEvents()
+        time.sleep(0.005)
+
+
+def start(dock, database: str, images: list[str]) -> None:
+    dock.database.file.setFilePath(database)
+    dock.images.list.add(images)
+    dock.localize_button.click()
+
+
+def localize(dock, database: str, images: list[str]) -> None:
+    start(dock, database, images)
+    wait_until(lambda: not dock.run.running, "the end of the run")
+
+
+def table(dock) -> list[list[str]]:
+    model = dock.results.table.model()
+    return [
+        [model.index(row, column).data() for column in range(model.columnCount())] for row in range(model.rowCount())
+    ]
+
+
+def messages(iface) -> list[str]:
+    return [item.text() for item in iface.bar.items()]
+
+
+def shown_outline(iface):
+    """Extent of the outline on the canvas in the canvas's CRS, None when there is none."""
+    from qgis.gui import QgsRubberBand
+
+    bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
+    extents = [band.asGeometry().boundingBox() for band in bands if band.numberOfVertices()]
+    return extents[0] if extents else None
+
+
+def shown_center(iface):
+    from qgis.gui import QgsVertexMarker
+
+    markers = [item for item in iface.canvas.scene().items() if isinstance(item, QgsVertexMarker) and item.isVisible()]
+    return markers[0].center() if markers else None
+
+
+def cut_extent():
+    """The window's place on the map."""
+    from qgis.core import QgsRectangle
+
+    left, top = ORIGIN[0] + CUT[0], ORIGIN[1] - CUT[1]
+    return QgsRectangle(left, top - WINDOW, left + WINDOW, top)
+
+
+def corners(extent):
+    return [extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum()]
+
+
+def test_the_button_shows_and_hides_the_dock(plugin, iface):
+    action, dock = iface.tool_bar_actions[0], iface.docks[0]
+    assert (action.isChecked(), dock.isVisible()) == (False, False)
+    action.trigger()
+    assert (action.isChecked(), dock.isVisible()) == (True, True)
+    dock.close()
+    assert (action.isChecked(), dock.isVisible()) == (False, False)
+
+
+def test_an_empty_dock_says_what_to_do(dock, area):
+    assert dock.state.text() == "Choose a database and add images."
+    dock.database.file.setFilePath(area.database)
+    assert dock.state.text() == "Add images."
+    assert not dock.localize_button.isEnabled()
+    dock.images.list.add([area.image])
+    assert dock.state.text() == "Ready to localize."
+    assert dock.localize_button.isEnabled()
+
+
+def test_an_image_cut_from_a_window_is_found_there(dock, area):
+    localize(dock, area.database, [area.image])
+    assert table(dock) == [["on_window.tif", "1.00", "150_250", "0.000", "Fix"]]
+    assert dock.state.text() == "1 of 1 images have a fix."
+    details = dock.results.details.toPlainText()
+    assert "x, y: 400250.00, 5399650.00 (EPSG:25832)" in details
+    assert "lon, lat: 7.6" in details
+
+
+def test_the_hit_is_outlined_and_its_center_marked(dock, iface, area):
+    localize(dock, area.database, [area.image])
+    assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=1e-6)
+    assert shown_center(iface).x() == pytest.approx(cut_extent().center().x())
+    assert shown_center(iface).y() == pytest.approx(cut_extent().center().y())
+
+
+def test_the_outline_follows_the_canvas_into_another_crs(dock, iface, area):
+    from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsProject
+
+    localize(dock, area.database, [area.image])
+    mercator = QgsCoordinateReferenceSystem("EPSG:3857")
+    iface.canvas.setDestinationCrs(mercator)
+    transform = QgsCoordinateTransform(QgsCoordinateReferenceSystem(CRS), mercator, QgsProject.instance())
+    expected = transform.transformBoundingBox(cut_extent())
+    assert corners(shown_outline(iface)) == pytest.approx(corners(expected), abs=0.5)
+
+
+def test_the_canvas_moves_to_the_selected_hit(dock, iface, area):
+    localize(dock, area.database, [area.image])
+    assert iface.canvas.extent().contains(cut_extent())
+
+
+def test_the_canvas_stays_when_zooming_is_switched_off(dock, iface, area):
+    before = corners(iface.canvas.extent())
+    dock.results.zoom.setChecked(False)
+    localize(dock, area.database, [area.image])
+    assert shown_outline(iface) is not None
+    assert corners(iface.canvas.extent()) == before
+
+
+def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, iface, area):
+    localize(dock, area.database, [area.image, area.unreadable])
+    dock.results.table.selectRow(1)
+    assert table(dock)[1] == ["broken.tif", "", "", "", "Unreadable"]
+    assert "broken.tif can't be read" in dock.results.details.toPlainText()
+    assert (shown_outline(iface), shown_center(iface)) == (None, None)
+    assert not dock.results.copy_map.isEnabled()
+    assert messages(iface) == []
+
+
+def test_a_click_on_a_header_sorts_and_the_selection_stays_true(dock, iface, area):
+    from qgis.PyQt.QtCore import Qt
+
+    localize(dock, area.database, [area.image, area.unreadable])
+    dock.results.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+    assert [row[0] for row in table(dock)] == ["broken.tif", "on_window.tif"]
+    dock.results.table.selectRow(1)
+    assert "on_window.tif" in dock.results.details.toPlainText()
+    assert shown_outline(iface) is not None
+
+
+def test_the_position_can_be_copied(dock, area):
+    from qgis.core import QgsApplication
+
+    localize(dock, area.database, [area.image])
+    dock.results.copy_map.click()
+    assert QgsApplication.clipboard().text() == "400250.00, 5399650.00"
+    dock.results.copy_degrees.click()
+    assert QgsApplication.clipboard().text().startswith("7.6")
+
+
+def test_a_file_that_is_no_database_gives_one_sentence(dock, iface, area):
+    localize(dock, area.unreadable, [area.image])
+    assert len(messages(iface)) == 1
+    assert "broken.tif is not a GeoPackage; choose a database" in messages(iface)[0]
+    assert dock.localize_button.text() == "Localize"
+    assert dock.localize_button.isEnabled()
+
+
+def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeypatch):
+    from qgis.core import QgsApplication
+
+    from semref.processing import localize_images
+
+    def break_down(*_arguments):
+        raise ZeroDivisionError("a made mistake")
+
+    logged = []
+    monkeypatch.setattr(localize_images, "_localize", break_down)
+    log = QgsApplication.messageLog()
+
+    def note(*entry):
+        logged.append(entry)
+
+    log.messageReceived[str, str, "Qgis::MessageLevel"].connect(note)
+    localize(dock, area.database, [area.image])
+    log.messageReceived[str, str, "Qgis::MessageLevel"].disconnect(note)
+    (report,) = [text for text, tag, *_level in logged if tag == "SemRef"]
+    assert "break_down" in report and "a made mistake" in report
+    assert len(messages(iface)) == 1
+    assert "Traceback" not in messages(iface)[0]
+
+
+def test_a_missing_package_is_named(dock, iface, area, monkeypatch):
+    from semref.processing import base
+
+    monkeypatch.setattr(base, "_PACKAGES", {"no_such_module": "no-such-package"})
+    start(dock, area.database, [area.image])
+    assert not dock.run.running
+    assert "no-such-package" in messages(iface)[0]
+
+
+def test_cancel_ends_the_run_without_results(dock, iface, area, slow):
+    start(dock, area.database, [area.image])
+    assert dock.localize_button.text() == "Cancel"
+    wait_until(lambda: dock.progress.value() > 0, "progress")
+    dock.localize_button.click()
+    wait_until(lambda: not dock.run.running, "the end of the run")
+    assert dock.state.text() == "Canceled."
+    assert dock.localize_button.text() == "Localize"
+    assert (table(dock), messages(iface)) == ([], [])
+
+
+def test_a_cancel_before_the_run_has_begun_ends_it_too(dock, area, slow):
+    start(dock, area.database, [area.image])
+    dock.localize_button.click()
+    wait_until(lambda: not dock.run.running, "the end of the run")
+    assert dock.state.text() == "Canceled."
+
+
+@pytest.mark.parametrize("begun", [False, True])
+def test_unloading_while_a_run_works_leaves_nothing(plugin, dock, iface, area, slow, begun):
+    from qgis.core import QgsApplication
+
+    start(dock, area.database, [area.image])
+    if begun:
+        wait_until(lambda: dock.progress.value() > 0, "progress")
+    plugin.unload()
+    wait_until(lambda: QgsApplication.taskManager().countActiveTasks() == 0, "the end of the task")
+    settle()
+    assert iface.leftovers() == []
+
+
+def test_a_project_closed_while_a_run_works_does_not_disturb_it(dock, area):
+    from qgis.core import QgsProject
+
+    start(dock, area.database, [area.image])
+    QgsProject.instance().clear()
+    wait_until(lambda: not dock.run.running, "the end of the run")
+    assert len(table(dock)) == 1
+
+
+def test_five_loads_and_unloads_leave_nothing(plugin, iface, area):
+    from qgis.PyQt.QtWidgets import QDockWidget
+
+    plugin.unload()
+    settle()
+    bare_canvas = len(iface.canvas.scene().items())
+    for _ in range(5):
+        plugin.initGui()
+        iface.tool_bar_actions[0].trigger()
+        localize(iface.docks[0], area.database, [area.image])
+        assert shown_outline(iface) is not None
+        plugin.unload()
+        settle()
+    gc.collect()
+    assert iface.leftovers() == []
+    assert iface.window.findChildren(QDockWidget) == []
+    assert len(iface.canvas.scene().items()) == bare_canvas
+
+
+def test_closing_the_dock_takes_the_hit_off_the_map_until_it_is_opened_again(dock, iface, area):
+    localize(dock, area.database, [area.image])
+    dock.close()
+    assert (shown_outline(iface), shown_center(iface)) == (None, None)
+    iface.tool_bar_actions[0].trigger()
+    assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=1e-6)
+
+
+def test_the_database_goes_to_the_map_as_a_group_with_the_overview_below(dock, area):
+    from qgis.core import QgsProject
+
+    dock.database.file.setFilePath(area.database)
+    dock.database.add_to_map.click()
+    (group,) = QgsProject.instance().layerTreeRoot().children()
+    assert group.name() == "area"
+    layers = [node.layer() for node in group.children()]
+    assert [layer.name() for layer in layers] == ["Landmarks", "Windows", "Overview"]
+    assert [entry.value for entry in layers[2].renderer().classes()] == [1, 2, 3]
+
+
+def test_a_file_that_is_no_database_does_not_go_to_the_map(dock, iface, area):
+    from qgis.core import QgsProject
+
+    dock.database.file.setFilePath(area.image)
+    dock.database.add_to_map.click()
+    assert QgsProject.instance().mapLayers() == {}
+    assert len(messages(iface)) == 1
+    assert "is not a SemRef reference database" in messages(iface)[0]
+
+
+def test_results_can_be_kept_as_a_layer(dock, area):
+    from qgis.core import QgsProject
+
+    assert not dock.results.keep.isEnabled()
+    localize(dock, area.database, [area.image, area.unreadable])
+    dock.results.keep.click()
+    (layer,) = QgsProject.instance().mapLayers().values()
+    assert [feature["status"] for feature in layer.getFeatures()] == ["fix", "error"]
+    QgsProject.instance().removeAllMapLayers()
+    dock.results.keep.click()
+    assert len(QgsProject.instance().mapLayers()) == 1
+
+
+def test_dropped_files_are_added_once(dock, area):
+    from qgis.PyQt.QtCore import QMimeData, QPointF, Qt, QUrl
+    from qgis.PyQt.QtGui import QDropEvent
+
+    dropped = QMimeData()
+    dropped.setUrls([QUrl.fromLocalFile(area.image), QUrl("https://example.org/image.png")])
+    for _ in range(2):
+        event = QDropEvent(
+            QPointF(5, 5),
+            Qt.DropAction.CopyAction,
+            dropped,
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+        )
+        dock.images.list.dropEvent(event)
+    assert dock.images.paths() == [area.image]
+
+
+def test_selected_images_can_be_removed(dock, area):
+    dock.images.list.add([area.image, area.unreadable])
+    dock.images.list.setCurrentRow(0)
+    dock.images.remove.click()
+    assert dock.images.paths() == [area.unreadable]
+
+
+def test_the_database_is_remembered(plugin, dock, iface, area):
+    dock.database.file.setFilePath(area.database)
+    plugin.unload()
+    plugin.initGui()
+    assert iface.docks[0].database.path() == area.database
+
+
+def test_every_status_has_words(qgis_app):
+    from semref.core import localizer
+    from semref.processing.localize_images import ERROR
+    from semref.ui.findings import FIX, status_text
+
+    assert localizer.FIX == FIX
+    for status in (localizer.FIX, localizer.NO_MATCH, localizer.TOO_FEW_REFERENCES, ERROR):
+        assert status_text(status) != status

@@ -1,0 +1,1 @@
+"""What SemRef puts into QGIS's window; it starts the algorithms by id and reads no files."""

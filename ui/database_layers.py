@@ -1,0 +1,44 @@
+"""A reference database on the map: its layers with their own styles, as one group."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsPalettedRasterRenderer, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.PyQt.QtGui import QColor
+
+from ..core.errors import DatabaseError
+from ..processing.translation import tr
+
+
+def add_database_to_map(path: str, project: QgsProject) -> None:
+    """Adds references, windows and overview, from top to bottom. Raises DatabaseError and adds nothing."""
+    if not Path(path).is_file():
+        raise DatabaseError(tr("There is no database {path}; choose another file.").format(path=path))
+    layers = [
+        QgsVectorLayer(f"{path}|layername=references", tr("Landmarks"), "ogr"),
+        QgsVectorLayer(f"{path}|layername=windows", tr("Windows"), "ogr"),
+        QgsRasterLayer(f"GPKG:{path}:overview", tr("Overview"), "gdal"),
+    ]
+    if not all(layer.isValid() for layer in layers):
+        raise DatabaseError(
+            tr("{path} is not a SemRef reference database; choose one made by “Build reference database”.").format(
+                path=path
+            )
+        )
+    _name_classes(layers[-1], path)
+    project.addMapLayers(layers, False)
+    group = project.layerTreeRoot().insertGroup(0, Path(path).stem)
+    for layer in layers:
+        group.addLayer(layer)
+
+
+def _name_classes(overview: QgsRasterLayer, path: str) -> None:
+    """The legend in words: a GeoPackage keeps the colours of a raster, but not the names of its values."""
+    classes = QgsVectorLayer(f"{path}|layername=classes", "classes", "ogr")
+    legend = [
+        QgsPalettedRasterRenderer.Class(row["value"], QColor(row["color"]), row["name"])
+        for row in classes.getFeatures()
+        if row["value"]
+    ]
+    overview.setRenderer(QgsPalettedRasterRenderer(overview.dataProvider(), 1, legend))

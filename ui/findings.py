@@ -1,0 +1,73 @@
+"""Results of semref:localizeimages as the dock shows them."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import List, Optional
+
+from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, QgsVectorLayer
+
+from ..processing.compat import is_null
+from ..processing.translation import tr
+
+FIX = "fix"
+"""The one status with a position."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One image's row of OUTPUT (columns as DESIGN §6), with its polygon of FOOTPRINTS; None where there is nothing."""
+
+    image: str
+    status: str
+    x: Optional[float]
+    y: Optional[float]
+    longitude: Optional[float]
+    latitude: Optional[float]
+    heading: Optional[float]
+    pixel_size: Optional[float]
+    confidence: Optional[float]
+    distance: Optional[float]
+    references: Optional[int]
+    error_95: Optional[float]
+    window: Optional[str]
+    reason: Optional[str]
+    crs: QgsCoordinateReferenceSystem
+    outline: Optional[QgsGeometry]
+
+    @property
+    def name(self) -> str:
+        return os.path.basename(self.image)
+
+    @property
+    def center(self) -> Optional[QgsPointXY]:
+        """In ``crs``; None without a fix."""
+        return None if self.x is None or self.y is None else QgsPointXY(self.x, self.y)
+
+
+_COLUMNS = tuple(name for name in Finding.__dataclass_fields__ if name not in ("crs", "outline"))
+
+
+def read_findings(positions: QgsVectorLayer, footprints: Optional[QgsVectorLayer]) -> List[Finding]:
+    """The findings in the order of the images."""
+    outlines = {f["image"]: f.geometry() for f in footprints.getFeatures()} if footprints is not None else {}
+    indexes = [positions.fields().lookupField(name) for name in _COLUMNS]
+    crs, findings = positions.crs(), []
+    for feature in positions.getFeatures():
+        values = feature.attributes()
+        cells = [None if is_null(values[index]) else values[index] for index in indexes]
+        findings.append(Finding(*cells, crs=crs, outline=outlines.get(cells[0])))
+    return findings
+
+
+def status_text(status: str) -> str:
+    """An image's status in words; a status this version does not know stands for itself."""
+    texts = {
+        FIX: tr("Fix"),
+        "ambiguous": tr("Ambiguous"),
+        "no_match": tr("No match"),
+        "too_few_references": tr("Too few landmarks"),
+        "error": tr("Unreadable"),
+    }
+    return texts.get(status, status)

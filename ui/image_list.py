@@ -1,0 +1,95 @@
+"""The list of images to localise: files and folders, also dropped from a file manager."""
+
+from __future__ import annotations
+
+import os
+from typing import Iterable, List
+
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QKeySequence
+from qgis.PyQt.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem
+
+from ..processing.translation import tr
+from .placeholder import paint_placeholder
+
+_PATH_ROLE = Qt.ItemDataRole.UserRole
+_VISIBLE_ROWS = 4
+
+
+class ImageList(QListWidget):
+    """Emits ``changed`` when images come or go."""
+
+    changed = pyqtSignal()
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(parent)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setUniformItemSizes(True)
+        self.setIconSize(QSize(self.fontMetrics().height(), self.fontMetrics().height()))
+        self.setAcceptDrops(True)
+
+    def paths(self) -> List[str]:
+        return [self.item(row).data(_PATH_ROLE) for row in range(self.count())]
+
+    def add(self, paths: Iterable[str]) -> None:
+        """Adds files and folders that are not in the list yet."""
+        known = set(self.paths())
+        for path in paths:
+            if path and path not in known:
+                known.add(path)
+                self.addItem(_item(path))
+        self.changed.emit()
+
+    def remove_selected(self) -> None:
+        for item in self.selectedItems():
+            self.takeItem(self.row(item))
+        self.changed.emit()
+
+    # --- QListWidget ---
+
+    def sizeHint(self):
+        return QSize(200, _VISIBLE_ROWS * (self.fontMetrics().height() + 6))
+
+    def minimumSizeHint(self):
+        return self.sizeHint().boundedTo(QSize(120, 1000))
+
+    def paintEvent(self, event):
+        super().paintEvent(event)
+        if not self.count():
+            paint_placeholder(self, tr("Add label images, or drop files and folders here."))
+
+    def keyPressEvent(self, event):
+        if event.matches(QKeySequence.StandardKey.Delete):
+            self.remove_selected()
+        else:
+            super().keyPressEvent(event)
+
+    def dragEnterEvent(self, event):
+        self.dragMoveEvent(event)
+
+    def dragMoveEvent(self, event):
+        if _dropped_paths(event):
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
+        else:
+            event.ignore()
+
+    def dropEvent(self, event):
+        self.add(_dropped_paths(event))
+        event.setDropAction(Qt.DropAction.CopyAction)
+        event.accept()
+
+
+def _item(path: str) -> QListWidgetItem:
+    icon = "/mIconFolder.svg" if os.path.isdir(path) else "/mIconRaster.svg"
+    item = QListWidgetItem(QgsApplication.getThemeIcon(icon), os.path.basename(path.rstrip("/\\")) or path)
+    item.setData(_PATH_ROLE, path)
+    item.setToolTip(path)
+    return item
+
+
+def _dropped_paths(event) -> List[str]:
+    return [url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile()]

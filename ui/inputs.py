@@ -1,0 +1,102 @@
+"""The upper part of the dock: which database, which images."""
+
+from __future__ import annotations
+
+from typing import List
+
+from qgis.core import QgsApplication, QgsProviderRegistry, QgsSettings
+from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
+from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QVBoxLayout
+
+from ..processing.translation import tr
+from .image_list import ImageList
+
+MARGIN_PX = 5
+"""Around the content of the dock and of its boxes: width is scarce in a dock."""
+
+_DATABASE_SETTING = "semref/dock/database"
+_FOLDER_SETTING = "semref/dock/image_folder"
+
+
+class DatabaseBox(QgsCollapsibleGroupBox):
+    """The chosen database, remembered from session to session."""
+
+    changed = pyqtSignal()
+    addToMapAsked = pyqtSignal()
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(tr("Reference database"), parent)
+        self.setObjectName("SemRefDatabase")
+        self.file = QgsFileWidget()
+        self.file.setFilter(tr("GeoPackage (*.gpkg)"))
+        self.file.setDialogTitle(tr("Choose a reference database"))
+        self.file.lineEdit().setPlaceholderText(tr("Choose a GeoPackage"))
+        self.file.setFilePath(QgsSettings().value(_DATABASE_SETTING, "", type=str))
+        self.add_to_map = QPushButton(QgsApplication.getThemeIcon("/mActionAddLayer.svg"), tr("Add database to map"))
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
+        layout.addWidget(self.file)
+        layout.addWidget(self.add_to_map)
+        self.file.fileChanged.connect(self._remember)
+        self.add_to_map.clicked.connect(self.addToMapAsked)
+        self.add_to_map.setEnabled(bool(self.path()))
+
+    def path(self) -> str:
+        return self.file.filePath().strip()
+
+    def _remember(self) -> None:
+        QgsSettings().setValue(_DATABASE_SETTING, self.path())
+        self.add_to_map.setEnabled(bool(self.path()))
+        self.changed.emit()
+
+
+class ImageBox(QgsCollapsibleGroupBox):
+    """The images, and the buttons that add and remove them."""
+
+    changed = pyqtSignal()
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(tr("Images"), parent)
+        self.setObjectName("SemRefImages")
+        self.list = ImageList()
+        self.add_files = QPushButton(tr("Add files…"))
+        self.add_folder = QPushButton(tr("Add folder…"))
+        self.remove = QPushButton(tr("Remove"))
+        buttons = QHBoxLayout()
+        for button in (self.add_files, self.add_folder, self.remove):
+            buttons.addWidget(button)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
+        layout.addWidget(self.list)
+        layout.addLayout(buttons)
+        self.add_files.clicked.connect(self._choose_files)
+        self.add_folder.clicked.connect(self._choose_folder)
+        self.remove.clicked.connect(self.list.remove_selected)
+        self.remove.setEnabled(False)
+        self.list.itemSelectionChanged.connect(self._enable_remove)
+        self.list.changed.connect(self.changed)
+
+    def paths(self) -> List[str]:
+        return self.list.paths()
+
+    def _enable_remove(self) -> None:
+        self.remove.setEnabled(bool(self.list.selectedItems()))
+
+    def _choose_files(self) -> None:
+        filters = QgsProviderRegistry.instance().fileRasterFilters()
+        paths, _ = QFileDialog.getOpenFileNames(self, tr("Add label images"), _last_folder(), filters)
+        self._add(paths)
+
+    def _choose_folder(self) -> None:
+        self._add([QFileDialog.getExistingDirectory(self, tr("Add a folder of label images"), _last_folder())])
+
+    def _add(self, paths: List[str]) -> None:
+        if any(paths):
+            QgsSettings().setValue(_FOLDER_SETTING, paths[0])
+            self.list.add(paths)
+
+
+def _last_folder() -> str:
+    """Qt takes a file for the folder it lies in."""
+    return QgsSettings().value(_FOLDER_SETTING, "", type=str)

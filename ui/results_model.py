@@ -1,0 +1,96 @@
+"""The table of results."""
+
+from __future__ import annotations
+
+from typing import List, Optional, Sequence
+
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QAbstractTableModel, QModelIndex, Qt
+
+from ..processing.translation import tr
+from .findings import FIX, Finding, status_text
+
+IMAGE, CONFIDENCE, WINDOW, DISTANCE, STATUS = range(5)
+COLUMN_COUNT = 5
+SORT_ROLE = Qt.ItemDataRole.UserRole
+NUMBER_COLUMNS = (CONFIDENCE, DISTANCE)
+
+# QGIS draws these for light and dark themes alike.
+_ICONS = {FIX: "/mIconSuccess.svg", "error": "/mIconCritical.svg"}
+_OTHER_ICON = "/mIconWarning.svg"
+
+
+class ResultsModel(QAbstractTableModel):
+    """One row a finding."""
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(parent)
+        self._findings: List[Finding] = []
+
+    def show(self, findings: Sequence[Finding]) -> None:
+        self.beginResetModel()
+        self._findings = list(findings)
+        self.endResetModel()
+
+    def finding(self, row: int) -> Finding:
+        return self._findings[row]
+
+    def rowCount(self, parent=QModelIndex()):  # noqa: B008 - Qt's own signature; the index is never changed
+        return 0 if parent.isValid() else len(self._findings)
+
+    def columnCount(self, parent=QModelIndex()):  # noqa: B008
+        return 0 if parent.isValid() else COLUMN_COUNT
+
+    def headerData(self, section, orientation, role=Qt.ItemDataRole.DisplayRole):
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return [tr("Image"), tr("Confidence"), tr("Window"), tr("Distance"), tr("Status")][section]
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return _header_help()[section]
+        return None
+
+    def data(self, index, role=Qt.ItemDataRole.DisplayRole):
+        finding, column = self._findings[index.row()], index.column()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return _text(finding, column)
+        if role == SORT_ROLE:
+            return _sort_value(finding, column)
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return "\n".join(filter(None, (finding.image, status_text(finding.status), finding.reason)))
+        if role == Qt.ItemDataRole.DecorationRole and column == IMAGE:
+            return QgsApplication.getThemeIcon(_ICONS.get(finding.status, _OTHER_ICON))
+        return None
+
+
+def _header_help() -> List[str]:
+    return [
+        tr("File name of the image"),
+        tr("1 is a perfect match, 0 none"),
+        tr("Name of the matched window: its first column and row on the map"),
+        tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none"),
+        tr("Whether a position was found"),
+    ]
+
+
+def _text(finding: Finding, column: int) -> str:
+    if column == IMAGE:
+        return finding.name
+    if column == STATUS:
+        return status_text(finding.status)
+    if column == WINDOW:
+        return finding.window or ""
+    if column == CONFIDENCE:
+        return _number(finding.confidence if finding.status == FIX else None, 2)
+    return _number(finding.distance, 3)
+
+
+def _number(value: Optional[float], decimals: int) -> str:
+    return "" if value is None else f"{value:.{decimals}f}"
+
+
+def _sort_value(finding: Finding, column: int):
+    if column in NUMBER_COLUMNS:
+        value = finding.confidence if column == CONFIDENCE else finding.distance
+        return -1.0 if value is None else float(value)
+    return _text(finding, column).lower()
