@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from dataclasses import dataclass
 from typing import Callable, Dict, List, Optional, Tuple
 
@@ -42,16 +43,21 @@ IMAGE_EXTENSIONS = (".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".bmp", ".
 def gdal_failure(error: Optional[Exception] = None) -> str:
     """What GDAL said last, whether it raised or not."""
     text = (str(error) if error else "") or gdal.GetLastErrorMsg() or "unknown reason"
-    return " ".join(text.split()).rstrip(".")
+    # GDAL 3.10 appends the earlier messages as sentences of their own.
+    return re.sub(r"\.\s+(?=[A-Z])", "; ", " ".join(text.split())).rstrip(".")
 
 
 def open_raster(path: str, what: str = "raster") -> gdal.Dataset:
     """A GDAL dataset for reading; raises LabelMapError with GDAL's reason. GDAL may raise or return None."""
+    gdal.PushErrorHandler("CPLQuietErrorHandler")
     try:
         gdal.ErrorReset()
-        dataset = gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_READONLY)
+        # Without OF_VERBOSE_ERROR GDAL does not say why no driver takes a file.
+        dataset = gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_READONLY | gdal.OF_VERBOSE_ERROR)
     except RuntimeError as error:
         raise LabelMapError(f"{what} {path} can't be read: {gdal_failure(error)}.") from None
+    finally:
+        gdal.PopErrorHandler()
     if dataset is None or dataset.RasterCount == 0:
         raise LabelMapError(f"{what} {path} can't be read: {gdal_failure()}.")
     return dataset

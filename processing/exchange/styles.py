@@ -14,6 +14,7 @@ from qgis.core import (
     QgsMarkerSymbol,
     QgsPalettedRasterRenderer,
     QgsRasterLayer,
+    QgsReadWriteContext,
     QgsRendererCategory,
     QgsSingleSymbolRenderer,
     QgsVectorLayer,
@@ -111,7 +112,9 @@ def _qml(geometry: str, fields: str, renderer) -> str:
 
 def _exported(layer: QgsMapLayer) -> str:
     document = QDomDocument()
-    error = layer.exportNamedStyle(document)
+    # The other categories hold colours that QGIS draws by lot.
+    categories = QgsMapLayer.StyleCategory.Symbology | QgsMapLayer.StyleCategory.CustomProperties
+    error = layer.exportNamedStyle(document, QgsReadWriteContext(), categories)
     if document.isNull():
         raise RuntimeError(f"the style of {layer.name()} could not be exported: {error}")
     return document.toString()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import shutil
 import sqlite3
 import subprocess
@@ -103,9 +104,9 @@ def tables(path: str) -> dict:
 
 
 def canonical(cell):
-    """Styles with their XML attributes in order: Qt writes those in another order in every process."""
+    """Styles with their XML attributes in order and without ids: Qt and QGIS write those anew every time."""
     if isinstance(cell, str) and cell.startswith("<!DOCTYPE qgis"):
-        return ElementTree.canonicalize(cell)
+        return re.sub(r'id="\{[0-9a-f-]+\}"', "", ElementTree.canonicalize(cell))
     return cell
 
 
