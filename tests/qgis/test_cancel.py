@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import time
 from pathlib import Path
@@ -126,6 +127,26 @@ def test_cancel_leaves_nothing_where_nothing_was(jobs, small_steps, tmp_path, na
     with pytest.raises(QgsProcessingException):
         run(jobs[name], tmp_path, CancelAt(40))
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="open files can't be listed here")
+@pytest.mark.parametrize("name", ["rasterize", "decode", "build"])
+@pytest.mark.parametrize("percent", [50, 90])
+def test_files_are_closed_before_they_are_removed(jobs, small_steps, tmp_path, monkeypatch, name, percent):
+    """Windows removes no file that is open."""
+    from semref.processing.exchange import files
+
+    remove, still_open = files._remove, []
+
+    def look_and_remove(workplace):
+        links = [os.path.realpath(f"/proc/self/fd/{number}") for number in os.listdir("/proc/self/fd")]
+        still_open.extend(link for link in links if link.startswith(workplace))
+        remove(workplace)
+
+    monkeypatch.setattr(files, "_remove", look_and_remove)
+    with pytest.raises(QgsProcessingException):
+        run(jobs[name], tmp_path, CancelAt(percent))
+    assert still_open == []
 
 
 @pytest.mark.parametrize("name", JOBS)
