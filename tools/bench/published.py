@@ -38,10 +38,13 @@ def measure(run: inputs.Run) -> dict[str, str]:
     windows = ground.choose_windows(trials.WINDOW_COUNT if not run.quick else 10)
     sections["on windows"] = on_windows.measure(run, ground, windows)
     turned = {h: [ground.try_view(ground.view(w, heading_deg=h)) for w in windows] for h in ROTATIONS_DEG}
-    sections["rotation"] = _transformed("rotation", turned, PAPER_ROTATIONS, "{}°")
+    alone = {h: [ground.try_alone(ground.view(w, heading_deg=h)) for w in windows] for h in ROTATIONS_DEG}
+    more = {"right if nothing came into view, and median distance": alone}
+    sections["rotation"] = _transformed("rotation", turned, PAPER_ROTATIONS, "{}°", more)
     scaled = {s: [ground.try_view(ground.view(w, scale=s)) for w in windows] for s in SCALES}
     known = {s: [ground.try_with_ground_area(ground.view(w, scale=s)) for w in windows] for s in SCALES}
-    sections["scale"] = _transformed("view radius", scaled, PAPER_SCALES, "{:g} ×", known)
+    more = {"right if the scale were known, and median distance": known}
+    sections["scale"] = _transformed("view radius", scaled, PAPER_SCALES, "{:g} ×", more)
     sections["landmarks"] = _by_landmarks(ground, windows, turned, scaled)
     sections["causes"] = causes.measure(ground, windows)
     sections["off the grid"] = _off_grid(ground, windows)
@@ -50,7 +53,8 @@ def measure(run: inputs.Run) -> dict[str, str]:
     return sections
 
 
-def _transformed(what: str, found: dict, paper: dict, form: str, known: dict | None = None) -> str:
+def _transformed(what: str, found: dict, paper: dict, form: str, more: dict[str, dict]) -> str:
+    """One row a rotation or scale; `more`: other ways to treat the same views, of which the share found is told."""
     header = [
         what, "paper: distance", "paper: confidence", "median distance", "median confidence", "right window",
         "accepted (d ≤ 2)", "accepted, wrong",
@@ -62,10 +66,10 @@ def _transformed(what: str, found: dict, paper: dict, form: str, known: dict | N
         row = [form.format(value), f"{paper[value][0]:.3f}", f"{paper[value][1]:.2f}"]
         row += [f"{median(results, 'distance'):.3f}", f"{median(results, 'confidence'):.2f}"]
         row += [share(count(results, "right"), number), share(count(results, "accepted"), number), share(wrong, number)]
-        if known:
-            row.append(share(count(known[value], "right"), number))
+        for other in more.values():
+            row.append(f"{share(count(other[value], 'right'), number)}, d {median(other[value], 'distance'):.3f}")
         rows.append(row)
-    return page.table(header + (["right, if the scale were known"] if known else []), rows)
+    return page.table([*header, *more], rows)
 
 
 def _by_landmarks(ground: Ground, windows: np.ndarray, turned: dict, scaled: dict) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -70,6 +70,16 @@ class Ground:
 
     def try_view(self, view: View) -> Trial:
         return self.judge(view, self.localizer.localize_by_topology_vector(self.cut(view)))
+
+    def try_alone(self, view: View) -> Trial:
+        """As `try_view`, but of the window's own picture turned: its corners are lost, 0 comes in their place."""
+        half = self.size_px // 2
+        column, row = round(view.column) - half, round(view.row) - half
+        window = self.labels_hw[row : row + self.size_px, column : column + self.size_px]
+        margin = self.size_px
+        alone = replace(view, column=self.size_px / 2 + margin, row=self.size_px / 2 + margin)
+        picture = cut(np.pad(window, margin), alone, self.size_px)
+        return self.judge(view, self.localizer.localize_by_topology_vector(picture))
 
     def try_with_ground_area(self, view: View) -> Trial:
         """As `try_view`, but the minimum area is measured on the ground, as if the image's scale were known."""
