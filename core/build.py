@@ -66,7 +66,10 @@ class MapFrame:
 
 
 class DatabaseBuilder:
-    """Builds a database step by step: iterate ``steps()`` to the end, then take ``database`` and ``overview``."""
+    """Builds a database step by step: iterate ``steps()`` to the end, then take ``database`` and ``overview``.
+
+    ``compare_windows()`` then adds ``distinctiveness``.
+    """
 
     def __init__(
         self, source: LabelSource, frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str
@@ -80,6 +83,7 @@ class DatabaseBuilder:
         self.grids = level_grids(source.shape_hw, frame.pixel_size, settings)
         self.overview: Optional[np.ndarray] = None
         self.database: Optional[ReferenceDatabase] = None
+        self.distinctiveness: Optional[np.ndarray] = None
 
     def steps(self) -> Iterator[Tuple[str, float]]:
         """Yields (what is being done, share done 0…1). Raises LabelMapError for a map without reference objects."""
@@ -106,16 +110,19 @@ class DatabaseBuilder:
             windows, self._references(objects), self._table, self._parameters(map_hash), None
         )
 
-    def distinctiveness(self) -> Iterator[Tuple[float, Optional[np.ndarray]]]:
-        """Yields (share done, None), at last (1, (N,) distances; NaN without a vector or without others)."""
+    def compare_windows(self) -> Iterator[Tuple[str, float]]:
+        """Yields (what is being done, share done); afterwards ``distinctiveness`` has a distance for every window.
+
+        NaN for windows without a vector or without another one to compare with.
+        """
         windows = self.database.windows
         index = np.flatnonzero(windows.described)
         found = np.full(len(windows), np.nan)
         blocks = distinctiveness(windows.vectors[index], windows.centers[index], windows.sizes[index])
         for block, distances in blocks:
             found[index[block]] = np.where(np.isinf(distances), np.nan, distances)
-            yield block.stop / len(index), None
-        yield 1.0, found
+            yield "Comparing windows", block.stop / len(index)
+        self.distinctiveness = found
 
     def _scan(self) -> Iterator[Tuple[float, Optional[Tuple[ReferenceObjects, str]]]]:
         """One pass over the map: reference objects, overview and hash."""

@@ -115,7 +115,7 @@ class Localizer:
         if best is None:
             missing = MINIMUM_REFERENCES - count
             reason = (
-                f"The image shows {count} reference object{'' if count == 1 else 's'}; "
+                f"The image shows {count} landmark{'' if count == 1 else 's'}; "
                 f"at least {missing} more {'is' if missing == 1 else 'are'} needed."
             )
             return Localization(TOO_FEW_REFERENCES, TOPOLOGY_VECTOR, count, reason)

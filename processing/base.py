@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import importlib.util
 from pathlib import Path
-from typing import Any, Dict, Iterable, Iterator, List, Tuple
+from typing import Any, Dict, Generator, List, Tuple
 
 from qgis.core import QgsProcessingAlgorithm, QgsProcessingException, QgsProcessingFeedback
 from qgis.PyQt.QtGui import QIcon
@@ -133,14 +134,20 @@ def check_canceled(feedback: QgsProcessingFeedback) -> None:
 
 
 def follow(
-    steps: Iterable[Tuple[str, float]], feedback: QgsProcessingFeedback, first: float = 0.0, last: float = 100.0
-) -> Iterator[None]:
-    """Runs a generator of (what is being done, share 0…1): shows progress between first and last %, heeds cancel."""
+    steps: Generator[Tuple[str, float], None, None],
+    feedback: QgsProcessingFeedback,
+    first: float = 0.0,
+    last: float = 100.0,
+) -> None:
+    """Runs steps of (what is being done, share done 0…1), showing progress from first to last %; raises Canceled.
+
+    The steps are closed whatever happens: files and threads they hold are let go before anything is cleared away.
+    """
     shown = None
-    for what, share in steps:
-        check_canceled(feedback)
-        if what != shown:
-            feedback.setProgressText(tr(what))
-            shown = what
-        feedback.setProgress(first + (last - first) * share)
-        yield
+    with contextlib.closing(steps):
+        for what, share in steps:
+            check_canceled(feedback)
+            if what != shown:
+                feedback.setProgressText(tr(what))
+                shown = what
+            feedback.setProgress(first + (last - first) * share)

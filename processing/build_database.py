@@ -132,21 +132,13 @@ class BuildDatabase(SemRefAlgorithm):
         builder = DatabaseBuilder(labels, frame, table, settings, plugin_version())
         self._say_rounding(builder, frame, settings, feedback)
         with written_beside(output) as temporary:
-            for _ in follow(builder.steps(), feedback, 0, 75):
-                pass
+            follow(builder.steps(), feedback, 0, 75)
+            follow(builder.compare_windows(), feedback, 75, 85)
             database = builder.database
-            distinctiveness = None
-            for share, found in builder.distinctiveness():
-                check_canceled(feedback)
-                feedback.setProgress(75 + 10 * share)
-                distinctiveness = found
             degrees = longitudes_latitudes(database.windows.centers, self._layer.crs, context.transformContext())
-            feedback.setProgressText(tr("Writing the database"))
             styles = database_styles(database.class_table)
-            writer = DatabaseWriter(temporary, database, *degrees, distinctiveness, builder.overview, styles)
-            for share in writer.steps():
-                check_canceled(feedback)
-                feedback.setProgress(85 + 15 * share)
+            writer = DatabaseWriter(temporary, database, *degrees, builder.distinctiveness, builder.overview, styles)
+            follow(writer.steps(), feedback, 85, 100)
         self._say_result(database, feedback)
         return {
             self.DATABASE: output,

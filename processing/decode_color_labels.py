@@ -75,14 +75,7 @@ class DecodeColorLabels(SemRefAlgorithm):
     def work(self, parameters, context, feedback):
         from ..core.color_labels import decode_by_hsv, decode_by_nearest_color
         from .exchange.files import written_beside
-        from .exchange.rasters import (
-            close_written,
-            create_label_map,
-            open_raster,
-            read_bgr,
-            read_class_table,
-            write_rows,
-        )
+        from .exchange.rasters import LabelMapFile, open_raster, read_bgr, read_class_table
         from .exchange.styles import write_label_map_style
 
         table = read_class_table(self.parameterAsFile(parameters, self.CLASS_TABLE, context))
@@ -93,17 +86,14 @@ class DecodeColorLabels(SemRefAlgorithm):
         width, height = image.RasterXSize, image.RasterYSize
         rows = max(1, ROWS_PIXELS // width)
         unlabeled = 0
-        with written_beside(output) as temporary:
-            transform = image.GetGeoTransform(can_return_null=True)
-            labels = create_label_map(temporary, width, height, transform, wkt_for_gdal(self._layer.crs), table)
+        grid = width, height, image.GetGeoTransform(can_return_null=True), wkt_for_gdal(self._layer.crs)
+        with written_beside(output) as temporary, LabelMapFile(temporary, *grid, table) as label_map:
             for first in range(0, height, rows):
                 check_canceled(feedback)
                 decoded = decode(read_bgr(image, self._layer.path, first, min(rows, height - first)), table)
                 unlabeled += int((decoded == UNLABELED).sum())
-                write_rows(labels, first, decoded, temporary)
+                label_map.write_rows(first, decoded)
                 feedback.setProgress(100 * (first + len(decoded)) / height)
-            close_written(labels, temporary)
-            del labels
         write_label_map_style(output, table)
         share = unlabeled / (width * height)
         say = feedback.pushWarning if share > 0.5 else feedback.pushInfo

@@ -19,7 +19,7 @@ from qgis.core import (
 )
 
 from ..core.errors import ParameterError
-from .base import ANNOTATION, SemRefAlgorithm, check_canceled
+from .base import ANNOTATION, SemRefAlgorithm, check_canceled, follow
 from .compat import SOURCE_POLYGON, wkt_for_gdal
 from .translation import tr
 
@@ -147,16 +147,14 @@ class RasterizeAnnotation(SemRefAlgorithm):
             bounds = _union([p.bounds for p in polygons])
         width, height, geotransform = pixel_grid(bounds, pixel_size)
         output = self.parameterAsOutputLayer(parameters, self.OUTPUT, context)
-        feedback.setProgressText(
+        feedback.pushInfo(
             tr("Burning {count} polygons into {width} × {height} pixels").format(
                 count=len(polygons), width=width, height=height
             )
         )
         with written_beside(output) as temporary:
             burning = LabelMapBurning(temporary, width, height, geotransform, wkt_for_gdal(crs), table, polygons)
-            for share in burning.steps():
-                check_canceled(feedback)
-                feedback.setProgress(READING_SHARE + (100 - READING_SHARE) * share)
+            follow(burning.steps(), feedback, READING_SHARE, 100)
         counts = burning.counts
         write_label_map_style(output, table)
         labeled = int(counts[1:].sum())

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsPalettedRasterRenderer, QgsProject, QgsRasterLayer, QgsVectorLayer
-from qgis.PyQt.QtGui import QColor
+from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 
 from ..core.errors import DatabaseError
+from ..processing.exchange.styles import apply_overview_style
 from ..processing.translation import tr
 
 
@@ -26,19 +26,8 @@ def add_database_to_map(path: str, project: QgsProject) -> None:
                 path=path
             )
         )
-    _name_classes(layers[-1], path)
+    apply_overview_style(layers[-1], path)
     project.addMapLayers(layers, False)
     group = project.layerTreeRoot().insertGroup(0, Path(path).stem)
     for layer in layers:
         group.addLayer(layer)
-
-
-def _name_classes(overview: QgsRasterLayer, path: str) -> None:
-    """The legend in words: a GeoPackage keeps the colours of a raster, but not the names of its values."""
-    classes = QgsVectorLayer(f"{path}|layername=classes", "classes", "ogr")
-    legend = [
-        QgsPalettedRasterRenderer.Class(row["value"], QColor(row["color"]), row["name"])
-        for row in classes.getFeatures()
-        if row["value"]
-    ]
-    overview.setRenderer(QgsPalettedRasterRenderer(overview.dataProvider(), 1, legend))

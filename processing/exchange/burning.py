@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Iterator, List
+from typing import Iterator, List, Tuple
 
 import numpy as np
 from osgeo import gdal, ogr, osr
@@ -10,7 +10,7 @@ from osgeo import gdal, ogr, osr
 from ...core.class_table import ClassTable
 from ...core.label_counts import count_labels
 from .annotation import BurnPolygon
-from .rasters import close_written, create_label_map, write_rows
+from .rasters import LabelMapFile
 
 STRIP_PIXELS = 16_000_000
 """Pixels burnt and written at a time."""
@@ -40,18 +40,17 @@ class LabelMapBurning:
         self._layer = _BurnLayer(polygons, crs_wkt)
         self.counts = np.zeros(256, np.int64)
 
-    def steps(self) -> Iterator[float]:
-        """Yields the share of the map that is written, 0…1."""
+    def steps(self) -> Iterator[Tuple[str, float]]:
+        """Yields (what is being done, share of the map written 0…1)."""
         width, height = self._size
-        dataset = create_label_map(self._path, width, height, self._geotransform, self._crs_wkt, self._table)
         rows = max(TILE_ROWS, STRIP_PIXELS // width // TILE_ROWS * TILE_ROWS)
-        yield 0.0
-        for first in range(0, height, rows):
-            labels = self._burn(first, min(rows, height - first))
-            self.counts += count_labels(labels)
-            write_rows(dataset, first, labels, self._path)
-            yield (first + len(labels)) / height
-        close_written(dataset, self._path)
+        with LabelMapFile(self._path, width, height, self._geotransform, self._crs_wkt, self._table) as label_map:
+            yield "Burning polygons", 0.0
+            for first in range(0, height, rows):
+                labels = self._burn(first, min(rows, height - first))
+                self.counts += count_labels(labels)
+                label_map.write_rows(first, labels)
+                yield "Burning polygons", (first + len(labels)) / height
 
     def _burn(self, first_row: int, rows: int) -> np.ndarray:
         x0, pixel, _, y0, _, _ = self._geotransform

@@ -70,10 +70,11 @@ class DatabaseWriter:
         self._overview = overview
         self._styles = styles
 
-    def steps(self) -> Iterator[float]:
-        """Yields the share of the work done, 0…1."""
+    def steps(self) -> Iterator[Tuple[str, float]]:
+        """Yields (what is being done, share done 0…1)."""
         try:
-            yield from self._write()
+            for share in self._write():
+                yield "Writing the database", share
         except RuntimeError as error:
             raise DatabaseError(f"The database can't be written: {gdal_failure(error)}.") from None
 
@@ -352,6 +353,6 @@ def stored_style(path: str, table: str) -> Optional[str]:
     try:
         with contextlib.closing(_connect(path)) as connection:
             row = connection.execute("SELECT styleQML FROM layer_styles WHERE f_table_name = ?", (table,)).fetchone()
-    except sqlite3.Error:
+    except (sqlite3.Error, ValueError):
         return None
     return row[0] if row else None

@@ -207,23 +207,64 @@ def map_frame(labels: GdalLabels, layer: LabelMapLayer) -> MapFrame:
     return MapFrame(wkt_for_gdal(layer.crs), tuple(transform))
 
 
-def create_label_map(
-    path: str, width: int, height: int, geotransform: Optional[tuple], crs_wkt: str, table: ClassTable
-) -> gdal.Dataset:
-    """An empty label map to be filled band by band: GeoTIFF, uint8, tiled, DEFLATE, with classes and colours."""
-    try:
-        dataset = gdal.GetDriverByName("GTiff").Create(path, width, height, 1, gdal.GDT_Byte, list(LABEL_MAP_OPTIONS))
-    except RuntimeError as error:
-        raise LabelMapError(f"{path} can't be written: {gdal_failure(error)}.") from None
-    if dataset is None:
-        raise LabelMapError(f"{path} can't be written: {gdal_failure()}.")
-    if geotransform is not None:
-        dataset.SetGeoTransform(geotransform)
-    if crs_wkt:
-        dataset.SetProjection(crs_wkt)
-    dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
-    set_class_colors(dataset.GetRasterBand(1), table)
-    return dataset
+class LabelMapFile:
+    """A label map being written: GeoTIFF, uint8, tiled, DEFLATE, with classes and colours inside.
+
+    A context manager: leaving it closes the file, and raises LabelMapError when GDAL could not write (disk full).
+    """
+
+    def __init__(
+        self,
+        path: str,
+        width: int,
+        height: int,
+        geotransform: Optional[tuple],
+        crs_wkt: str,
+        table: ClassTable,
+    ) -> None:
+        self._path = path
+        options = list(LABEL_MAP_OPTIONS)
+        try:
+            self._dataset = gdal.GetDriverByName("GTiff").Create(path, width, height, 1, gdal.GDT_Byte, options)
+        except RuntimeError as error:
+            raise self._failure(error) from None
+        if self._dataset is None:
+            raise self._failure()
+        if geotransform is not None:
+            self._dataset.SetGeoTransform(geotransform)
+        if crs_wkt:
+            self._dataset.SetProjection(crs_wkt)
+        self._dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
+        set_class_colors(self._dataset.GetRasterBand(1), table)
+
+    def __enter__(self) -> "LabelMapFile":
+        return self
+
+    def __exit__(self, kind, error, traceback) -> None:
+        # Dropping the last reference closes the file, before its folder is removed after an error or a cancel.
+        dataset, self._dataset = self._dataset, None
+        if error is None:
+            self._flush(dataset)
+
+    def write_rows(self, first_row: int, labels_hw: np.ndarray) -> None:
+        try:
+            failed = self._dataset.GetRasterBand(1).WriteArray(labels_hw, 0, first_row)
+        except RuntimeError as error:
+            raise self._failure(error) from None
+        if failed:
+            raise self._failure()
+
+    def _flush(self, dataset: gdal.Dataset) -> None:
+        gdal.ErrorReset()
+        try:
+            dataset.FlushCache()
+        except RuntimeError as error:
+            raise self._failure(error) from None
+        if gdal.GetLastErrorType() >= gdal.CE_Failure:
+            raise self._failure()
+
+    def _failure(self, error: Optional[Exception] = None) -> LabelMapError:
+        return LabelMapError(f"{self._path} can't be written: {gdal_failure(error)}.")
 
 
 def set_class_colors(band: gdal.Band, table: ClassTable) -> None:
@@ -241,27 +282,6 @@ def set_class_colors(band: gdal.Band, table: ClassTable) -> None:
     names[0] = names[0] or "unlabeled"
     band.SetRasterColorTable(colors)
     band.SetRasterCategoryNames(names)
-
-
-def write_rows(dataset: gdal.Dataset, first_row: int, labels_hw: np.ndarray, path: str) -> None:
-    """Writes whole rows; raises LabelMapError when GDAL can't (disk full)."""
-    try:
-        failed = dataset.GetRasterBand(1).WriteArray(labels_hw, 0, first_row)
-    except RuntimeError as error:
-        raise LabelMapError(f"{path} can't be written: {gdal_failure(error)}.") from None
-    if failed:
-        raise LabelMapError(f"{path} can't be written: {gdal_failure()}.")
-
-
-def close_written(dataset: gdal.Dataset, path: str) -> None:
-    """Flushes a written dataset and makes sure that GDAL had nothing to complain about."""
-    gdal.ErrorReset()
-    try:
-        dataset.FlushCache()
-    except RuntimeError as error:
-        raise LabelMapError(f"{path} can't be written: {gdal_failure(error)}.") from None
-    if gdal.GetLastErrorType() >= gdal.CE_Failure:
-        raise LabelMapError(f"{path} can't be written: {gdal_failure()}.")
 
 
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:

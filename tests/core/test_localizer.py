@@ -71,15 +71,15 @@ def windows(localizer_and_windows):
 @pytest.mark.parametrize(
     ("image", "reason"),
     [
-        (with_blocks((60, 60)), "The image shows 0 reference objects; at least 3 more are needed."),
-        (with_blocks((60, 60), (5, 5, 9, 3)), "The image shows 0 reference objects; at least 3 more are needed."),
-        (with_blocks((60, 60), (5, 5, 9, 2)), "The image shows 1 reference object; at least 2 more are needed."),
+        (with_blocks((60, 60)), "The image shows 0 landmarks; at least 3 more are needed."),
+        (with_blocks((60, 60), (5, 5, 9, 3)), "The image shows 0 landmarks; at least 3 more are needed."),
+        (with_blocks((60, 60), (5, 5, 9, 2)), "The image shows 1 landmark; at least 2 more are needed."),
         (
             with_blocks((60, 60), (5, 5, 9, 2), (25, 25, 9, 5)),
-            "The image shows 2 reference objects; at least 1 more is needed.",
+            "The image shows 2 landmarks; at least 1 more is needed.",
         ),
-        (with_blocks((1, 1)), "The image shows 0 reference objects; at least 3 more are needed."),
-        (np.full((1, 1), 2, np.uint8), "The image shows 0 reference objects; at least 3 more are needed."),
+        (with_blocks((1, 1)), "The image shows 0 landmarks; at least 3 more are needed."),
+        (np.full((1, 1), 2, np.uint8), "The image shows 0 landmarks; at least 3 more are needed."),
     ],
 )
 def test_an_image_with_too_few_references_has_no_position(localizer, image, reason):
@@ -207,7 +207,7 @@ def test_too_few_references_are_counted_only_where_windows_can_be_matched():
     assert windows.names[windows.described].tolist() == ["40_0"]
     image = with_blocks((40, 40), (2, 2, 6, 2), (20, 20, 6, 2), (30, 5, 4, 2))
     result = localizer.localize_by_topology_vector(image)
-    assert result.reason == "The image shows 2 reference objects; at least 1 more is needed."
+    assert result.reason == "The image shows 2 landmarks; at least 1 more is needed."
     assert (result.status, result.references) == (TOO_FEW_REFERENCES, 2)
 
 

@@ -141,7 +141,7 @@ def test_too_few_references_give_no_geometry_and_say_how_many_are_missing(locali
     labels[20:40, 20:40] = 1
     (found,), results = localize([image(tmp_path, "a.png", labels)])
     assert (found["status"], found["point"], results["FIX_COUNT"]) == ("too_few_references", None, 0)
-    assert "1 reference object" in found["reason"] and "2 more" in found["reason"]
+    assert "1 landmark" in found["reason"] and "2 more" in found["reason"]
     for name in ("x", "y", "longitude", "latitude", "window"):
         assert found[name] is None
 

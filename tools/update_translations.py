@@ -1,0 +1,95 @@
+"""Brings i18n/*.ts up to date with the texts in the code: ``python tools/update_translations.py``.
+
+Qt's pylupdate gives each text the context of its class; SemRef has one context for all. Translations are kept,
+texts that are gone are dropped, new ones are marked unfinished. Compiled to .qm when packaging.
+"""
+
+from __future__ import annotations
+
+import ast
+import sys
+from pathlib import Path
+from typing import Dict, List
+from xml.etree import ElementTree
+
+ROOT = Path(__file__).resolve().parent.parent
+CONTEXT = "SemRef"
+ROOMS = ("processing", "ui")
+STEP_FILES = ("core/build.py", "processing/exchange/burning.py", "processing/exchange/geopackage.py")
+"""Where steps are yielded: their texts are translated by whoever shows them."""
+
+
+def texts_of(source: str) -> List[str]:
+    """The literals of all ``tr("…")`` calls."""
+    found = []
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) == "tr":
+            if len(node.args) == 1 and isinstance(node.args[0], ast.Constant) and isinstance(node.args[0].value, str):
+                found.append(node.args[0].value)
+    return found
+
+
+def step_texts(source: str) -> List[str]:
+    """The texts of ``yield "text", share``."""
+    found = []
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Yield) and isinstance(node.value, ast.Tuple):
+            first = node.value.elts[0]
+            if isinstance(first, ast.Constant) and isinstance(first.value, str):
+                found.append(first.value)
+    return found
+
+
+def all_texts() -> List[str]:
+    found = []
+    for room in ROOMS:
+        for path in sorted((ROOT / room).rglob("*.py")):
+            found += texts_of(path.read_text(encoding="utf-8"))
+    for name in STEP_FILES:
+        found += step_texts((ROOT / name).read_text(encoding="utf-8"))
+    return sorted(set(found))
+
+
+def translations_in(path: Path) -> Dict[str, str]:
+    """Finished translations by source text."""
+    if not path.exists():
+        return {}
+    known = {}
+    for message in ElementTree.parse(path).iter("message"):
+        translation = message.find("translation")
+        if translation is not None and translation.text and translation.get("type") != "unfinished":
+            known[message.findtext("source", "")] = translation.text
+    return known
+
+
+def write(path: Path, texts: List[str], known: Dict[str, str]) -> int:
+    """Writes the .ts file; returns how many texts have no translation."""
+    language = path.stem.split("_", 1)[1]
+    root = ElementTree.Element("TS", version="2.1", language=language, sourcelanguage="en")
+    context = ElementTree.SubElement(root, "context")
+    ElementTree.SubElement(context, "name").text = CONTEXT
+    for text in texts:
+        message = ElementTree.SubElement(context, "message")
+        ElementTree.SubElement(message, "source").text = text
+        translation = ElementTree.SubElement(message, "translation")
+        if text in known:
+            translation.text = known[text]
+        else:
+            translation.set("type", "unfinished")
+    ElementTree.indent(root, " ")
+    body = ElementTree.tostring(root, encoding="unicode")
+    path.write_text(f'<?xml version="1.0" encoding="utf-8"?>\n<!DOCTYPE TS>\n{body}\n', encoding="utf-8")
+    return sum(text not in known for text in texts)
+
+
+def main() -> None:
+    texts = all_texts()
+    for path in sorted((ROOT / "i18n").glob("semref_*.ts")):
+        missing = write(path, texts, translations_in(path))
+        print(f"{path.name}: {len(texts)} texts, {missing} without translation")
+    if not texts:
+        sys.exit("No text was found; is this the repository?")
+
+
+if __name__ == "__main__":
+    main()
