@@ -16,7 +16,7 @@ SAME_WITHIN_PX = 4.0
 """Centres of one object in two pictures differ by less than this (map pixels), unless the object itself changed."""
 
 NEAR_THRESHOLD = 1.6
-"""Objects up to this many times the minimum area may fall below it when pixels or the view change."""
+"""Objects up to this many times the larger of both minimum areas may fall below it when pixels or the view change."""
 
 BORDER, THRESHOLD, OTHER, SAME = (
     "object cut by a border", "object near the minimum area", "object merged, split or else", "same objects",
@@ -43,6 +43,7 @@ def _reasons(ground: Ground, window: View, view: View) -> set[str]:
     """What differs between the landmarks kept for a window's vector and for a view of it; several may hold."""
     first, second = (_kept(ground, v) for v in (window, view))
     found = set()
+    least = NEAR_THRESHOLD * max(first["least"], second["least"])
     for one, other in ((first, second), (second, first)):
         for k in range(len(one["classes"])):
             near = np.hypot(*(other["places"] - one["places"][k]).T) <= SAME_WITHIN_PX
@@ -50,7 +51,7 @@ def _reasons(ground: Ground, window: View, view: View) -> set[str]:
                 continue
             if one["touches"][k] or _leaves(ground, view if one is first else window, one["corners"][k]):
                 found.add(BORDER)
-            elif one["areas"][k] < NEAR_THRESHOLD * one["least"]:
+            elif one["areas"][k] < least:
                 found.add(THRESHOLD)
             elif not _kept_elsewhere(ground, view if one is first else window, one, k):
                 found.add(OTHER)

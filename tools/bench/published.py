@@ -57,7 +57,7 @@ def _transformed(what: str, found: dict, paper: dict, form: str, more: dict[str,
     """One row a rotation or scale; `more`: other ways to treat the same views, of which the share found is told."""
     header = [
         what, "paper: distance", "paper: confidence", "median distance", "median confidence", "right window",
-        "accepted (d ≤ 2)", "accepted, wrong",
+        "accepted (d ≤ 2)", "accepted, wrong", "too few landmarks",
     ]  # fmt: skip
     rows = []
     for value, results in found.items():
@@ -66,6 +66,7 @@ def _transformed(what: str, found: dict, paper: dict, form: str, more: dict[str,
         row = [form.format(value), f"{paper[value][0]:.3f}", f"{paper[value][1]:.2f}"]
         row += [f"{median(results, 'distance'):.3f}", f"{median(results, 'confidence'):.2f}"]
         row += [share(count(results, "right"), number), share(count(results, "accepted"), number), share(wrong, number)]
+        row.append(sum(t.status == "too_few_references" for t in results))
         for other in more.values():
             row.append(f"{share(count(other[value], 'right'), number)}, d {median(other[value], 'distance'):.3f}")
         rows.append(row)
