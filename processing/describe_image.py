@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import json
+from math import hypot
 
 from qgis.core import (
-    QgsFeature,
-    QgsFeatureSink,
-    QgsFields,
     QgsGeometry,
     QgsPointXY,
     QgsProcessingOutputNumber,
@@ -23,8 +21,14 @@ from qgis.core import (
 from ..core.class_table import split_list
 from ..core.errors import ParameterError
 from .base import LOCALIZATION, SemRefAlgorithm, check_canceled
-from .compat import POINT, SOURCE_POINT, make_field
+from .compat import POINT, SOURCE_POINT
+from .sinks import Sink
 from .translation import tr
+
+FIELDS = (
+    ("class", "integer"), ("class_name", "text"), ("area", "real"), ("touches_edge", "integer"),
+    ("column", "real"), ("row", "real"), ("center_distance", "real"),
+)  # fmt: skip
 
 
 class DescribeImage(SemRefAlgorithm):
@@ -168,32 +172,28 @@ class DescribeImage(SemRefAlgorithm):
         return table, lambda size: area / pixel_area / max(size, 1) ** 2, length
 
     def _write_points(self, parameters, context, described, transform, table):
-        fields = QgsFields()
-        for name, kind in (
-            ("class", "integer"), ("class_name", "text"), ("area", "real"), ("touches_edge", "integer"),
-            ("column", "real"), ("row", "real"), ("center_distance", "real"),
-        ):  # fmt: skip
-            fields.append(make_field(name, kind))
-        sink, destination = self.parameterAsSink(parameters, self.REFERENCES, context, fields, POINT, self._layer.crs)
-        if sink is None:
-            raise ParameterError("REFERENCES can't be written; choose another place for it.")
+        sink = Sink(self, parameters, self.REFERENCES, context, FIELDS, POINT, self._layer.crs)
         names = {c.value: c.name for c in table}
         x0, dx_column, dx_row, y0, dy_column, dy_row = transform
         pixel_area = abs(dx_column * dy_row - dx_row * dy_column)
         objects, half = described.objects, described.size / 2
         for i in range(len(objects)):
             column, row = objects.centers_xy[i].tolist()
-            distance = ((column - half) ** 2 + (row - half) ** 2) ** 0.5
+            distance = hypot(column - half, row - half)
             column, row = column + described.first_xy[0], row + described.first_xy[1]
-            feature = QgsFeature(fields)
             x, y = x0 + column * dx_column + row * dx_row, y0 + column * dy_column + row * dy_row
-            feature.setGeometry(QgsGeometry.fromPointXY(QgsPointXY(x, y)))
             value = int(objects.classes[i])
-            area = float(objects.areas_px[i]) * pixel_area
-            feature.setAttributes([value, names[value], area, int(objects.touches_edge[i]), column, row, distance])
-            sink.addFeature(feature, QgsFeatureSink.FastInsert)
-        del sink
-        return destination
+            values = {
+                "class": value,
+                "class_name": names[value],
+                "area": float(objects.areas_px[i]) * pixel_area,
+                "touches_edge": int(objects.touches_edge[i]),
+                "column": column,
+                "row": row,
+                "center_distance": distance,
+            }
+            sink.add(QgsGeometry.fromPointXY(QgsPointXY(x, y)), values)
+        return sink.close()
 
     def _write_vector(self, path, described, table, length):
         from .exchange.files import written_beside

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import math
 import os
 from dataclasses import dataclass
+from math import isnan
 from typing import Optional
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsFeature,
-    QgsFeatureSink,
-    QgsFields,
     QgsGeometry,
     QgsPointXY,
     QgsProcessingOutputNumber,
@@ -25,7 +22,8 @@ from qgis.core import (
 from ..core.class_table import LIST_SEPARATOR
 from ..core.errors import DatabaseError, ParameterError, SemRefError
 from .base import LOCALIZATION, SemRefAlgorithm, check_canceled
-from .compat import POINT, POLYGON, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON, make_field
+from .compat import POINT, POLYGON, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
+from .sinks import Sink
 from .translation import tr
 
 ERROR = "error"
@@ -168,52 +166,33 @@ class LocalizeImages(SemRefAlgorithm):
             return [part.strip() for part in value.split(LIST_SEPARATOR) if part.strip()]
         return [path for path in self.parameterAsFileList(parameters, self.IMAGES, context) if path]
 
-    def _sink(self, parameters, context, name, schema, geometry, crs):
-        fields = QgsFields()
-        for field_name, kind in schema:
-            fields.append(make_field(field_name, kind))
-        sink, destination = self.parameterAsSink(parameters, name, context, fields, geometry, crs)
-        return sink, destination, fields
-
     def _write_positions(self, parameters, context, localized, crs):
         from .exchange.reference_systems import longitudes_latitudes
 
-        sink, destination, fields = self._sink(parameters, context, self.OUTPUT, FIELDS, POINT, crs)
-        if sink is None:
-            raise ParameterError("OUTPUT can't be written; choose another place for it.")
+        sink = Sink(self, parameters, self.OUTPUT, context, FIELDS, POINT, crs)
         for item in localized:
-            feature = QgsFeature(fields)
-            feature["image"] = item.path
-            feature["status"] = item.result.status if item.result else ERROR
-            feature["reason"] = item.result.reason if item.result else item.error
-            if item.result:
-                _fill(feature, item.result)
-                if item.result.position:
-                    (x, y) = item.result.position
-                    feature.setGeometry(QgsGeometry.fromPointXY(QgsPointXY(x, y)))
-                    longitudes, latitudes = longitudes_latitudes([(x, y)], crs, context.transformContext())
-                    if math.isfinite(longitudes[0]):
-                        feature["longitude"], feature["latitude"] = float(longitudes[0]), float(latitudes[0])
-            sink.addFeature(feature, QgsFeatureSink.FastInsert)
-        del sink
-        return destination
+            values, geometry = _row(item), None
+            if item.result and item.result.position:
+                geometry = QgsGeometry.fromPointXY(QgsPointXY(*item.result.position))
+                degrees = longitudes_latitudes([item.result.position], crs, context.transformContext())
+                values["longitude"], values["latitude"] = (None if isnan(v[0]) else float(v[0]) for v in degrees)
+            sink.add(geometry, values)
+        return sink.close()
 
     def _write_footprints(self, parameters, context, localized, database, crs):
-        sink, destination, fields = self._sink(parameters, context, self.FOOTPRINTS, FOOTPRINT_FIELDS, POLYGON, crs)
-        if sink is None:
+        """The destination, None when footprints are not wanted."""
+        sink = Sink(self, parameters, self.FOOTPRINTS, context, FOOTPRINT_FIELDS, POLYGON, crs)
+        if not sink.is_wanted:
             return None
+        names = [name for name, _ in FOOTPRINT_FIELDS]
         for item in localized:
             if item.result is None or item.result.window_index is None:
                 continue
-            result = item.result
-            x, y = database.windows.centers[result.window_index].tolist()
-            half = float(database.windows.sizes[result.window_index]) / 2
-            feature = QgsFeature(fields)
-            feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half)))
-            feature.setAttributes([item.path, result.status, result.confidence, result.window, result.method])
-            sink.addFeature(feature, QgsFeatureSink.FastInsert)
-        del sink
-        return destination
+            x, y = database.windows.centers[item.result.window_index].tolist()
+            half = float(database.windows.sizes[item.result.window_index]) / 2
+            square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
+            sink.add(square, {name: value for name, value in _row(item).items() if name in names})
+        return sink.close()
 
 
 def _localize(path, localizer, table) -> LocalizedImage:
@@ -226,8 +205,14 @@ def _localize(path, localizer, table) -> LocalizedImage:
         return LocalizedImage(path, error=str(error))
 
 
-def _fill(feature, result) -> None:
-    values = {
+def _row(item) -> dict:
+    """Values of FIELDS by name, without longitude and latitude."""
+    result = item.result
+    if result is None:
+        return {"image": item.path, "status": ERROR, "reason": item.error}
+    return {
+        "image": item.path,
+        "status": result.status,
         "x": result.position and result.position[0],
         "y": result.position and result.position[1],
         "heading": result.heading_deg,
@@ -240,10 +225,8 @@ def _fill(feature, result) -> None:
         "error_95": result.error_95_m,
         "window": result.window,
         "method": result.method,
+        "reason": result.reason,
     }
-    for name, value in values.items():
-        if value is not None:
-            feature[name] = value
 
 
 def _say(item, feedback) -> None:

@@ -167,6 +167,8 @@ class RasterizeAnnotation(SemRefAlgorithm):
                 classes=", ".join(f"{c.value} {c.name} {counts[c.value] / (width * height):.2%}" for c in present),
             )
         )
+        if not labeled:
+            feedback.pushWarning(tr("No polygon lies in the extent: the label map is empty."))
         return {
             self.OUTPUT: output,
             self.CLASS_COUNT: len(present),

@@ -309,23 +309,30 @@ def decode_colors(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
 
 
 def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.ndarray:
-    """Rows of an RGB(A) image as (rows, W, 3) uint8, blue first; raises LabelMapError for other kinds of image."""
+    """Rows of an RGB(A) or paletted image as (rows, W, 3) uint8, blue first; raises LabelMapError for other kinds."""
+    palette = dataset.GetRasterBand(1).GetRasterColorTable()
+    if dataset.RasterCount == 1 and palette is not None:
+        colors = np.zeros((256, 3), np.uint8)
+        for value in range(min(palette.GetCount(), 256)):
+            colors[value] = palette.GetColorEntry(value)[2::-1]
+        return colors[_read_bytes(dataset, 1, path, first_row, rows)]
     if dataset.RasterCount < 3:
-        raise LabelMapError(f"{path} has {dataset.RasterCount} band(s); a colour image has three.")
-    bands = []
-    for number in (3, 2, 1):
-        band = dataset.GetRasterBand(number)
-        if band.DataType != gdal.GDT_Byte:
-            kind = gdal.GetDataTypeName(band.DataType)
-            raise LabelMapError(f"{path} holds {kind} values; a colour label image has 8 bits a band.")
-        try:
-            data = band.ReadAsArray(0, first_row, dataset.RasterXSize, rows)
-        except RuntimeError as error:
-            raise LabelMapError(f"{path} is damaged or cut short: {gdal_failure(error)}.") from None
-        if data is None:
-            raise LabelMapError(f"{path} is damaged or cut short: {gdal_failure()}.")
-        bands.append(data)
-    return np.dstack(bands)
+        raise LabelMapError(f"{path} has {dataset.RasterCount} band(s) and no palette; a colour image has three bands.")
+    return np.dstack([_read_bytes(dataset, number, path, first_row, rows) for number in (3, 2, 1)])
+
+
+def _read_bytes(dataset: gdal.Dataset, number: int, path: str, first_row: int, rows: int) -> np.ndarray:
+    band = dataset.GetRasterBand(number)
+    if band.DataType != gdal.GDT_Byte:
+        kind = gdal.GetDataTypeName(band.DataType)
+        raise LabelMapError(f"{path} holds {kind} values; a colour label image has 8 bits a band.")
+    try:
+        data = band.ReadAsArray(0, first_row, dataset.RasterXSize, rows)
+    except RuntimeError as error:
+        raise LabelMapError(f"{path} is damaged or cut short: {gdal_failure(error)}.") from None
+    if data is None:
+        raise LabelMapError(f"{path} is damaged or cut short: {gdal_failure()}.")
+    return data
 
 
 def image_files(paths: List[str]) -> List[str]:

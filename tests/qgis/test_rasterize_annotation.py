@@ -403,6 +403,13 @@ def test_an_extent_larger_than_the_layer_is_unlabeled_around_it(rasterize, tmp_p
     assert (made[:, :10] == 0).all() and (made[:, 10:] == 1).all()
 
 
+def test_an_extent_beside_the_polygons_gives_an_empty_map_and_a_warning(rasterize, tmp_path, feedback):
+    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field")])
+    results = rasterize(layer, EXTENT=f"{WEST + 100},{WEST + 110},{NORTH - 10},{NORTH} [EPSG:32632]")
+    assert results["LABELED_FRACTION"] == 0
+    assert "No polygon lies in the extent" in feedback.textLog()
+
+
 def test_degrees_become_the_utm_zone_of_the_middle_and_that_is_said(rasterize, tmp_path, feedback):
     degrees = "POLYGON ((9.5 47.0, 9.52 47.0, 9.52 47.01, 9.5 47.01, 9.5 47.0))"
     layer = write_layer(tmp_path / "a.gpkg", [(degrees, "field")], crs=4326)
