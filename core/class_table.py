@@ -59,14 +59,14 @@ class LandCoverClass:
         if not self.name:
             raise ClassTableError(f"The class with value {self.value} has no name; give it one.")
         if not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
-            raise ClassTableError(f"Class “{self.name}” has the colour “{self.color}”; write it as #rrggbb.")
+            raise ClassTableError(f"Class “{self.name}” has the color “{self.color}”; write it as #rrggbb.")
         if self.role not in ROLES:
             raise ClassTableError(
                 f"Class “{self.name}” has the role “{self.role}”; it must be “{REFERENCE}” or “{BACKGROUND}”."
             )
         if self.value == UNLABELED and self.role == REFERENCE:
             raise ClassTableError(
-                f"Class “{self.name}” has the value 0, which means unlabelled; it can't be a reference."
+                f"Class “{self.name}” has the value 0, which means unlabeled; it can't be a reference."
             )
         if (self.hsv_min is None) != (self.hsv_max is None):
             raise ClassTableError(f"Class “{self.name}” has only one of hsv_min and hsv_max; give both or none.")

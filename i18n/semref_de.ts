@@ -76,6 +76,10 @@
    <translation type="unfinished" />
   </message>
   <message>
+   <source>Burning polygons</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Burning {count} polygons into {width} × {height} pixels</source>
    <translation type="unfinished" />
   </message>
@@ -146,6 +150,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation type="unfinished" />
   </message>
   <message>
+   <source>Comparing windows</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Confidence</source>
    <translation type="unfinished" />
   </message>
@@ -190,7 +198,7 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation type="unfinished" />
   </message>
   <message>
-   <source>Edge length of a pixel in metres. The smallest landmark should cover some 50 pixels.</source>
+   <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
    <translation type="unfinished" />
   </message>
   <message>
@@ -252,7 +260,7 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation type="unfinished" />
   </message>
   <message>
-   <source>How many of the landmarks nearest to the centre a vector holds.</source>
+   <source>How many of the landmarks nearest to the center a vector holds.</source>
    <translation type="unfinished" />
   </message>
   <message>
@@ -352,6 +360,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation type="unfinished" />
   </message>
   <message>
+   <source>No polygon lies in the extent: the label map is empty.</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
    <translation type="unfinished" />
   </message>
@@ -408,7 +420,7 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation type="unfinished" />
   </message>
   <message>
-   <source>Projected CRS in metres. If left out: the layer’s own if it is metric, else a UTM zone.</source>
+   <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation type="unfinished" />
   </message>
   <message>
@@ -670,7 +682,7 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation type="unfinished" />
   </message>
   <message>
-   <source>{source} does not measure in metres; the label map is made in {target}.</source>
+   <source>{source} does not measure in meters; the label map is made in {target}.</source>
    <translation type="unfinished" />
   </message>
   <message>

@@ -84,7 +84,7 @@ class BuildDatabase(SemRefAlgorithm):
             number(
                 self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), number.Integer, 10, minValue=3, maxValue=1000
             ),
-            tr("How many of the landmarks nearest to the centre a vector holds."),
+            tr("How many of the landmarks nearest to the center a vector holds."),
             advanced=True,
         )
         add(

@@ -92,7 +92,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
             QgsProcessingParameterNumber(
                 self.PIXEL_SIZE, tr("Pixel size (m)"), QgsProcessingParameterNumber.Double, 1.0, minValue=0.001
             ),
-            tr("Edge length of a pixel in metres. The smallest landmark should cover some 50 pixels."),
+            tr("Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels."),
         )
         add(
             QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
@@ -100,7 +100,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
         )
         add(
             QgsProcessingParameterCrs(self.TARGET_CRS, tr("Target CRS"), optional=True),
-            tr("Projected CRS in metres. If left out: the layer’s own if it is metric, else a UTM zone."),
+            tr("Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone."),
         )
         add(
             QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
@@ -136,7 +136,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
         crs = metric_crs(source.crs, asked_crs, source.extent, context.transformContext())
         if crs != source.crs and not asked_crs.isValid():
             feedback.pushWarning(
-                tr("{source} does not measure in metres; the label map is made in {target}.").format(
+                tr("{source} does not measure in meters; the label map is made in {target}.").format(
                     source=describe_crs(source.crs), target=describe_crs(crs)
                 )
             )
@@ -197,7 +197,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
             (feedback.pushWarning if warns else feedback.pushInfo)(sentence)
         require_known_classes(counts, source, lookup.table)
         if not polygons:
-            raise ParameterError(f"“{source.name}” has no polygon with area and class; there is nothing to rasterise.")
+            raise ParameterError(f"“{source.name}” has no polygon with area and class; there is nothing to rasterize.")
         return polygons, lookup.table
 
 

@@ -81,7 +81,7 @@ class AnnotationCounts:
             (True, self.empty, "Skipped, without geometry"),
             (True, self.without_area, "Skipped, without area"),
             (True, self.without_class, "Skipped, class is NULL"),
-            (True, self.not_in_style, "Left unlabelled, no category in the layer's style"),
+            (True, self.not_in_style, "Left unlabeled, no category in the layer's style"),
             (True, self.unprojectable, "Skipped, could not be reprojected"),
             (False, self.three_dimensional, "Heights (Z) left out"),
         ):

@@ -72,7 +72,7 @@ class GdalLabels:
         self._band = self._dataset.GetRasterBand(1)
         if self._dataset.RasterCount != 1:
             raise LabelMapError(
-                f"{path} has {self._dataset.RasterCount} bands; a label map has one: decode a colour image with "
+                f"{path} has {self._dataset.RasterCount} bands; a label map has one: decode a color image with "
                 "“Decode color labels” first."
             )
         if self._band.DataType not in _INTEGER_TYPES:
@@ -191,8 +191,8 @@ def map_frame(labels: GdalLabels, layer: LabelMapLayer) -> MapFrame:
         raise LabelMapError(f"{layer.path} has no coordinate reference system; assign a metric one to the layer.")
     if not is_metric(layer.crs):
         raise LabelMapError(
-            f"{layer.path} is in {describe_crs(layer.crs)}, which does not measure in metres; "
-            "rasterise or warp it to a projected CRS in metres."
+            f"{layer.path} is in {describe_crs(layer.crs)}, which does not measure in meters; "
+            "rasterize or warp it to a projected CRS in meters."
         )
     transform = labels.dataset.GetGeoTransform(can_return_null=True)
     if transform is None:
@@ -317,7 +317,7 @@ def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.
             colors[value] = palette.GetColorEntry(value)[2::-1]
         return colors[_read_bytes(dataset, 1, path, first_row, rows)]
     if dataset.RasterCount < 3:
-        raise LabelMapError(f"{path} has {dataset.RasterCount} band(s) and no palette; a colour image has three bands.")
+        raise LabelMapError(f"{path} has {dataset.RasterCount} band(s) and no palette; a color image has three bands.")
     return np.dstack([_read_bytes(dataset, number, path, first_row, rows) for number in (3, 2, 1)])
 
 
@@ -325,7 +325,7 @@ def _read_bytes(dataset: gdal.Dataset, number: int, path: str, first_row: int, r
     band = dataset.GetRasterBand(number)
     if band.DataType != gdal.GDT_Byte:
         kind = gdal.GetDataTypeName(band.DataType)
-        raise LabelMapError(f"{path} holds {kind} values; a colour label image has 8 bits a band.")
+        raise LabelMapError(f"{path} holds {kind} values; a color label image has 8 bits a band.")
     try:
         data = band.ReadAsArray(0, first_row, dataset.RasterXSize, rows)
     except RuntimeError as error:

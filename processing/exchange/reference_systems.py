@@ -45,7 +45,7 @@ def metric_crs(
     if target.isValid():
         if not is_metric(target):
             raise ParameterError(
-                f"{describe_crs(target)} does not measure in metres; choose a projected CRS in metres as TARGET_CRS."
+                f"{describe_crs(target)} does not measure in meters; choose a projected CRS in meters as TARGET_CRS."
             )
         return target
     return source if is_metric(source) else utm_zone(source, extent, transform_context)

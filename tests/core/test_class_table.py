@@ -138,7 +138,7 @@ def test_cells_beyond_the_header_are_ignored():
 
 @pytest.mark.parametrize("color", ["red", "#12345", "#1234567", "123456", "#gggggg"])
 def test_a_color_that_is_none_is_refused(color):
-    with refuses(f"classes.csv, line 2: Class “water” has the colour “{color}”; write it as #rrggbb."):
+    with refuses(f"classes.csv, line 2: Class “water” has the color “{color}”; write it as #rrggbb."):
         csv(f"1,water,{color},background")
 
 
@@ -150,7 +150,7 @@ def test_an_unknown_role_is_refused():
 def test_value_zero_can_be_a_class_but_no_reference():
     assert csv("0,other,#000000,background").by_value(0).name == "other"
     with refuses(
-        "classes.csv, line 2: Class “other” has the value 0, which means unlabelled; it can't be a reference."
+        "classes.csv, line 2: Class “other” has the value 0, which means unlabeled; it can't be a reference."
     ):
         csv("0,other,#000000,reference")
 
@@ -232,7 +232,7 @@ def test_an_unknown_reference_class_is_refused_with_the_classes_there_are():
 
 def test_value_zero_can_not_be_chosen_as_a_reference():
     table = ClassTable((LandCoverClass(0, "other", "#000000"), LandCoverClass(1, "a", "#000000")))
-    with refuses("Class “other” has the value 0, which means unlabelled; it can't be a reference."):
+    with refuses("Class “other” has the value 0, which means unlabeled; it can't be a reference."):
         table.with_references(["other"])
 
 

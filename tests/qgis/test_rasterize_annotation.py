@@ -321,7 +321,7 @@ def test_a_style_with_all_other_values_leaves_the_others_unlabeled_and_says_so(l
     path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "w"), (square(4, 0, 4), "unknown")])
     made = labels(styled_layer(path, [("w", "Water", "#0000ff"), ("", "all other values", "#cccccc")]))
     np.testing.assert_array_equal(made[0], [1] * 4)
-    assert "Left unlabelled, no category in the layer's style: 1 feature." in feedback.textLog()
+    assert "Left unlabeled, no category in the layer's style: 1 feature." in feedback.textLog()
 
 
 def test_the_class_table_outranks_the_style(labels, tmp_path, classes_csv):

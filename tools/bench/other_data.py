@@ -53,7 +53,7 @@ def _row(run: inputs.Run, case: Case) -> list[str]:
     dataset = gdal.Open(str(output))
     system = osr.SpatialReference(dataset.GetProjection())
     log = " ".join(found.log)
-    reprojected = " (reprojected)" if "does not measure in metres" in log else ""
+    reprojected = " (reprojected)" if "does not measure in meters" in log else ""
     return [
         f"{case.title} (`{case.field}`, {case.pixel_size:g} m)",
         _first(r"Used: (\d+) feature", log),
