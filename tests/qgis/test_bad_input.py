@@ -215,7 +215,7 @@ def test_an_annotation_without_crs_is_refused(refused, tmp_path):
 @pytest.mark.parametrize("target", ["EPSG:4326", "EPSG:2263"])
 def test_a_target_crs_that_is_not_metric_is_named(refused, target):
     sentence = refused(RASTERIZE, TARGET_CRS=target)
-    assert target in sentence and "metres" in sentence
+    assert target in sentence and "meters" in sentence
 
 
 def test_metres_that_are_declared_as_degrees_are_refused(refused, tmp_path):
