@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Dict
 
+from osgeo import gdal
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsFeature,
@@ -62,7 +63,11 @@ def write_project_and_picture(folder: Path, paths: Dict[str, str], fix: dict, im
     picture = str(folder / "map.png")
     settings = QgsLayoutExporter.ImageExportSettings()
     settings.dpi = 150
-    if QgsLayoutExporter(layout).exportToImage(picture, settings) != QgsLayoutExporter.Success:
+    # QGIS also tries to write the georeference into the PNG, which GDAL can't and says.
+    gdal.PushErrorHandler("CPLQuietErrorHandler")
+    exported = QgsLayoutExporter(layout).exportToImage(picture, settings)
+    gdal.PopErrorHandler()
+    if exported != QgsLayoutExporter.Success:
         raise RuntimeError(f"{picture} could not be written")
     if not project.write(str(folder / "semref_demo.qgz")):
         raise RuntimeError(f"the project could not be written: {project.error()}")
@@ -165,8 +170,6 @@ def _legend(layout: QgsPrintLayout, project: QgsProject, page_map: QgsLayoutItem
 
 def _colored(image: Path, labels: QgsRasterLayer) -> Path:
     """The label image in the class colours, for people to look at; beside the project."""
-    from osgeo import gdal
-
     # GDAL's Python objects do not keep their dataset alive: it needs a name.
     label_map, source = gdal.Open(labels.source()), gdal.Open(str(image))
     memory = gdal.GetDriverByName("MEM").CreateCopy("", source)
