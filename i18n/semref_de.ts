@@ -5,693 +5,703 @@
   <name>SemRef</name>
   <message>
    <source>1 is a perfect match, 0 none</source>
-   <translation type="unfinished" />
+   <translation>1 ist volle Übereinstimmung, 0 keine</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
-   <translation type="unfinished" />
+   <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage.</translation>
   </message>
   <message>
    <source>Add a folder of label images</source>
-   <translation type="unfinished" />
+   <translation>Verzeichnis mit Klassenbildern hinzufügen</translation>
   </message>
   <message>
    <source>Add database to map</source>
-   <translation type="unfinished" />
+   <translation>Datenbank zur Karte hinzufügen</translation>
   </message>
   <message>
    <source>Add files…</source>
-   <translation type="unfinished" />
+   <translation>Dateien…</translation>
   </message>
   <message>
    <source>Add folder…</source>
-   <translation type="unfinished" />
+   <translation>Verzeichnis…</translation>
   </message>
   <message>
    <source>Add images.</source>
-   <translation type="unfinished" />
+   <translation>Bilder hinzufügen.</translation>
   </message>
   <message>
    <source>Add label images</source>
-   <translation type="unfinished" />
+   <translation>Klassenbilder hinzufügen</translation>
   </message>
   <message>
    <source>Add label images, or drop files and folders here.</source>
-   <translation type="unfinished" />
+   <translation>Klassenbilder hinzufügen oder Dateien und Verzeichnisse hier ablegen.</translation>
   </message>
   <message>
    <source>Adds the positions to the project as a temporary point layer</source>
-   <translation type="unfinished" />
+   <translation>Fügt dem Projekt die Positionen als temporären Punktlayer hinzu</translation>
   </message>
   <message>
    <source>Ambiguous</source>
-   <translation type="unfinished" />
+   <translation>Mehrdeutig</translation>
   </message>
   <message>
    <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
-   <translation type="unfinished" />
+   <translation>Ein Fehler in SemRef hat die Arbeit abgebrochen; bitte melden, was das Protokoll unter „SemRef“ zeigt.</translation>
   </message>
   <message>
    <source>Annotation</source>
-   <translation type="unfinished" />
+   <translation>Annotation</translation>
   </message>
   <message>
    <source>Annotation layer</source>
-   <translation type="unfinished" />
+   <translation>Annotationslayer</translation>
   </message>
   <message>
    <source>Annotation to reference database</source>
-   <translation type="unfinished" />
+   <translation>Von der Annotation zur Referenzdatenbank</translation>
   </message>
   <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
-   <translation type="unfinished" />
+   <translation>Zu rasternder Bereich, auf ganze Pixel erweitert; ohne Angabe die Ausdehnung der Polygone.</translation>
   </message>
   <message>
    <source>Automatic (not in this version)</source>
-   <translation type="unfinished" />
+   <translation>Automatisch (nicht in dieser Version)</translation>
   </message>
   <message>
    <source>Build reference database</source>
-   <translation type="unfinished" />
+   <translation>Referenzdatenbank erstellen</translation>
   </message>
   <message>
    <source>Burning polygons</source>
-   <translation type="unfinished" />
+   <translation>Polygone werden gerastert</translation>
   </message>
   <message>
    <source>Burning {count} polygons into {width} × {height} pixels</source>
-   <translation type="unfinished" />
+   <translation>{count} Polygone werden in {width} × {height} Pixel gerastert</translation>
   </message>
   <message>
    <source>Burns land-cover polygons into a label map: a single-band GeoTIFF whose pixels hold class values, 0 where no polygon lies.
 
 Classes come from the class table, else from the layer’s categorized style, else from the values of the class field. Invalid polygons are repaired, empty ones skipped; the log says how many.</source>
-   <translation type="unfinished" />
+   <translation>Rastert Landbedeckungspolygone in eine Klassenkarte: ein einkanaliges GeoTIFF, dessen Pixel Klassenwerte enthalten, 0 wo kein Polygon liegt.
+
+Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil des Layers, sonst aus den Werten des Klassenfelds. Ungültige Polygone werden repariert, leere übersprungen; wie viele, steht im Protokoll.</translation>
   </message>
   <message>
    <source>CSV files (*.csv)</source>
-   <translation type="unfinished" />
+   <translation>CSV-Dateien (*.csv)</translation>
   </message>
   <message>
    <source>CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. Every class value of the layer must be in it.</source>
-   <translation type="unfinished" />
+   <translation>CSV mit den Spalten value, name, color, role und optional draw_order, hsv_min, hsv_max. Jeder Klassenwert des Layers muss darin stehen.</translation>
   </message>
   <message>
    <source>CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, h 0–180, s and v 0–255; the hue may wrap).</source>
-   <translation type="unfinished" />
+   <translation>CSV mit den Spalten value, name, color, role und, für HSV-Bereiche, hsv_min und hsv_max („h s v“, h 0–180, s und v 0–255; der Farbton darf über den Nullpunkt laufen).</translation>
   </message>
   <message>
    <source>Cancel</source>
-   <translation type="unfinished" />
+   <translation>Abbrechen</translation>
   </message>
   <message>
    <source>Canceled.</source>
-   <translation type="unfinished" />
+   <translation>Abgebrochen.</translation>
   </message>
   <message>
    <source>Canceled; nothing was written.</source>
-   <translation type="unfinished" />
+   <translation>Abgebrochen; es wurde nichts geschrieben.</translation>
   </message>
   <message>
    <source>Canceling…</source>
-   <translation type="unfinished" />
+   <translation>Wird abgebrochen…</translation>
   </message>
   <message>
    <source>Choose a GeoPackage</source>
-   <translation type="unfinished" />
+   <translation>GeoPackage wählen</translation>
   </message>
   <message>
    <source>Choose a database and add images.</source>
-   <translation type="unfinished" />
+   <translation>Datenbank wählen und Bilder hinzufügen.</translation>
   </message>
   <message>
    <source>Choose a database.</source>
-   <translation type="unfinished" />
+   <translation>Datenbank wählen.</translation>
   </message>
   <message>
    <source>Choose a reference database</source>
-   <translation type="unfinished" />
+   <translation>Referenzdatenbank wählen</translation>
   </message>
   <message>
    <source>Class field</source>
-   <translation type="unfinished" />
+   <translation>Klassenfeld</translation>
   </message>
   <message>
    <source>Class table</source>
-   <translation type="unfinished" />
+   <translation>Klassentabelle</translation>
   </message>
   <message>
    <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
-   <translation type="unfinished" />
+   <translation>Klassen, deren Flächen Landmarken sind: Namen oder Werte, getrennt durch „;“, zum Beispiel building;bare_land;water. Ohne Angabe die Klassen mit der Rolle „reference“ in der Klassentabelle der Karte.</translation>
   </message>
   <message>
    <source>Color label image</source>
-   <translation type="unfinished" />
+   <translation>Farbiges Klassenbild</translation>
   </message>
   <message>
    <source>Comparing windows</source>
-   <translation type="unfinished" />
+   <translation>Fenster werden verglichen</translation>
   </message>
   <message>
    <source>Confidence</source>
-   <translation type="unfinished" />
+   <translation>Konfidenz</translation>
   </message>
   <message>
    <source>Constellation (not in this version)</source>
-   <translation type="unfinished" />
+   <translation>Konstellation (nicht in dieser Version)</translation>
   </message>
   <message>
    <source>Copy longitude, latitude</source>
-   <translation type="unfinished" />
+   <translation>Länge, Breite kopieren</translation>
   </message>
   <message>
    <source>Copy x, y</source>
-   <translation type="unfinished" />
+   <translation>x, y kopieren</translation>
   </message>
   <message>
    <source>Decode color labels</source>
-   <translation type="unfinished" />
+   <translation>Farbiges Klassenbild dekodieren</translation>
   </message>
   <message>
    <source>Describe image</source>
-   <translation type="unfinished" />
+   <translation>Bild beschreiben</translation>
   </message>
   <message>
    <source>Describing windows</source>
-   <translation type="unfinished" />
+   <translation>Fenster werden beschrieben</translation>
   </message>
   <message>
    <source>Distance</source>
-   <translation type="unfinished" />
+   <translation>Abstand</translation>
   </message>
   <message>
    <source>Distance from window to window; at most the window size.</source>
-   <translation type="unfinished" />
+   <translation>Abstand von Fenster zu Fenster; höchstens die Fenstergröße.</translation>
   </message>
   <message>
    <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
-   <translation type="unfinished" />
+   <translation>Abstand der Topologievektoren; 0 ist volle Übereinstimmung, über 2 gibt es keine</translation>
   </message>
   <message>
    <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
-   <translation type="unfinished" />
+   <translation>Abstandsverhältnisse, Winkeldifferenzen und Klassenränge sowie die verwendeten Klassen.</translation>
   </message>
   <message>
    <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
-   <translation type="unfinished" />
+   <translation>Kantenlänge eines Pixels in Metern. Die kleinste Landmarke sollte etwa 50 Pixel bedecken.</translation>
   </message>
   <message>
    <source>Edge length of a window on the ground: about what an image shows.</source>
-   <translation type="unfinished" />
+   <translation>Kantenlänge eines Fensters am Boden: ungefähr das, was ein Bild zeigt.</translation>
   </message>
   <message>
    <source>Extent</source>
-   <translation type="unfinished" />
+   <translation>Ausdehnung</translation>
   </message>
   <message>
    <source>Fewer than three landmarks: the image has no topology vector.</source>
-   <translation type="unfinished" />
+   <translation>Weniger als drei Landmarken: Das Bild hat keinen Topologievektor.</translation>
   </message>
   <message>
    <source>File name of the image</source>
-   <translation type="unfinished" />
+   <translation>Dateiname des Bildes</translation>
   </message>
   <message>
    <source>Finding reference objects</source>
-   <translation type="unfinished" />
+   <translation>Referenzobjekte werden gesucht</translation>
   </message>
   <message>
    <source>Finds where images were taken: each label image is described by its landmarks and matched with the windows of a reference database.
 
 Every image gives one point; without a fix it has no geometry and its reason says why. The topology vector method finds images centered on a window of the database and is known to accept images from elsewhere: check what it finds.</source>
-   <translation type="unfinished" />
+   <translation>Findet, wo Bilder aufgenommen wurden: Jedes Klassenbild wird durch seine Landmarken beschrieben und mit den Fenstern einer Referenzdatenbank verglichen.
+
+Jedes Bild ergibt einen Punkt; wurde kein Standort gefunden, hat er keine Geometrie und nennt den Grund. Die Methode Topologievektor findet Bilder, deren Mitte auf der eines Fensters der Datenbank liegt, und nimmt bekanntermaßen auch Bilder von anderswo an: Ergebnisse prüfen.</translation>
   </message>
   <message>
    <source>Fix</source>
-   <translation type="unfinished" />
+   <translation>Fix</translation>
   </message>
   <message>
    <source>Footprints</source>
-   <translation type="unfinished" />
+   <translation>Bildausschnitte</translation>
   </message>
   <message>
    <source>Fraction of the map that is labeled</source>
-   <translation type="unfinished" />
+   <translation>Anteil der Karte mit Klasse</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
-   <translation type="unfinished" />
+   <translation>GeoPackage (*.gpkg)</translation>
   </message>
   <message>
    <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF, 8 Bit pro Pixel, im Pixelraster des Bildes.</translation>
   </message>
   <message>
    <source>GeoTIFF, 8 bits a pixel, with the class table, colors and class names.</source>
-   <translation type="unfinished" />
+   <translation>GeoTIFF, 8 Bit pro Pixel, mit Klassentabelle, Farben und Klassennamen.</translation>
   </message>
   <message>
    <source>HSV ranges</source>
-   <translation type="unfinished" />
+   <translation>HSV-Bereiche</translation>
   </message>
   <message>
    <source>HSV ranges follow the publication; nearest color forgives blended edges.</source>
-   <translation type="unfinished" />
+   <translation>HSV-Bereiche folgen der Veröffentlichung; die nächstliegende Farbe verzeiht Mischfarben an Rändern.</translation>
   </message>
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
-   <translation type="unfinished" />
+   <translation>Wie viele der Landmarken, die der Mitte am nächsten liegen, ein Vektor enthält.</translation>
   </message>
   <message>
    <source>Image</source>
-   <translation type="unfinished" />
+   <translation>Bild</translation>
   </message>
   <message>
    <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
-   <translation type="unfinished" />
+   <translation>Bild mit mindestens drei Kanälen (Rot, Grün, Blau) zu je 8 Bit.</translation>
   </message>
   <message>
    <source>Images</source>
-   <translation type="unfinished" />
+   <translation>Bilder</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
-   <translation type="unfinished" />
+   <translation>JSON-Dateien (*.json)</translation>
   </message>
   <message>
    <source>Keep results as layer</source>
-   <translation type="unfinished" />
+   <translation>Als Layer behalten</translation>
   </message>
   <message>
    <source>Label image</source>
-   <translation type="unfinished" />
+   <translation>Klassenbild</translation>
   </message>
   <message>
    <source>Label images, or folders of them: single-band class values, or colors decoded by the database’s class table. They need no georeference.</source>
-   <translation type="unfinished" />
+   <translation>Klassenbilder oder Verzeichnisse davon: Klassenwerte in einem Kanal oder Farben, die mit der Klassentabelle der Datenbank dekodiert werden. Eine Georeferenzierung ist nicht nötig.</translation>
   </message>
   <message>
    <source>Label map</source>
-   <translation type="unfinished" />
+   <translation>Klassenkarte</translation>
   </message>
   <message>
    <source>Label map of {width} × {height} pixels, {share:.1%} labeled: {classes}</source>
-   <translation type="unfinished" />
+   <translation>Klassenkarte mit {width} × {height} Pixeln, {share:.1%} mit Klasse: {classes}</translation>
   </message>
   <message>
    <source>Landmarks</source>
-   <translation type="unfinished" />
+   <translation>Landmarken</translation>
   </message>
   <message>
    <source>Landmarks per vector</source>
-   <translation type="unfinished" />
+   <translation>Landmarken je Vektor</translation>
   </message>
   <message>
    <source>Levels</source>
-   <translation type="unfinished" />
+   <translation>Höhenstufen</translation>
   </message>
   <message>
    <source>Localization</source>
-   <translation type="unfinished" />
+   <translation>Lokalisierung</translation>
   </message>
   <message>
    <source>Localize</source>
-   <translation type="unfinished" />
+   <translation>Lokalisieren</translation>
   </message>
   <message>
    <source>Localize images</source>
-   <translation type="unfinished" />
+   <translation>Bilder lokalisieren</translation>
   </message>
   <message>
    <source>Localizing images</source>
-   <translation type="unfinished" />
+   <translation>Bilder werden lokalisiert</translation>
   </message>
   <message>
    <source>Map correlation (not in this version)</source>
-   <translation type="unfinished" />
+   <translation>Kartenkorrelation (nicht in dieser Version)</translation>
   </message>
   <message>
    <source>Method</source>
-   <translation type="unfinished" />
+   <translation>Methode</translation>
   </message>
   <message>
    <source>Minimum area</source>
-   <translation type="unfinished" />
+   <translation>Mindestfläche</translation>
   </message>
   <message>
    <source>Minimum area (m²)</source>
-   <translation type="unfinished" />
+   <translation>Mindestfläche (m²)</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
-   <translation type="unfinished" />
+   <translation>Faktoren für Fenstergröße und Schrittweite, getrennt durch „;“: 1;2 ergänzt doppelt so große Fenster für doppelt so hohe Flüge.</translation>
   </message>
   <message>
    <source>Name of the matched window: its first column and row on the map</source>
-   <translation type="unfinished" />
+   <translation>Name des gefundenen Fensters: seine erste Spalte und Zeile auf der Karte</translation>
   </message>
   <message>
    <source>Nearest color</source>
-   <translation type="unfinished" />
+   <translation>Nächstliegende Farbe</translation>
   </message>
   <message>
    <source>No match</source>
-   <translation type="unfinished" />
+   <translation>Kein Treffer</translation>
   </message>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
-   <translation type="unfinished" />
+   <translation>In der Ausdehnung liegt kein Polygon: Die Klassenkarte ist leer.</translation>
   </message>
   <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
-   <translation type="unfinished" />
+   <translation>Zahlenfeld: Wo sich Polygone überlappen, liegt das mit dem höheren Wert oben. Ohne dieses Feld zählt die Zeichenreihenfolge der Klassentabelle, sonst liegen spätere Polygone oben.</translation>
   </message>
   <message>
    <source>Number of classes on the map</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der Klassen auf der Karte</translation>
   </message>
   <message>
    <source>Number of fixes</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der gefundenen Standorte</translation>
   </message>
   <message>
    <source>Number of landmarks</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der Landmarken</translation>
   </message>
   <message>
    <source>Number of windows</source>
-   <translation type="unfinished" />
+   <translation>Anzahl der Fenster</translation>
   </message>
   <message>
    <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
-   <translation type="unfinished" />
+   <translation>Ein GeoPackage mit den Layern windows, references, overview, classes und parameters.</translation>
   </message>
   <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
-   <translation type="unfinished" />
+   <translation>Ein Punkt pro Bild: Status, Position, Konfidenz, Abstand, Fenster und, wenn kein Standort gefunden wurde, der Grund.</translation>
   </message>
   <message>
    <source>One polygon a fix: the matched window.</source>
-   <translation type="unfinished" />
+   <translation>Ein Polygon pro gefundenem Standort: das passende Fenster.</translation>
   </message>
   <message>
    <source>Overview</source>
-   <translation type="unfinished" />
+   <translation>Übersicht</translation>
   </message>
   <message>
    <source>Pixel size (m)</source>
-   <translation type="unfinished" />
+   <translation>Pixelgröße (m)</translation>
   </message>
   <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
-   <translation type="unfinished" />
+   <translation>Punkte mit Klasse, Fläche und Pixelposition; ohne Georeferenzierung in Pixeln (y nach oben, negativ).</translation>
   </message>
   <message>
    <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
-   <translation type="unfinished" />
+   <translation>Polygone der Landbedeckung. Sie dürfen sich überlappen, mehrteilig, ungültig oder dreidimensional sein.</translation>
   </message>
   <message>
    <source>Positions</source>
-   <translation type="unfinished" />
+   <translation>Positionen</translation>
   </message>
   <message>
    <source>Priority field</source>
-   <translation type="unfinished" />
+   <translation>Prioritätsfeld</translation>
   </message>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
-   <translation type="unfinished" />
+   <translation>Projiziertes KBS in Metern. Ohne Angabe: das des Layers, wenn es metrisch ist, sonst eine UTM-Zone.</translation>
   </message>
   <message>
    <source>Rasterize annotation</source>
-   <translation type="unfinished" />
+   <translation>Annotation rastern</translation>
   </message>
   <message>
    <source>Reading the database</source>
-   <translation type="unfinished" />
+   <translation>Datenbank wird gelesen</translation>
   </message>
   <message>
    <source>Ready to localize.</source>
-   <translation type="unfinished" />
+   <translation>Bereit zum Lokalisieren.</translation>
   </message>
   <message>
    <source>Reference classes</source>
-   <translation type="unfinished" />
+   <translation>Referenzklassen</translation>
   </message>
   <message>
    <source>Reference database</source>
-   <translation type="unfinished" />
+   <translation>Referenzdatenbank</translation>
   </message>
   <message>
    <source>Remove</source>
-   <translation type="unfinished" />
+   <translation>Entfernen</translation>
   </message>
   <message>
    <source>Results</source>
-   <translation type="unfinished" />
+   <translation>Ergebnisse</translation>
   </message>
   <message>
    <source>Results appear here.</source>
-   <translation type="unfinished" />
+   <translation>Hier erscheinen die Ergebnisse.</translation>
   </message>
   <message>
    <source>Select a result to see its hit on the map.</source>
-   <translation type="unfinished" />
+   <translation>Ein Ergebnis wählen, um seinen Treffer auf der Karte zu sehen.</translation>
   </message>
   <message>
    <source>SemRef footprints</source>
-   <translation type="unfinished" />
+   <translation>SemRef-Bildausschnitte</translation>
   </message>
   <message>
    <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install python3-opencv” on Debian and Ubuntu.</source>
-   <translation type="unfinished" />
+   <translation>SemRef braucht das Python-Paket {packages}. Es muss für das Python von QGIS installiert sein, zum Beispiel mit „python3 -m pip install {packages}“ oder unter Debian und Ubuntu mit „apt install python3-opencv“.</translation>
   </message>
   <message>
    <source>SemRef positions</source>
-   <translation type="unfinished" />
+   <translation>SemRef-Positionen</translation>
   </message>
   <message>
    <source>Show or hide the SemRef dock: find where images were taken</source>
-   <translation type="unfinished" />
+   <translation>SemRef-Bedienfeld ein- oder ausblenden: finden, wo Bilder aufgenommen wurden</translation>
   </message>
   <message>
    <source>Shows what localization sees in a label image: its landmarks as points and its topology vector.
 
 The image is described in its largest centered square, exactly as the windows of a database are. With a database its classes, minimum area and vector length are used; without one, give them here.</source>
-   <translation type="unfinished" />
+   <translation>Zeigt, was die Lokalisierung in einem Klassenbild sieht: seine Landmarken als Punkte und seinen Topologievektor.
+
+Beschrieben wird das größte mittige Quadrat des Bildes, genau wie die Fenster einer Datenbank. Mit einer Datenbank gelten deren Klassen, Mindestfläche und Vektorlänge; ohne sind sie hier anzugeben.</translation>
   </message>
   <message>
    <source>Single-band class values, or colors decoded by the class table. It needs no georeference.</source>
-   <translation type="unfinished" />
+   <translation>Klassenwerte in einem Kanal oder Farben, die mit der Klassentabelle dekodiert werden. Eine Georeferenzierung ist nicht nötig.</translation>
   </message>
   <message>
    <source>Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it.</source>
-   <translation type="unfinished" />
+   <translation>Einkanaliges Raster mit Klassenwerten in einem metrischen KBS, wie „Annotation rastern“ es erzeugt.</translation>
   </message>
   <message>
    <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
 
 The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
-   <translation type="unfinished" />
+   <translation>Schiebt Fenster über eine Klassenkarte und beschreibt jedes durch den Topologievektor seiner Landmarken; speichert Fenster, Landmarken der ganzen Karte, eine verkleinerte Karte, Klassen und Parameter in einem GeoPackage.
+
+Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit weniger als drei Landmarken erhalten keinen Vektor; wie viele, steht im Protokoll.</translation>
   </message>
   <message>
    <source>Smaller regions are no landmarks.</source>
-   <translation type="unfinished" />
+   <translation>Kleinere Flächen sind keine Landmarken.</translation>
   </message>
   <message>
    <source>Starting…</source>
-   <translation type="unfinished" />
+   <translation>Wird gestartet…</translation>
   </message>
   <message>
    <source>Status</source>
-   <translation type="unfinished" />
+   <translation>Status</translation>
   </message>
   <message>
    <source>Stride (map units)</source>
-   <translation type="unfinished" />
+   <translation>Schrittweite (Karteneinheiten)</translation>
   </message>
   <message>
    <source>Target CRS</source>
-   <translation type="unfinished" />
+   <translation>Ziel-KBS</translation>
   </message>
   <message>
    <source>Text or number field that tells the class of each polygon.</source>
-   <translation type="unfinished" />
+   <translation>Text- oder Zahlenfeld, das die Klasse jedes Polygons angibt.</translation>
   </message>
   <message>
    <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
-   <translation type="unfinished" />
+   <translation>Der Verarbeitungsanbieter SemRef ist ausgeschaltet; er lässt sich in den Optionen einschalten.</translation>
   </message>
   <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
-   <translation type="unfinished" />
+   <translation>Der Datenträger ist beim Schreiben voll geworden ({name}); Platz schaffen oder einen anderen Ort wählen.</translation>
   </message>
   <message>
    <source>The hit lies outside the area of the project’s CRS; choose another one to see it.</source>
-   <translation type="unfinished" />
+   <translation>Der Treffer liegt außerhalb des Gültigkeitsbereichs des Projekt-KBS; ein anderes KBS wählen, um ihn zu sehen.</translation>
   </message>
   <message>
    <source>The image is described as this database’s windows are; the settings below are then not used.</source>
-   <translation type="unfinished" />
+   <translation>Das Bild wird wie die Fenster dieser Datenbank beschrieben; die Einstellungen darunter gelten dann nicht.</translation>
   </message>
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
-   <translation type="unfinished" />
+   <translation>Die Klassenkarte enthält keine Klassennamen; ihre Klassen werden nach ihren Werten benannt.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
-   <translation type="unfinished" />
+   <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
-   <translation type="unfinished" />
+   <translation>Die Schrittweite ({stride:g}) ist größer als das Fenster ({size:g}), sodass Boden zwischen den Fenstern fehlen würde; die Schrittweite darf höchstens so groß sein wie das Fenster.</translation>
   </message>
   <message>
    <source>There is no database {path}; choose another file.</source>
-   <translation type="unfinished" />
+   <translation>Es gibt keine Datenbank {path}; eine andere Datei wählen.</translation>
   </message>
   <message>
    <source>This version has one method: choose METHOD 1 (topology vector).</source>
-   <translation type="unfinished" />
+   <translation>Diese Version hat nur eine Methode: METHOD 1 (Topologievektor) wählen.</translation>
   </message>
   <message>
    <source>Too few landmarks</source>
-   <translation type="unfinished" />
+   <translation>Zu wenige Landmarken</translation>
   </message>
   <message>
    <source>Topology vector</source>
-   <translation type="unfinished" />
+   <translation>Topologievektor</translation>
   </message>
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
-   <translation type="unfinished" />
+   <translation>Topologievektor (He &amp; Wu 2025)</translation>
   </message>
   <message>
    <source>Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
-   <translation type="unfinished" />
+   <translation>Topologievektor ist die veröffentlichte Methode: der nächstliegende Vektor aller Fenster, angenommen bis zum Abstand 2.</translation>
   </message>
   <message>
    <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
 
 Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is black.</source>
-   <translation type="unfinished" />
+   <translation>Macht aus einem Bild, das Klassen als Farben zeigt, eine Klassenkarte: mit den HSV-Bereichen der Klassentabelle wie veröffentlicht oder mit der nächstliegenden Klassenfarbe.
+
+Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegenden Farbe bleibt Schwarz ohne Klasse, außer eine Klasse ist schwarz.</translation>
   </message>
   <message>
    <source>Unreadable</source>
-   <translation type="unfinished" />
+   <translation>Nicht lesbar</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
-   <translation type="unfinished" />
+   <translation>Ob ein Standort gefunden wurde</translation>
   </message>
   <message>
    <source>Window</source>
-   <translation type="unfinished" />
+   <translation>Fenster</translation>
   </message>
   <message>
    <source>Window size (map units)</source>
-   <translation type="unfinished" />
+   <translation>Fenstergröße (Karteneinheiten)</translation>
   </message>
   <message>
    <source>Windows</source>
-   <translation type="unfinished" />
+   <translation>Fenster</translation>
   </message>
   <message>
    <source>Windows are whole pixels: window size {size:g}, stride {stride:g}.</source>
-   <translation type="unfinished" />
+   <translation>Fenster sind ganze Pixel: Fenstergröße {size:g}, Schrittweite {stride:g}.</translation>
   </message>
   <message>
    <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
-   <translation type="unfinished" />
+   <translation>Ohne Datenbank: wie viele der Landmarken, die der Mitte am nächsten liegen, der Vektor enthält.</translation>
   </message>
   <message>
    <source>Without a database: names or values separated by “;”. If left out, the role in the class table counts.</source>
-   <translation type="unfinished" />
+   <translation>Ohne Datenbank: Namen oder Werte, getrennt durch „;“. Ohne Angabe zählt die Rolle in der Klassentabelle.</translation>
   </message>
   <message>
    <source>Without a database: smallest landmark in square map units, in pixels without georeference.</source>
-   <translation type="unfinished" />
+   <translation>Ohne Datenbank: kleinste Landmarke in Karteneinheiten², ohne Georeferenzierung in Pixeln.</translation>
   </message>
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
-   <translation type="unfinished" />
+   <translation>Ohne Datenbank: die Klassen. Ohne Angabe die, die das Klassenbild selbst mitbringt.</translation>
   </message>
   <message>
    <source>Writing the database</source>
-   <translation type="unfinished" />
+   <translation>Datenbank wird geschrieben</translation>
   </message>
   <message>
    <source>Zoom to hit</source>
-   <translation type="unfinished" />
+   <translation>Auf Treffer zoomen</translation>
   </message>
   <message>
    <source>confidence {value:.2f}</source>
-   <translation type="unfinished" />
+   <translation>Konfidenz {value:.2f}</translation>
   </message>
   <message>
    <source>distance {value:.3f}</source>
-   <translation type="unfinished" />
+   <translation>Abstand {value:.3f}</translation>
   </message>
   <message>
    <source>heading {value:.1f}°</source>
-   <translation type="unfinished" />
+   <translation>Ausrichtung {value:.1f}°</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
-   <translation type="unfinished" />
+   <translation>Pixelgröße {value:.3g} m</translation>
   </message>
   <message>
    <source>the output</source>
-   <translation type="unfinished" />
+   <translation>Ausgabe</translation>
   </message>
   <message>
    <source>window {value}</source>
-   <translation type="unfinished" />
+   <translation>Fenster {value}</translation>
   </message>
   <message>
    <source>within {value:.1f} m (95 %)</source>
-   <translation type="unfinished" />
+   <translation>auf {value:.1f} m genau (95 %)</translation>
   </message>
   <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
-   <translation type="unfinished" />
+   <translation>{count} Landmarken im mittigen Quadrat von {size} Pixeln.</translation>
   </message>
   <message>
    <source>{fixes} of {images} images have a fix.</source>
-   <translation type="unfinished" />
+   <translation>Standort gefunden für {fixes} von {images} Bildern.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
-   <translation type="unfinished" />
+   <translation>{lacking} Fenster ({share:.0%}) zeigen weniger als drei Landmarken und haben keinen Vektor.</translation>
   </message>
   <message>
    <source>{name} can’t be written; choose a place where you may write.</source>
-   <translation type="unfinished" />
+   <translation>{name} lässt sich nicht schreiben; einen Ort mit Schreibrecht wählen.</translation>
   </message>
   <message>
    <source>{name}: window {window}, position {x:.1f} {y:.1f}, distance {distance:.4f}, confidence {confidence:.2f}</source>
-   <translation type="unfinished" />
+   <translation>{name}: Fenster {window}, Position {x:.1f} {y:.1f}, Abstand {distance:.4f}, Konfidenz {confidence:.2f}</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
-   <translation type="unfinished" />
+   <translation>{path} ist keine SemRef-Referenzdatenbank; eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
   </message>
   <message>
    <source>{share:.1%} of the pixels match no class.</source>
-   <translation type="unfinished" />
+   <translation>{share:.1%} der Pixel passen zu keiner Klasse.</translation>
   </message>
   <message>
    <source>{source} does not measure in meters; the label map is made in {target}.</source>
-   <translation type="unfinished" />
+   <translation>{source} misst nicht in Metern; die Klassenkarte wird in {target} erstellt.</translation>
   </message>
   <message>
    <source>{value} landmarks in the image</source>
-   <translation type="unfinished" />
+   <translation>{value} Landmarken im Bild</translation>
   </message>
   <message>
    <source>{windows} windows, {references} landmarks.</source>
-   <translation type="unfinished" />
+   <translation>{windows} Fenster, {references} Landmarken.</translation>
   </message>
  </context>
 </TS>

@@ -1,0 +1,66 @@
+"""Every text of the code has a translation that Qt can use in its place."""
+
+from __future__ import annotations
+
+import importlib.util
+import string
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+FILES = sorted((ROOT / "i18n").glob("semref_*.ts"))
+
+each_file = pytest.mark.parametrize("path", FILES, ids=[path.stem for path in FILES])
+
+
+def load_tool():
+    spec = importlib.util.spec_from_file_location("update_translations", ROOT / "tools" / "update_translations.py")
+    tool = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(tool)
+    return tool
+
+
+update_translations = load_tool()
+
+
+def placeholders(text: str) -> set[tuple[str, str]]:
+    """Names with their format, as in ``{share:.1%}``."""
+    return {(name, form) for _, name, form, _ in string.Formatter().parse(text) if name is not None}
+
+
+def pairs(path: Path) -> list[tuple[str, str]]:
+    messages = ElementTree.parse(path).iter("message")
+    return [(message.findtext("source", ""), message.findtext("translation", "")) for message in messages]
+
+
+def test_there_are_translations_and_texts():
+    assert FILES
+    assert update_translations.all_texts()
+
+
+@each_file
+def test_the_file_has_the_texts_of_the_code_once_each_and_no_others(path):
+    assert [source for source, _ in pairs(path)] == update_translations.all_texts()
+
+
+@each_file
+def test_no_translation_is_unfinished(path):
+    translated = update_translations.translations_in(path)
+    assert [source for source, _ in pairs(path) if not translated.get(source, "").strip()] == []
+
+
+@each_file
+def test_placeholders_are_those_of_the_source(path):
+    assert [pair for pair in pairs(path) if placeholders(pair[0]) != placeholders(pair[1])] == []
+
+
+@each_file
+def test_sentences_end_with_a_full_stop_where_the_source_does(path):
+    assert [pair for pair in pairs(path) if pair[0].endswith(".") != pair[1].endswith(".")] == []
+
+
+@each_file
+def test_paragraphs_are_those_of_the_source(path):
+    assert [pair for pair in pairs(path) if pair[0].count("\n") != pair[1].count("\n")] == []
