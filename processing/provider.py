@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider, QgsProcessingRegistry
+from qgis.core import QgsApplication, QgsProcessingModelAlgorithm, QgsProcessingProvider, QgsProcessingRegistry
 from qgis.PyQt.QtGui import QIcon
 
 from .base import ICON_PATH, REFERENCE_DATABASE
@@ -58,9 +58,11 @@ class SemRefProvider(QgsProcessingProvider):
     def loadAlgorithms(self):
         for algorithm in ALGORITHMS:
             self.addAlgorithm(algorithm())
+        # A model can be read only when the algorithms in it are registered: not the first time.
+        if QgsApplication.processingRegistry().providerById(self.id()) is not None:
+            self._add_models()
 
-    def add_models(self) -> None:
-        """Adds the models that ship. A model can be read only when the algorithms in it are registered."""
+    def _add_models(self) -> None:
         for path in sorted(MODELS.glob("*.model3")):
             model = ShippedModel()
             if model.fromFile(str(path)):
@@ -83,7 +85,6 @@ def register_provider(registry: QgsProcessingRegistry):
         return registered
     provider = SemRefProvider()
     registry.addProvider(provider)
-    provider.add_models()
-    # Settings that reload the algorithms (language, icons) must not lose the models.
-    provider.algorithmsLoaded.connect(provider.add_models)
+    # Once more, now with the models; the toolbox hears of it.
+    provider.refreshAlgorithms()
     return provider
