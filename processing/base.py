@@ -8,7 +8,12 @@ import importlib.util
 from pathlib import Path
 from typing import Any, Dict, Generator, List, Tuple
 
-from qgis.core import QgsProcessingAlgorithm, QgsProcessingException, QgsProcessingFeedback
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsProcessingParameterDefinition,
+)
 from qgis.PyQt.QtGui import QIcon
 
 from ..core.errors import SemRefError
@@ -45,6 +50,13 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
 
     def read_layers(self, parameters: dict, context, feedback: QgsProcessingFeedback) -> None:
         """Takes what belongs to the main thread out of layers; raises SemRefError."""
+
+    def offer(self, parameter: QgsProcessingParameterDefinition, text: str, advanced: bool = False) -> None:
+        """Adds a parameter with its help."""
+        parameter.setHelp(text)
+        if advanced:
+            parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
+        self.addParameter(parameter)
 
     # --- QgsProcessingAlgorithm ---
 

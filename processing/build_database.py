@@ -46,33 +46,27 @@ class BuildDatabase(SemRefAlgorithm):
         )
 
     def initAlgorithm(self, config=None):
-        def add(parameter, text, advanced=False):
-            parameter.setHelp(text)
-            if advanced:
-                parameter.setFlags(parameter.flags() | parameter.FlagAdvanced)
-            self.addParameter(parameter)
-
         number = QgsProcessingParameterNumber
-        add(
+        self.offer(
             QgsProcessingParameterRasterLayer(self.LABELS, tr("Label map")),
             tr("Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterString(self.REFERENCE_CLASSES, tr("Reference classes"), optional=True),
             tr(
                 "Classes whose regions are landmarks: names or values separated by “;”, for example "
                 "building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table."
             ),
         )
-        add(
+        self.offer(
             number(self.WINDOW_SIZE, tr("Window size (map units)"), number.Double, 1280.0, minValue=0.001),
             tr("Edge length of a window on the ground: about what an image shows."),
         )
-        add(
+        self.offer(
             number(self.STRIDE, tr("Stride (map units)"), number.Double, 350.0, minValue=0.001),
             tr("Distance from window to window; at most the window size."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterString(self.LEVELS, tr("Levels"), "1", optional=True),
             tr(
                 "Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for "
@@ -80,18 +74,18 @@ class BuildDatabase(SemRefAlgorithm):
             ),
             advanced=True,
         )
-        add(
+        self.offer(
             number(
                 self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), number.Integer, 10, minValue=3, maxValue=1000
             ),
             tr("How many of the landmarks nearest to the center a vector holds."),
             advanced=True,
         )
-        add(
+        self.offer(
             number(self.MINIMUM_AREA, tr("Minimum area (m²)"), number.Double, 100.0, minValue=0.0),
             tr("Smaller regions are no landmarks."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterFileDestination(self.DATABASE, tr("Reference database"), tr("GeoPackage (*.gpkg)")),
             tr("One GeoPackage with the layers windows, references, overview, classes and parameters."),
         )

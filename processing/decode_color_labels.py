@@ -41,28 +41,24 @@ class DecodeColorLabels(SemRefAlgorithm):
         )
 
     def initAlgorithm(self, config=None):
-        def add(parameter, text):
-            parameter.setHelp(text)
-            self.addParameter(parameter)
-
-        add(
+        self.offer(
             QgsProcessingParameterRasterLayer(self.INPUT, tr("Color label image")),
             tr("Image with at least three bands (red, green, blue) of 8 bits."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterFile(self.CLASS_TABLE, tr("Class table"), fileFilter=tr("CSV files (*.csv)")),
             tr(
                 "CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, "
                 "h 0–180, s and v 0–255; the hue may wrap)."
             ),
         )
-        add(
+        self.offer(
             QgsProcessingParameterEnum(
                 self.METHOD, tr("Method"), [tr("HSV ranges"), tr("Nearest color")], defaultValue=0
             ),
             tr("HSV ranges follow the publication; nearest color forgives blended edges."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
             tr("GeoTIFF, 8 bits a pixel, on the grid of the image."),
         )

@@ -9,7 +9,6 @@ from qgis.core import (
     QgsGeometry,
     QgsPointXY,
     QgsProcessingOutputNumber,
-    QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFile,
     QgsProcessingParameterFileDestination,
@@ -57,35 +56,29 @@ class DescribeImage(SemRefAlgorithm):
         )
 
     def initAlgorithm(self, config=None):
-        def add(parameter, text, advanced=False):
-            parameter.setHelp(text)
-            if advanced:
-                parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
-            self.addParameter(parameter)
-
-        add(
+        self.offer(
             QgsProcessingParameterRasterLayer(self.INPUT, tr("Label image")),
             tr("Single-band class values, or colors decoded by the class table. It needs no georeference."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterFile(
                 self.DATABASE, tr("Reference database"), fileFilter=tr("GeoPackage (*.gpkg)"), optional=True
             ),
             tr("The image is described as this database’s windows are; the settings below are then not used."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterFile(
                 self.CLASS_TABLE, tr("Class table"), fileFilter=tr("CSV files (*.csv)"), optional=True
             ),
             tr("Without a database: the classes. If left out, those that the label image itself carries."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterString(self.REFERENCE_CLASSES, tr("Reference classes"), optional=True),
             tr(
                 "Without a database: names or values separated by “;”. If left out, the role in the class table counts."
             ),
         )
-        add(
+        self.offer(
             QgsProcessingParameterNumber(
                 self.MINIMUM_AREA, tr("Minimum area"), QgsProcessingParameterNumber.Double, 100.0, minValue=0.0
             ),
@@ -93,7 +86,7 @@ class DescribeImage(SemRefAlgorithm):
                 "Without a database: smallest landmark in square map units, in pixels without georeference."
             ),
         )
-        add(
+        self.offer(
             QgsProcessingParameterNumber(
                 self.REFERENCES_PER_VECTOR,
                 tr("Landmarks per vector"),
@@ -104,11 +97,11 @@ class DescribeImage(SemRefAlgorithm):
             tr("Without a database: how many of the landmarks nearest to the center the vector holds."),
             advanced=True,
         )
-        add(
+        self.offer(
             QgsProcessingParameterFeatureSink(self.REFERENCES, tr("Landmarks"), SOURCE_POINT),
             tr("Points with class, area and pixel position; in pixels (y up, negative) without georeference."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterFileDestination(
                 self.VECTOR, tr("Topology vector"), tr("JSON files (*.json)"), optional=True, createByDefault=False
             ),

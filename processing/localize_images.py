@@ -79,22 +79,18 @@ class LocalizeImages(SemRefAlgorithm):
         )
 
     def initAlgorithm(self, config=None):
-        def add(parameter, text):
-            parameter.setHelp(text)
-            self.addParameter(parameter)
-
-        add(
+        self.offer(
             QgsProcessingParameterFile(self.DATABASE, tr("Reference database"), fileFilter=tr("GeoPackage (*.gpkg)")),
             tr("A GeoPackage made by “Build reference database”."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterMultipleLayers(self.IMAGES, tr("Images"), SOURCE_FILE),
             tr(
                 "Label images, or folders of them: single-band class values, or colors decoded by the database’s class "
                 "table. They need no georeference."
             ),
         )
-        add(
+        self.offer(
             QgsProcessingParameterEnum(
                 self.METHOD,
                 tr("Method"),
@@ -110,11 +106,11 @@ class LocalizeImages(SemRefAlgorithm):
                 "Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2."
             ),
         )
-        add(
+        self.offer(
             QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), SOURCE_POINT),
             tr("One point an image: status, position, confidence, distance, window and, without a fix, the reason."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterFeatureSink(
                 self.FOOTPRINTS, tr("Footprints"), SOURCE_POLYGON, optional=True, createByDefault=False
             ),

@@ -58,19 +58,15 @@ class RasterizeAnnotation(SemRefAlgorithm):
         )
 
     def initAlgorithm(self, config=None):
-        def add(parameter, text):
-            parameter.setHelp(text)
-            self.addParameter(parameter)
-
-        add(
+        self.offer(
             QgsProcessingParameterFeatureSource(self.INPUT, tr("Annotation layer"), [SOURCE_POLYGON]),
             tr("Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterField(self.CLASS_FIELD, tr("Class field"), parentLayerParameterName=self.INPUT),
             tr("Text or number field that tells the class of each polygon."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterField(
                 self.PRIORITY_FIELD, tr("Priority field"), parentLayerParameterName=self.INPUT, optional=True
             ),
@@ -79,7 +75,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
                 "order of the class table counts, else later polygons lie on top."
             ),
         )
-        add(
+        self.offer(
             QgsProcessingParameterFile(
                 self.CLASS_TABLE, tr("Class table"), fileFilter=tr("CSV files (*.csv)"), optional=True
             ),
@@ -88,21 +84,21 @@ class RasterizeAnnotation(SemRefAlgorithm):
                 "Every class value of the layer must be in it."
             ),
         )
-        add(
+        self.offer(
             QgsProcessingParameterNumber(
                 self.PIXEL_SIZE, tr("Pixel size (m)"), QgsProcessingParameterNumber.Double, 1.0, minValue=0.001
             ),
             tr("Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
             tr("Area to rasterize, widened to whole pixels; the extent of the polygons if left out."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterCrs(self.TARGET_CRS, tr("Target CRS"), optional=True),
             tr("Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone."),
         )
-        add(
+        self.offer(
             QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
             tr("GeoTIFF, 8 bits a pixel, with the class table, colors and class names."),
         )
