@@ -1,0 +1,229 @@
+"""Constellation localisation: reference objects as stars (DESIGN §3). Finds an image's position, or says why not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import List, Optional, Tuple
+
+import numpy as np
+
+from .constellation_index import ConstellationIndex, full_area
+from .hypotheses import Prior, Query, find_seeds, query_triangles
+from .pose import PoseUncertainty, heading_of, image_points, pose_uncertainty
+from .reference_objects import ReferenceObjects
+from .verification import LARGEST_OBJECTS, Evidence, Verifier, rough_scores, telling_objects, verify
+
+FIX, AMBIGUOUS, NO_MATCH, TOO_FEW_REFERENCES = "fix", "ambiguous", "no_match", "too_few_references"
+
+MINIMUM_LOG_ODDS = 20.7
+"""ln 10⁹: the odds that a fix must have against chance, as astrometry.net asks of stars."""
+
+MARGIN = 8.0
+MARGIN_SHARE = 0.2
+"""By how much a fix must beat every other place and its own mirror: log odds, and share of its own log odds."""
+
+MINIMUM_OBJECTS = 4
+"""Whole objects of known class below which nothing is searched: three make a hypothesis, one more would test it."""
+
+FIRST_TRIANGLES = 400
+"""Triangles of the first search; all are used only if it brings no fix."""
+
+SEEDS = 32
+ROUGH_OBJECTS = 80
+VERIFIED = 5
+"""Poses fitted roughly, with so many objects, and poses verified, for the image and for its mirror."""
+
+ROUGH_GATES = (0.012, 0.006)
+"""How far a match may be in the rough fits, as a share of the image's diagonal."""
+
+SAME_PLACE_IN_NOISE = 5.0
+"""Poses whose objects lie nearer to each other than this many σ are the same."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A pose found: position (map x, y) of the image's centre, heading, pixel size (map units), log odds, inliers."""
+
+    position: Tuple[float, float]
+    heading_deg: float
+    pixel_size_m: float
+    log_odds: float
+    inliers: int
+
+
+@dataclass(frozen=True)
+class ConstellationResult:
+    """What the constellation tells of an image.
+
+    status: ``fix``, ``ambiguous``, ``no_match`` or ``too_few_references``; reason: one sentence unless a fix;
+    place: best pose, also where it is not good enough (None where there is none); alternatives: other places almost
+    as good; mirror_log_odds: of the mirrored image; uncertainty: of ``place``; references: objects used;
+    missing: objects of the map that should be seen and aren't; capped: common triangles were left out.
+    """
+
+    status: str
+    reason: str = ""
+    place: Optional[Place] = None
+    alternatives: Tuple[Place, ...] = ()
+    mirror_log_odds: float = 0.0
+    uncertainty: Optional[PoseUncertainty] = None
+    references: int = 0
+    missing: int = 0
+    capped: bool = False
+    matches: np.ndarray = field(default_factory=lambda: np.empty((0, 2), np.int64))
+
+
+def localize(
+    objects: ReferenceObjects,
+    width_px: float,
+    height_px: float,
+    index: ConstellationIndex,
+    prior: Optional[Prior] = None,
+    minimum_area_px: Optional[float] = None,
+) -> ConstellationResult:
+    """Position, heading and pixel size of an image from its reference objects, or why there is no fix.
+
+    objects: of the whole image, pixel coordinates; minimum_area_px: contour area below which objects were
+    not extracted (by default the smallest one's). Deterministic. Never raises for an image without a fix.
+    """
+    query = make_query(objects, index, width_px, height_px)
+    count = int((query.whole & (query.ranks >= 0)).sum())
+    if count < MINIMUM_OBJECTS:
+        return _too_few(count, index)
+    smallest = minimum_area_px if minimum_area_px is not None else float(objects.areas_px.min())
+    verifier = Verifier(index, width_px, height_px, float(full_area(smallest, 1.0)))
+    result = None
+    for triangles in _rounds(query_triangles(query)):
+        found, capped = _solve(verifier, query, triangles, prior)
+        decoys, _ = _solve(verifier, query.mirrored(), mirrored(triangles), None)
+        result = _decide(query, found, decoys, index, count, capped)
+        if result.status == FIX:
+            break
+    return result
+
+
+def make_query(objects: ReferenceObjects, index: ConstellationIndex, width_px: float, height_px: float) -> Query:
+    """An image's objects as localisation uses them."""
+    points = image_points(objects.centers_xy, width_px, height_px)
+    log_areas = np.log(full_area(np.asarray(objects.areas_px, np.float64), 1.0))
+    whole = ~np.asarray(objects.touches_edge, bool)
+    return Query(points, index.rank_of(objects.classes), log_areas, whole, float(np.hypot(width_px, height_px)))
+
+
+def mirrored(triangles: tuple) -> tuple:
+    """Triangles of ``query_triangles`` as the mirrored query has them."""
+    triple, numbers, tolerances = triangles
+    return triple, numbers * np.array([1, -1, 1, 1, 1]), tolerances
+
+
+def _rounds(triangles: tuple) -> List[tuple]:
+    """The triangles in one or two portions: a few from all over the image, then all."""
+    count = len(triangles[0])
+    step = -(-count // FIRST_TRIANGLES)
+    return [triangles] if step <= 1 else [tuple(part[::step] for part in triangles), triangles]
+
+
+def _solve(verifier: Verifier, query: Query, triangles: tuple, prior: Optional[Prior]) -> Tuple[List[Evidence], bool]:
+    """The best few poses at different places, best first; and whether the search was capped."""
+    seeds = find_seeds(verifier.index, query, triangles, prior, SEEDS)
+    if not len(seeds.centers):
+        return [], seeds.capped
+    gates = [gate * query.diagonal for gate in ROUGH_GATES]
+    rough = telling_objects(query, ROUGH_OBJECTS)
+    centers, turns, scores = rough_scores(verifier, rough, seeds.centers, seeds.turns, gates)
+    telling = telling_objects(query, LARGEST_OBJECTS)
+    found: List[Evidence] = []
+    tried: List[Tuple[complex, complex]] = []
+    for number in np.argsort(-scores, kind="stable"):
+        pose = complex(centers[number]), complex(turns[number])
+        if any(_distance(query, *pose, *other) < 2.0 * abs(pose[1]) for other in tried):
+            continue
+        tried.append(pose)
+        evidence = verify(verifier, telling, *pose)
+        if all(not same_place(query, evidence, other) for other in found):
+            found.append(evidence)
+        if len(tried) == VERIFIED:
+            break
+    return sorted(found, key=lambda evidence: -evidence.log_odds), seeds.capped
+
+
+def same_place(query: Query, one: Evidence, other: Evidence) -> bool:
+    """Whether two poses put the image's objects on the same spots, as far as their noise tells."""
+    noise = max((float(np.median(e.deviations)) if len(e.deviations) else 0.0) for e in (one, other))
+    reach = max(SAME_PLACE_IN_NOISE * noise, 2.0 * abs(one.turn))
+    return _distance(query, one.center, one.turn, other.center, other.turn) < reach
+
+
+def _distance(query: Query, center: complex, turn: complex, other_center: complex, other_turn: complex) -> float:
+    """Median distance on the map between an image's objects at two poses."""
+    return float(np.median(np.abs(center - other_center + (turn - other_turn) * query.points)))
+
+
+def _decide(
+    query: Query, found: List[Evidence], decoys: List[Evidence], index: ConstellationIndex, count: int, capped: bool
+) -> ConstellationResult:
+    mirror = decoys[0].log_odds if decoys else -np.inf
+    if not found:
+        return ConstellationResult(NO_MATCH, "No place on the map has triangles like the image's.", references=count)
+    best = found[0]
+    needed = best.log_odds - max(MARGIN, MARGIN_SHARE * best.log_odds)
+    rivals = [other for other in found[1:] if other.log_odds > needed]
+    if best.log_odds < MINIMUM_LOG_ODDS:
+        status, reason = NO_MATCH, f"The best place has log odds of {best.log_odds:.1f}; {MINIMUM_LOG_ODDS} are needed."
+    elif rivals:
+        status = AMBIGUOUS
+        reason = f"{len(rivals)} other place{'s fit' if len(rivals) > 1 else ' fits'} almost as well as the best one."
+    elif mirror > needed:
+        status, reason = AMBIGUOUS, "The mirrored image fits almost as well, so the pattern is too regular."
+    else:
+        status, reason = FIX, ""
+    if status == NO_MATCH and count < objects_needed(index):
+        return _too_few(count, index)
+    return ConstellationResult(
+        status,
+        reason,
+        _place(index, best),
+        tuple(_place(index, other) for other in rivals),
+        float(mirror),
+        _uncertainty(query, best),
+        count,
+        best.missing,
+        capped,
+        np.column_stack([best.matched, best.objects]),
+    )
+
+
+def _place(index: ConstellationIndex, evidence: Evidence) -> Place:
+    position = evidence.center + index.origin
+    return Place(
+        (position.real, position.imag),
+        heading_of(evidence.turn),
+        abs(evidence.turn),
+        evidence.log_odds,
+        len(evidence.matched),
+    )
+
+
+def _uncertainty(query: Query, evidence: Evidence) -> Optional[PoseUncertainty]:
+    if len(evidence.matched) < 3:
+        return None
+    points = telling_objects(query, LARGEST_OBJECTS).points[evidence.matched]
+    return pose_uncertainty(points, 1 / evidence.deviations**2, evidence.turn, 1.0)
+
+
+def objects_needed(index: ConstellationIndex) -> int:
+    """Objects that an image needs for a fix in this catalogue, if all are on the map and there is no noise to speak of."""
+    if not len(index):
+        return MINIMUM_OBJECTS
+    deviation = 0.1 * np.exp(np.median(index.log_areas) / 2)
+    each = np.log(0.6 / (2 * np.pi * deviation**2 * np.median(index.densities)))
+    return 3 + int(np.ceil(MINIMUM_LOG_ODDS / max(float(each), 1.0)))
+
+
+def _too_few(count: int, index: ConstellationIndex) -> ConstellationResult:
+    missing = max(objects_needed(index) - count, 1)
+    reason = (
+        f"The image shows {count} whole reference object{'' if count == 1 else 's'}; "
+        f"at least {missing} more {'is' if missing == 1 else 'are'} needed."
+    )
+    return ConstellationResult(TOO_FEW_REFERENCES, reason, references=count)
