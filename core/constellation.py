@@ -22,11 +22,22 @@ MARGIN = 8.0
 MARGIN_SHARE = 0.2
 """By how much a fix must beat every other place and its own mirror: log odds, and share of its own log odds."""
 
+LARGEST_ERROR = 0.02
+"""A fix must have a 95 % ellipse within this share of the image's diagonal."""
+
+EVEN_LOG_ODDS = 8.0
+LOG_ODDS_UNIT = 3.0
+"""Confidence is a logistic function of the smallest margin: one half at EVEN_LOG_ODDS. Calibrated on
+Liechtenstein 2021, northern half."""
+
 MINIMUM_OBJECTS = 4
 """Whole objects of known class below which nothing is searched: three make a hypothesis, one more would test it."""
 
 FIRST_TRIANGLES = 400
 """Triangles of the first search; all are used only if it brings no fix."""
+
+MAXIMUM_HITS = (400_000, 1_500_000)
+"""Triangles of the index looked at in the first search and in the second, rarest first. Bounds the time at 10⁶."""
 
 SEEDS = 32
 ROUGH_OBJECTS = 80
@@ -35,6 +46,14 @@ VERIFIED = 5
 
 ROUGH_GATES = (0.012, 0.006)
 """How far a match may be in the rough fits, as a share of the image's diagonal."""
+
+ROUGH_SHARE = 0.25
+"""Poses are verified while their rough score is this share of the best one's; the best one always is."""
+
+REPEATED = 0.15
+REPEAT_REACH = 0.5
+"""A step is tried as a repeat of the map when it leads this share of the objects to another of their class, and is at
+most this share of their extent long."""
 
 SAME_PLACE_IN_NOISE = 5.0
 """Poses whose objects lie nearer to each other than this many σ are the same."""
@@ -58,7 +77,8 @@ class ConstellationResult:
     status: ``fix``, ``ambiguous``, ``no_match`` or ``too_few_references``; reason: one sentence unless a fix;
     place: best pose, also where it is not good enough (None where there is none); alternatives: other places almost
     as good; mirror_log_odds: of the mirrored image; uncertainty: of ``place``; references: objects used;
-    missing: objects of the map that should be seen and aren't; capped: common triangles were left out.
+    missing: objects of the map that should be seen and aren't; capped: common triangles were left out;
+    confidence: probability that ``place`` is right; matches: (m, 2) objects of the image (of those used) and the map.
     """
 
     status: str
@@ -70,6 +90,7 @@ class ConstellationResult:
     references: int = 0
     missing: int = 0
     capped: bool = False
+    confidence: float = 0.0
     matches: np.ndarray = field(default_factory=lambda: np.empty((0, 2), np.int64))
 
 
@@ -92,14 +113,13 @@ def localize(
         return _too_few(count, index)
     smallest = minimum_area_px if minimum_area_px is not None else float(objects.areas_px.min())
     verifier = Verifier(index, width_px, height_px, float(full_area(smallest, 1.0)))
-    result = None
-    for triangles in _rounds(query_triangles(query)):
-        found, capped = _solve(verifier, query, triangles, prior)
-        decoys, _ = _solve(verifier, query.mirrored(), mirrored(triangles), None)
-        result = _decide(query, found, decoys, index, count, capped)
-        if result.status == FIX:
-            break
-    return result
+    for triangles, cap in _rounds(query_triangles(query)):
+        found, capped = _solve(verifier, query, triangles, prior, cap)
+        if found and found[0].log_odds >= MINIMUM_LOG_ODDS:
+            found = _with_repeats(verifier, query, found)
+            decoys, _ = _solve(verifier, query.mirrored(), mirrored(triangles), prior, cap)
+            return _decide(query, found, decoys, index, count, capped)
+    return _decide(query, found, [], index, count, capped)
 
 
 def make_query(objects: ReferenceObjects, index: ConstellationIndex, width_px: float, height_px: float) -> Query:
@@ -116,16 +136,19 @@ def mirrored(triangles: tuple) -> tuple:
     return triple, numbers * np.array([1, -1, 1, 1, 1]), tolerances
 
 
-def _rounds(triangles: tuple) -> List[tuple]:
-    """The triangles in one or two portions: a few from all over the image, then all."""
+def _rounds(triangles: tuple) -> List[Tuple[tuple, int]]:
+    """The triangles in two portions with their caps: a few from all over the image, then all."""
     count = len(triangles[0])
-    step = -(-count // FIRST_TRIANGLES)
-    return [triangles] if step <= 1 else [tuple(part[::step] for part in triangles), triangles]
+    step = max(-(-count // FIRST_TRIANGLES), 1)
+    some = tuple(part[::step] for part in triangles)
+    return [(some, MAXIMUM_HITS[0]), (triangles, MAXIMUM_HITS[1])]
 
 
-def _solve(verifier: Verifier, query: Query, triangles: tuple, prior: Optional[Prior]) -> Tuple[List[Evidence], bool]:
+def _solve(
+    verifier: Verifier, query: Query, triangles: tuple, prior: Optional[Prior], cap: int
+) -> Tuple[List[Evidence], bool]:
     """The best few poses at different places, best first; and whether the search was capped."""
-    seeds = find_seeds(verifier.index, query, triangles, prior, SEEDS)
+    seeds = find_seeds(verifier.index, query, triangles, prior, SEEDS, cap)
     if not len(seeds.centers):
         return [], seeds.capped
     gates = [gate * query.diagonal for gate in ROUGH_GATES]
@@ -134,10 +157,14 @@ def _solve(verifier: Verifier, query: Query, triangles: tuple, prior: Optional[P
     telling = telling_objects(query, LARGEST_OBJECTS)
     found: List[Evidence] = []
     tried: List[Tuple[complex, complex]] = []
+    best = 0.0
     for number in np.argsort(-scores, kind="stable"):
         pose = complex(centers[number]), complex(turns[number])
         if any(_distance(query, *pose, *other) < 2.0 * abs(pose[1]) for other in tried):
             continue
+        if tried and scores[number] < ROUGH_SHARE * best:
+            break
+        best = max(best, float(scores[number]))
         tried.append(pose)
         evidence = verify(verifier, telling, *pose)
         if all(not same_place(query, evidence, other) for other in found):
@@ -145,6 +172,32 @@ def _solve(verifier: Verifier, query: Query, triangles: tuple, prior: Optional[P
         if len(tried) == VERIFIED:
             break
     return sorted(found, key=lambda evidence: -evidence.log_odds), seeds.capped
+
+
+def _with_repeats(verifier: Verifier, query: Query, found: List[Evidence]) -> List[Evidence]:
+    """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
+    best, telling = found[0], telling_objects(query, LARGEST_OBJECTS)
+    all_found = list(found)
+    for step in repeats(verifier, query, best):
+        moved = verify(verifier, telling, best.center + step, best.turn)
+        if all(not same_place(query, moved, other) for other in all_found):
+            all_found.append(moved)
+    return sorted(all_found, key=lambda evidence: -evidence.log_odds)
+
+
+def repeats(verifier: Verifier, query: Query, evidence: Evidence) -> List[complex]:
+    """Steps at which REPEATED of the matched objects have another of their class, most frequent first."""
+    index = verifier.index
+    points, ranks = index.points[evidence.objects], index.ranks[evidence.objects]
+    if len(points) < MINIMUM_OBJECTS:
+        return []
+    noise = float(np.median(evidence.deviations))
+    steps = (points[:, None] - points[None])[ranks[:, None] == ranks[None]]
+    steps = steps[(np.abs(steps) > SAME_PLACE_IN_NOISE * noise) & (np.abs(steps) < REPEAT_REACH * np.ptp(points.real))]
+    cells = np.round(steps / (2 * noise))
+    _, first, counts = np.unique(cells, return_index=True, return_counts=True)
+    order = np.argsort(-counts, kind="stable")[:VERIFIED]
+    return [complex(steps[first[k]]) for k in order if counts[k] >= REPEATED * len(points)]
 
 
 def same_place(query: Query, one: Evidence, other: Evidence) -> bool:
@@ -162,10 +215,11 @@ def _distance(query: Query, center: complex, turn: complex, other_center: comple
 def _decide(
     query: Query, found: List[Evidence], decoys: List[Evidence], index: ConstellationIndex, count: int, capped: bool
 ) -> ConstellationResult:
-    mirror = decoys[0].log_odds if decoys else -np.inf
+    mirror = max(decoys[0].log_odds, 0.0) if decoys else 0.0
     if not found:
         return ConstellationResult(NO_MATCH, "No place on the map has triangles like the image's.", references=count)
     best = found[0]
+    uncertainty = _uncertainty(index, query, best)
     needed = best.log_odds - max(MARGIN, MARGIN_SHARE * best.log_odds)
     rivals = [other for other in found[1:] if other.log_odds > needed]
     if best.log_odds < MINIMUM_LOG_ODDS:
@@ -175,6 +229,8 @@ def _decide(
         reason = f"{len(rivals)} other place{'s fit' if len(rivals) > 1 else ' fits'} almost as well as the best one."
     elif mirror > needed:
         status, reason = AMBIGUOUS, "The mirrored image fits almost as well, so the pattern is too regular."
+    elif uncertainty is None or uncertainty.semi_major > LARGEST_ERROR * query.diagonal * abs(best.turn):
+        status, reason = NO_MATCH, "The objects that agree with the map don't fix the position closely enough."
     else:
         status, reason = FIX, ""
     if status == NO_MATCH and count < objects_needed(index):
@@ -185,12 +241,19 @@ def _decide(
         _place(index, best),
         tuple(_place(index, other) for other in rivals),
         float(mirror),
-        _uncertainty(query, best),
+        uncertainty,
         count,
         best.missing,
         capped,
+        confidence(best.log_odds, max([mirror, *(other.log_odds for other in found[1:])])),
         np.column_stack([best.matched, best.objects]),
     )
+
+
+def confidence(log_odds: float, rival_log_odds: float) -> float:
+    """Probability that the best place is the right one, from its log odds and those of its strongest rival."""
+    margin = min(log_odds, log_odds - rival_log_odds + EVEN_LOG_ODDS)
+    return float(1 / (1 + np.exp(-np.clip((margin - EVEN_LOG_ODDS) / LOG_ODDS_UNIT, -50, 50))))
 
 
 def _place(index: ConstellationIndex, evidence: Evidence) -> Place:
@@ -204,15 +267,16 @@ def _place(index: ConstellationIndex, evidence: Evidence) -> Place:
     )
 
 
-def _uncertainty(query: Query, evidence: Evidence) -> Optional[PoseUncertainty]:
+def _uncertainty(index: ConstellationIndex, query: Query, evidence: Evidence) -> Optional[PoseUncertainty]:
     if len(evidence.matched) < 3:
         return None
     points = telling_objects(query, LARGEST_OBJECTS).points[evidence.matched]
-    return pose_uncertainty(points, 1 / evidence.deviations**2, evidence.turn, 1.0)
+    residuals = evidence.center + evidence.turn * points - index.points[evidence.objects]
+    return pose_uncertainty(points, residuals, evidence.deviations, evidence.turn)
 
 
 def objects_needed(index: ConstellationIndex) -> int:
-    """Objects that an image needs for a fix in this catalogue, if all are on the map and there is no noise to speak of."""
+    """Objects that an image needs for a fix in this catalogue, if all are on the map and noise is small."""
     if not len(index):
         return MINIMUM_OBJECTS
     deviation = 0.1 * np.exp(np.median(index.log_areas) / 2)

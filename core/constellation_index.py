@@ -44,7 +44,8 @@ class ConstellationIndex:
     densities: (N,) same-class objects per square map unit nearby; whole: (N,) bool, not cut by the map's edge;
     minimum_area_m2: smallest of the catalogue; neighbors: (N, K) int32; keys: (T,) uint32 ascending;
     triangles: (T,) int32 (anchor · P + pair) · 6 + order; fine: (T, 5) uint8;
-    matcher: nearest object of a class; area_densities: (C, B) density of ln area in AREA_BINS; by_easting: (N,) int64 objects from west to east.
+    matcher: nearest object of a class; area_densities: (C, B) density of ln area in AREA_BINS;
+    by_easting: (N,) int64 objects from west to east; eastings: (N,) theirs, ascending.
     """
 
     origin: complex
@@ -62,6 +63,7 @@ class ConstellationIndex:
     matcher: ClassMatcher
     area_densities: np.ndarray
     by_easting: np.ndarray
+    eastings: np.ndarray
 
     def __len__(self) -> int:
         return len(self.points)
@@ -78,8 +80,7 @@ class ConstellationIndex:
 
     def within(self, low: complex, high: complex) -> np.ndarray:
         """(M,) objects in the box between two corners."""
-        eastings = self.points.real[self.by_easting]
-        first, last = np.searchsorted(eastings, (low.real, high.real))
+        first, last = np.searchsorted(self.eastings, (low.real, high.real))
         found = self.by_easting[first:last]
         northings = self.points.imag[found]
         return found[(northings >= low.imag) & (northings <= high.imag)]
@@ -114,6 +115,7 @@ def build_index(references: MapReferences, pixel_size_m: float, neighbor_count: 
     whole = ~np.asarray(references.touches_edge, bool)
     neighbors, keys, triangles, fine = _all_triangles(points, ranks, log_areas, whole, neighbor_count)
     order = np.argsort(keys, kind="stable")
+    by_easting = np.argsort(points.real, kind="stable")
     return ConstellationIndex(
         complex(*middle),
         points,
@@ -129,7 +131,8 @@ def build_index(references: MapReferences, pixel_size_m: float, neighbor_count: 
         fine[order],
         ClassMatcher(points, ranks),
         area_densities(ranks, log_areas),
-        np.argsort(points.real, kind="stable"),
+        by_easting,
+        points.real[by_easting],
     )
 
 
@@ -196,15 +199,21 @@ def expand_ranges(first: np.ndarray, last: np.ndarray) -> Tuple[np.ndarray, np.n
 
 
 def like_triangles(
-    index: ConstellationIndex, hits: np.ndarray, numbers: np.ndarray, tolerances: np.ndarray
+    index: ConstellationIndex, hits: np.ndarray, source: np.ndarray, numbers: np.ndarray, tolerances: np.ndarray
 ) -> np.ndarray:
-    """(H,) bool: hits (H,) of the index whose five numbers agree with numbers (H, 5) within tolerances (H, 5)."""
-    agree = np.ones(len(hits), bool)
+    """Those of the hits (H,) whose five numbers agree with those of their triangle, as positions in ``hits``.
+
+    source: (H,) triangle of each hit; numbers, tolerances: (Q, 5) of the triangles.
+    """
     wanted = fine_values(numbers)
     reach = tolerances / FINE_UNIT + 0.5
+    low = np.clip(np.ceil(wanted - reach), 0, FINE_STEPS).astype(np.uint8)
+    high = np.clip(np.floor(wanted + reach), 0, FINE_STEPS).astype(np.uint8)
+    left = np.arange(len(hits))
     for column in range(len(CELLS)):
-        agree &= np.abs(index.fine[hits, column] - wanted[:, column]) <= reach[:, column]
-    return agree
+        value, which = index.fine[hits[left], column], source[left]
+        left = left[(value >= low[which, column]) & (value <= high[which, column])]
+    return left
 
 
 def _all_triangles(points, ranks, log_areas, whole, neighbor_count):

@@ -29,9 +29,6 @@ need more than the maximum tell too little, and below the minimum the 8-bit numb
 AREA_TOLERANCE = 0.4
 """Of ln(area / |AB|²): edges off by a pixel or two."""
 
-MAXIMUM_HITS = 1_200_000
-"""Triangles of the index looked at for one image, rarest first. Bounds the time at 10⁶ objects."""
-
 CELL_OF_IMAGE = 0.04
 CELL_OF_TURN = 0.1
 """Size of the cells in which poses are gathered: share of the image's diagonal on the ground, radians and ln scale."""
@@ -61,6 +58,12 @@ class Query:
     log_areas: np.ndarray
     whole: np.ndarray
     diagonal: float
+
+    def select(self, chosen: np.ndarray) -> "Query":
+        """The chosen objects of the image, in that order."""
+        return Query(
+            self.points[chosen], self.ranks[chosen], self.log_areas[chosen], self.whole[chosen], self.diagonal
+        )
 
     def mirrored(self) -> "Query":
         """The image as it can never be seen: same density, same regularity, wrong hand."""
@@ -105,16 +108,17 @@ def query_triangles(query: Query) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def find_seeds(
-    index: ConstellationIndex, query: Query, triangles: tuple, prior: Optional[Prior], seed_count: int
+    index: ConstellationIndex, query: Query, triangles: tuple, prior: Optional[Prior], seed_count: int, cap: int
 ) -> Seeds:
-    """The most voted poses of an image; triangles as of ``query_triangles``."""
+    """The most voted poses of an image; triangles as of ``query_triangles``; at most ``cap`` of the index's are looked
+    at, those of the rarest first."""
     triple, numbers, place = triangles
     reach = np.column_stack([place, place, *[np.full(len(place), AREA_TOLERANCE)] * 3])
     which, first, last = key_ranges(index, numbers, query.ranks[triple], reach)
-    which, first, last, capped = _rarest(which, first, last, len(triple))
+    which, first, last, capped = _rarest(which, first, last, len(triple), cap)
     stretch, hits = expand_ranges(first, last)
     source = which[stretch]
-    agree = like_triangles(index, hits, numbers[source], reach[source])
+    agree = like_triangles(index, hits, source, numbers, reach)
     source, hits = source[agree], hits[agree]
     members = index.members(hits)
     same = (index.ranks[members] == query.ranks[triple[source]]).all(axis=1)
@@ -125,12 +129,12 @@ def find_seeds(
     return _clusters(centers[kept], turns[kept], query.diagonal, seed_count, capped)
 
 
-def _rarest(which: np.ndarray, first: np.ndarray, last: np.ndarray, count: int):
+def _rarest(which: np.ndarray, first: np.ndarray, last: np.ndarray, count: int, cap: int):
     """Only the stretches of the triangles with the fewest hits, as many as the cap allows."""
     hits = np.bincount(which, weights=last - first, minlength=count)
     order = np.argsort(hits, kind="stable")
     allowed = np.zeros(count, bool)
-    allowed[order[np.cumsum(hits[order]) <= MAXIMUM_HITS]] = True
+    allowed[order[np.cumsum(hits[order]) <= cap]] = True
     kept = allowed[which]
     return which[kept], first[kept], last[kept], not allowed.all()
 

@@ -94,7 +94,8 @@ def local_density(points_xy: np.ndarray, classes: np.ndarray) -> np.ndarray:
         if len(members) > DENSITY_NEIGHBORS:
             ordered = members[spatial_order(points[members])]
             squared = nearest(points[ordered], points[ordered], DENSITY_NEIGHBORS + 1)[1][:, -1]
-            density[ordered] = np.maximum(DENSITY_NEIGHBORS / (np.pi * np.maximum(squared, 1e-6)), len(members) / extent)
+            near = DENSITY_NEIGHBORS / (np.pi * np.maximum(squared, 1e-6))
+            density[ordered] = np.maximum(near, len(members) / extent)
     return density
 
 

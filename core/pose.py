@@ -15,6 +15,10 @@ CONFIDENCE_TAIL = 0.05
 """The 95 % ellipse leaves out this much."""
 
 
+ROUND_PRIOR = 20
+"""So many matches that say nothing about directions are added when the ellipse's shape is estimated."""
+
+
 @dataclass(frozen=True)
 class PoseUncertainty:
     """95 % ellipse of the position (semi-axes in map units; orientation of the longer one, degrees clockwise from grid
@@ -58,20 +62,33 @@ def fit_similarity(image: np.ndarray, on_map: np.ndarray, weights: np.ndarray) -
     return map_mean - turn * image_mean, turn
 
 
-def pose_uncertainty(image: np.ndarray, weights: np.ndarray, turn: complex, residual_scale: float) -> PoseUncertainty:
-    """Of a fitted pose; image: (n,) complex points used; weights: (n,) 1/σ² per axis in map units.
+def pose_uncertainty(
+    image: np.ndarray, residuals: np.ndarray, deviations: np.ndarray, turn: complex
+) -> PoseUncertainty:
+    """Of a pose fitted to matches; image, residuals: (n,) complex, on the map; deviations: (n,) assumed σ per axis.
 
-    residual_scale: what the σ are to be multiplied by. The ellipse's size follows Fisher's F with 2 and 2 n − 4 degrees
-    of freedom (closed form for 2), because few points tell little about their own noise.
+    The noise is measured from the residuals, which know it better than the assumption does; n points and 4 numbers
+    fitted leave 2 n − 4 degrees of freedom, and the ellipse's size follows Fisher's F with 2 and those (closed form).
     """
+    weights = 1 / deviations**2
     total = weights.sum()
     mean = (weights * image).sum() / total
-    spread = (weights * np.abs(image - mean) ** 2).sum()
-    turn_variance = residual_scale**2 / spread
-    # The similarity's centre varies alike in all directions: a circle, in complex numbers.
-    variance = residual_scale**2 / total + np.abs(mean) ** 2 * turn_variance
+    away = image - mean
+    spread = (weights * np.abs(away) ** 2).sum()
     freedom = max(2 * len(image) - 4, 1)
+    # Influence of each match on the centre and on the turn; residuals are a little small where a match pulls much.
+    on_turn = weights * away.conj() / spread
+    on_center = weights / total - mean * on_turn
+    leverage = weights / total + weights * np.abs(away) ** 2 / spread
+    variances = np.abs(residuals) ** 2 / 2 / np.maximum(1 - leverage, 0.1)
+    pooled = (weights * np.abs(residuals) ** 2).sum() / freedom / weights
+    variances = (variances * (len(image) - 4) + pooled * 8) / (len(image) + 4) if len(image) > 4 else pooled
     quantile = freedom / 2 * (CONFIDENCE_TAIL ** (-2 / freedom) - 1)
-    radius = float(np.sqrt(2 * quantile * variance))
-    deviation = float(np.sqrt(turn_variance))
-    return PoseUncertainty(radius, radius, 0.0, float(np.degrees(deviation / abs(turn))), deviation)
+    variance = (np.abs(on_center) ** 2 * variances).sum()
+    # The complex second moment tells how far from round it is; few residuals can't tell.
+    moment = (on_center**2 * residuals**2).sum() / 2 * len(image) / (len(image) + ROUND_PRIOR)
+    moment *= min(1.0, 0.8 * variance / max(abs(moment), 1e-300))
+    major, minor = (float(np.sqrt(2 * quantile * (variance + sign * abs(moment)))) for sign in (1, -1))
+    orientation = float((90 - np.degrees(np.angle(moment)) / 2) % 180)
+    deviation = float(np.sqrt((np.abs(on_turn) ** 2 * variances).sum()))
+    return PoseUncertainty(major, minor, orientation, float(np.degrees(deviation / abs(turn))), deviation)

@@ -22,12 +22,13 @@ AREA_OUTLIER_DEVIATION = 1.0
 """ln area in image against map: a normal distribution, and a wide one for objects that are merged or split."""
 
 ASSUMED_OBJECTS = 3
-"""Objects that make a hypothesis can't be evidence for it; the most telling ones are left out."""
+"""Objects that make a hypothesis can't be evidence for it. Any three of those matched may have made it, so three times
+their mean is taken off."""
 
 GATE_IN_NOISE = 3.5
 """A match farther off than this many σ is none."""
 
-NOISE_FACTORS = (0.5, 4.0)
+NOISE_FACTORS = (0.5, 3.0)
 """How much less or more noise than assumed an image may have; measured from its own residuals."""
 
 REFINEMENTS = 5
@@ -124,7 +125,7 @@ def telling_objects(query: Query, count: int) -> Query:
     """The largest whole objects of known class."""
     usable = np.flatnonzero(query.whole & (query.ranks >= 0))
     largest = np.sort(usable[np.argsort(-query.log_areas[usable], kind="stable")[:count]])
-    return Query(query.points[largest], query.ranks[largest], query.log_areas[largest], query.whole[largest], query.diagonal)
+    return query.select(largest)
 
 
 def verify(verifier: Verifier, query: Query, center: complex, turn: complex) -> Evidence:
@@ -135,7 +136,8 @@ def verify(verifier: Verifier, query: Query, center: complex, turn: complex) -> 
         kept = np.flatnonzero(_one_to_one(distances, objects) & (distances <= GATE_IN_NOISE * factor * deviations))
         if len(kept) < 4:
             break
-        weights = _robust_weights(distances[kept], factor * deviations[kept]) / deviations[kept] ** 2
+        # Not a smooth robust weight: with those the residuals understate the pose's uncertainty.
+        weights = 1 / deviations[kept] ** 2
         fitted = fit_similarity(query.points[kept], verifier.index.points[objects[kept]], weights)
         if not 0.7 < abs(fitted[1] / turn) < 1.4:
             break
@@ -159,7 +161,7 @@ def weigh(verifier: Verifier, query: Query, center: complex, turn: complex, fact
     hit[matched] = True
     terms = np.where(possible | hit, terms, 0)
     missing = len(np.setdiff1d(expected_objects(verifier, query, center, turn), objects[matched]))
-    assumed = np.sort(np.maximum(terms, 0))[-ASSUMED_OBJECTS:].sum()
+    assumed = ASSUMED_OBJECTS * max(float(terms[matched].mean()), 0) if len(matched) else 0.0
     log_odds = float(terms.sum() - assumed + missing * np.log(1 - VISIBILITY))
     return Evidence(
         center, turn, log_odds, matched, objects[matched], deviations[matched], factor, missing, int(possible.sum())
@@ -196,8 +198,3 @@ def _one_to_one(distances: np.ndarray, objects: np.ndarray) -> np.ndarray:
     best = np.zeros(len(objects), bool)
     best[order[np.concatenate([[True], np.diff(objects[order]) != 0])[: len(order)]]] = True
     return best & (objects >= 0)
-
-
-def _robust_weights(distances: np.ndarray, deviations: np.ndarray) -> np.ndarray:
-    """Tukey's biweight with GATE_IN_NOISE as its end: far matches count little."""
-    return np.maximum(1 - (distances / (GATE_IN_NOISE * deviations)) ** 2, 0) ** 2
