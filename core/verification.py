@@ -31,8 +31,10 @@ GATE_IN_NOISE = 3.5
 NOISE_FACTORS = (0.5, 3.0)
 """How much less or more noise than assumed an image may have; measured from its own residuals."""
 
-REFINEMENTS = 5
-"""Rounds of match and fit for one pose."""
+REFINEMENTS = 6
+ROBUST_REFINEMENTS = 4
+"""Rounds of match and fit for one pose. The first ones trust near matches more, to leave wrong ones; the last ones do
+not, because with such weights residuals understate the uncertainty."""
 
 LARGEST_OBJECTS = 250
 """Objects of an image used as evidence, largest first. More change nothing but the time."""
@@ -131,13 +133,14 @@ def telling_objects(query: Query, count: int) -> Query:
 def verify(verifier: Verifier, query: Query, center: complex, turn: complex) -> Evidence:
     """Refines a pose by match and fit, then weighs it. query: of ``telling_objects``."""
     factor = 2.0
-    for _ in range(REFINEMENTS):
+    for number in range(REFINEMENTS):
         distances, objects, deviations = _nearest(verifier, query, center, turn)
         kept = np.flatnonzero(_one_to_one(distances, objects) & (distances <= GATE_IN_NOISE * factor * deviations))
         if len(kept) < 4:
             break
-        # Not a smooth robust weight: with those the residuals understate the pose's uncertainty.
         weights = 1 / deviations[kept] ** 2
+        if number < ROBUST_REFINEMENTS:
+            weights *= biweight(distances[kept], GATE_IN_NOISE * factor * deviations[kept])
         fitted = fit_similarity(query.points[kept], verifier.index.points[objects[kept]], weights)
         if not 0.7 < abs(fitted[1] / turn) < 1.4:
             break
@@ -198,3 +201,8 @@ def _one_to_one(distances: np.ndarray, objects: np.ndarray) -> np.ndarray:
     best = np.zeros(len(objects), bool)
     best[order[np.concatenate([[True], np.diff(objects[order]) != 0])[: len(order)]]] = True
     return best & (objects >= 0)
+
+
+def biweight(distances: np.ndarray, ends: np.ndarray) -> np.ndarray:
+    """Tukey's biweight: 1 at distance 0, falling smoothly to 0 at the end."""
+    return np.maximum(1 - (distances / ends) ** 2, 0) ** 2
