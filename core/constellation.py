@@ -9,9 +9,9 @@ import numpy as np
 
 from .constellation_index import ConstellationIndex, full_area
 from .hypotheses import Prior, Query, find_seeds, query_triangles
-from .pose import PoseUncertainty, heading_of, image_points, pose_uncertainty
+from .pose import Pose, PoseUncertainty, heading_of, image_points, pose_uncertainty, tilted_uncertainty
 from .reference_objects import ReferenceObjects
-from .verification import LARGEST_OBJECTS, Evidence, Verifier, rough_scores, telling_objects, verify
+from .verification import LARGEST_OBJECTS, Evidence, Verifier, rough_scores, telling_objects, verify, verify_tilted
 
 FIX, AMBIGUOUS, NO_MATCH, TOO_FEW_REFERENCES = "fix", "ambiguous", "no_match", "too_few_references"
 
@@ -54,6 +54,16 @@ REPEATED = 0.15
 REPEAT_REACH = 0.5
 """A step is tried as a repeat of the map when it leads this share of the objects to another of their class, and is at
 most this share of their extent long."""
+
+TILTED_NOISE = 1.6
+TILTED_SHARE = 0.4
+TILTED_VERIFIED = 4
+TILTED_MARGIN = 6.0
+"""A tilted camera is tried, from so many seeds, unless some pose of a level one has less noise than this factor and
+matches this share of the objects; it must win by this many log odds."""
+
+SAME_TILTED_PLACE = 0.04
+"""A level and a tilted pose whose objects lie nearer than this share of the diagonal are the same place."""
 
 SAME_PLACE_IN_NOISE = 5.0
 """Poses whose objects lie nearer to each other than this many σ are the same."""
@@ -156,22 +166,38 @@ def _solve(
     centers, turns, scores = rough_scores(verifier, rough, seeds.centers, seeds.turns, gates)
     telling = telling_objects(query, LARGEST_OBJECTS)
     found: List[Evidence] = []
-    tried: List[Tuple[complex, complex]] = []
+    tried: List[Pose] = []
     best = 0.0
     for number in np.argsort(-scores, kind="stable"):
-        pose = complex(centers[number]), complex(turns[number])
-        if any(_distance(query, *pose, *other) < 2.0 * abs(pose[1]) for other in tried):
+        pose = Pose(complex(centers[number]), complex(turns[number]))
+        if any(_distance(query, pose, other) < 2.0 * abs(pose.turn) for other in tried):
             continue
         if tried and scores[number] < ROUGH_SHARE * best:
             break
         best = max(best, float(scores[number]))
         tried.append(pose)
-        evidence = verify(verifier, telling, *pose)
-        if all(not same_place(query, evidence, other) for other in found):
-            found.append(evidence)
+        _add(query, found, verify(verifier, telling, pose))
         if len(tried) == VERIFIED:
             break
+    if not any(_agrees(evidence) for evidence in found):
+        for number in range(min(TILTED_VERIFIED, len(seeds.centers))):
+            pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
+            _add(query, found, verify_tilted(verifier, telling, pose, complex(seeds.focuses[number])))
     return sorted(found, key=lambda evidence: -evidence.log_odds), seeds.capped
+
+
+def _agrees(evidence: Evidence) -> bool:
+    """Whether a level camera explains the image, so that a tilted one needs no trial."""
+    share = len(evidence.matched) / max(evidence.considered, 1)
+    return evidence.log_odds >= MINIMUM_LOG_ODDS and evidence.noise_factor < TILTED_NOISE and share > TILTED_SHARE
+
+
+def _add(query: Query, found: List[Evidence], evidence: Evidence) -> None:
+    """Adds a pose; of those at one place the best stays, a tilted one only if it is clearly better."""
+    same = [other for other in found if same_place(query, evidence, other)]
+    better = evidence.log_odds - (0 if evidence.pose.is_level else TILTED_MARGIN)
+    if all(better > other.log_odds for other in same):
+        found[:] = [other for other in found if not any(other is one for one in same)] + [evidence]
 
 
 def _with_repeats(verifier: Verifier, query: Query, found: List[Evidence]) -> List[Evidence]:
@@ -179,8 +205,8 @@ def _with_repeats(verifier: Verifier, query: Query, found: List[Evidence]) -> Li
     best, telling = found[0], telling_objects(query, LARGEST_OBJECTS)
     all_found = list(found)
     for step in repeats(verifier, query, best):
-        moved = verify(verifier, telling, best.center + step, best.turn)
-        if all(not same_place(query, moved, other) for other in all_found):
+        moved = verify(verifier, telling, Pose(best.pose.center + step, best.pose.turn))
+        if not any(same_place(query, moved, other) for other in all_found):
             all_found.append(moved)
     return sorted(all_found, key=lambda evidence: -evidence.log_odds)
 
@@ -203,13 +229,15 @@ def repeats(verifier: Verifier, query: Query, evidence: Evidence) -> List[comple
 def same_place(query: Query, one: Evidence, other: Evidence) -> bool:
     """Whether two poses put the image's objects on the same spots, as far as their noise tells."""
     noise = max((float(np.median(e.deviations)) if len(e.deviations) else 0.0) for e in (one, other))
-    reach = max(SAME_PLACE_IN_NOISE * noise, 2.0 * abs(one.turn))
-    return _distance(query, one.center, one.turn, other.center, other.turn) < reach
+    reach = max(SAME_PLACE_IN_NOISE * noise, 2.0 * abs(one.pose.turn))
+    if not (one.pose.is_level and other.pose.is_level):
+        reach = max(reach, SAME_TILTED_PLACE * query.diagonal * abs(one.pose.turn))
+    return _distance(query, one.pose, other.pose) < reach
 
 
-def _distance(query: Query, center: complex, turn: complex, other_center: complex, other_turn: complex) -> float:
+def _distance(query: Query, pose: Pose, other: Pose) -> float:
     """Median distance on the map between an image's objects at two poses."""
-    return float(np.median(np.abs(center - other_center + (turn - other_turn) * query.points)))
+    return float(np.median(np.abs(pose.on_map(query.points) - other.on_map(query.points))))
 
 
 def _decide(
@@ -229,7 +257,7 @@ def _decide(
         reason = f"{len(rivals)} other place{'s fit' if len(rivals) > 1 else ' fits'} almost as well as the best one."
     elif mirror > needed:
         status, reason = AMBIGUOUS, "The mirrored image fits almost as well, so the pattern is too regular."
-    elif uncertainty is None or uncertainty.semi_major > LARGEST_ERROR * query.diagonal * abs(best.turn):
+    elif uncertainty is None or uncertainty.semi_major > LARGEST_ERROR * query.diagonal * abs(best.pose.turn):
         status, reason = NO_MATCH, "The objects that agree with the map don't fix the position closely enough."
     else:
         status, reason = FIX, ""
@@ -257,11 +285,11 @@ def confidence(log_odds: float, rival_log_odds: float) -> float:
 
 
 def _place(index: ConstellationIndex, evidence: Evidence) -> Place:
-    position = evidence.center + index.origin
+    position = evidence.pose.center + index.origin
     return Place(
         (position.real, position.imag),
-        heading_of(evidence.turn),
-        abs(evidence.turn),
+        heading_of(evidence.pose.turn),
+        abs(evidence.pose.turn),
         evidence.log_odds,
         len(evidence.matched),
     )
@@ -271,8 +299,10 @@ def _uncertainty(index: ConstellationIndex, query: Query, evidence: Evidence) ->
     if len(evidence.matched) < 3:
         return None
     points = telling_objects(query, LARGEST_OBJECTS).points[evidence.matched]
-    residuals = evidence.center + evidence.turn * points - index.points[evidence.objects]
-    return pose_uncertainty(points, residuals, evidence.deviations, evidence.turn)
+    on_map = index.points[evidence.objects]
+    if not evidence.pose.is_level:
+        return tilted_uncertainty(points, on_map, evidence.deviations, evidence.pose, query.diagonal)
+    return pose_uncertainty(points, evidence.pose.on_map(points) - on_map, evidence.deviations, evidence.pose.turn)
 
 
 def objects_needed(index: ConstellationIndex) -> int:

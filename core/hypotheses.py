@@ -72,10 +72,14 @@ class Query:
 
 @dataclass(frozen=True)
 class Seeds:
-    """Clusters of poses, most votes first: centers and turns (S,) complex, votes (S,); capped: hits were left out."""
+    """Clusters of poses, most votes first: centers and turns (S,) complex, votes (S,); capped: hits were left out.
+
+    focuses: (S,) complex, where in the image the triangles are on average.
+    """
 
     centers: np.ndarray
     turns: np.ndarray
+    focuses: np.ndarray
     votes: np.ndarray
     capped: bool
 
@@ -126,7 +130,7 @@ def find_seeds(
     image = query.points[triple[source]]
     centers, turns = fit_similarity(image, index.points[members], np.ones(image.shape))
     kept = _allowed(index, centers, turns, prior)
-    return _clusters(centers[kept], turns[kept], query.diagonal, seed_count, capped)
+    return _clusters(centers[kept], turns[kept], image[kept].mean(axis=1), query.diagonal, seed_count, capped)
 
 
 def _rarest(which: np.ndarray, first: np.ndarray, last: np.ndarray, count: int, cap: int):
@@ -155,7 +159,7 @@ def _allowed(index: ConstellationIndex, centers: np.ndarray, turns: np.ndarray, 
     return kept
 
 
-def _clusters(centers, turns, diagonal: float, seed_count: int, capped: bool) -> Seeds:
+def _clusters(centers, turns, focuses, diagonal: float, seed_count: int, capped: bool) -> Seeds:
     """Means of the poses in the fullest cells; two lattices of cells, so that no cluster is cut by both."""
     log_size = np.log(np.abs(turns))
     angle = np.angle(turns)
@@ -172,16 +176,16 @@ def _clusters(centers, turns, diagonal: float, seed_count: int, capped: bool) ->
                 np.floor((angle + np.pi) / (2 * np.pi) * around + shift) % around,
             ]
         ).astype(np.int64)
-        found.append(_cell_means(cells, centers, turns, seed_count))
-    centers, turns, votes = (np.concatenate(parts) for parts in zip(*found))
+        found.append(_cell_means(cells, (centers, turns, focuses), seed_count))
+    centers, turns, focuses, votes = (np.concatenate(parts) for parts in zip(*found))
     order = np.argsort(-votes, kind="stable")
-    return Seeds(centers[order], turns[order], votes[order], capped)
+    return Seeds(centers[order], turns[order], focuses[order], votes[order], capped)
 
 
-def _cell_means(cells: np.ndarray, centers: np.ndarray, turns: np.ndarray, seed_count: int):
-    """Mean centre, mean turn and count of the fullest cells."""
+def _cell_means(cells: np.ndarray, values: tuple, seed_count: int) -> tuple:
+    """Means of each of the complex values (H,) in the fullest cells (H, D), and their counts."""
     if not len(cells):
-        return np.empty(0, complex), np.empty(0, complex), np.empty(0, np.int64)
+        return (*(np.empty(0, complex) for _ in values), np.empty(0, np.int64))
     low = cells.min(axis=0)
     spans = cells.max(axis=0) - low + 1
     key = np.zeros(len(cells), np.int64)
@@ -191,5 +195,4 @@ def _cell_means(cells: np.ndarray, centers: np.ndarray, turns: np.ndarray, seed_
     starts = np.flatnonzero(np.concatenate([[True], np.diff(key[order]) != 0]))
     votes = np.diff(np.append(starts, len(order)))
     best = np.argsort(-votes, kind="stable")[:seed_count]
-    sums = np.add.reduceat(centers[order], starts)[best], np.add.reduceat(turns[order], starts)[best]
-    return sums[0] / votes[best], sums[1] / votes[best], votes[best]
+    return (*(np.add.reduceat(value[order], starts)[best] / votes[best] for value in values), votes[best])

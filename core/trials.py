@@ -79,7 +79,9 @@ def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.nd
     along = np.sin(direction) * right + np.cos(direction) * up
     across = np.cos(direction) * right - np.sin(direction) * up
     depth = np.cos(tilt) - along / focal * np.sin(tilt)
-    along, across = along / (np.cos(tilt) * depth), across / depth
+    # The camera is lower the more it is tilted, so that a pixel at the centre covers as much ground as a level one's.
+    lower = np.cos(tilt) ** 1.5
+    along, across = lower * along / (np.cos(tilt) * depth), lower * across / depth
     return (
         np.sin(direction) * along + np.cos(direction) * across,
         np.cos(direction) * along - np.sin(direction) * across,

@@ -8,7 +8,7 @@ import numpy as np
 
 from .constellation_index import AREA_BIN, AREA_BINS, ConstellationIndex
 from .hypotheses import CENTER_NOISE_IN_SIZES, CENTER_NOISE_PX, Query
-from .pose import fit_similarity
+from .pose import Pose, fit_similarity, fit_tilted
 
 DISTRACTORS = 0.4
 """Share of an image's objects expected to have nothing to do with the map, at the right place."""
@@ -31,6 +31,17 @@ GATE_IN_NOISE = 3.5
 NOISE_FACTORS = (0.5, 3.0)
 """How much less or more noise than assumed an image may have; measured from its own residuals."""
 
+ASSUMED_OBJECTS_TILTED = 5
+"""A tilted camera's pose has four numbers more, as many as two objects bring."""
+
+MINIMUM_MATCHES = 4
+"""Matches without which a pose is not fitted again."""
+
+GROWING_GATE = 0.006
+GROWING_REACH = (0.15, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0, 1.0)
+"""For tilted cameras: how far off a match may be, and how far from where the pose holds, round by round; both as shares
+of the image's diagonal."""
+
 REFINEMENTS = 6
 ROBUST_REFINEMENTS = 4
 """Rounds of match and fit for one pose. The first ones trust near matches more, to leave wrong ones; the last ones do
@@ -45,15 +56,14 @@ MEDIAN_OF_RAYLEIGH = 1.1774
 
 @dataclass(frozen=True)
 class Evidence:
-    """A verified pose: centre and turn, log odds against a chance hit, matched pairs and their noise.
+    """A verified pose: log odds against a chance hit, matched pairs and their noise.
 
     matched: (m,) objects of the image; objects: (m,) those of the map; deviations: (m,) σ of each match in map units;
     noise_factor: how much of the assumed noise there is; missing: objects of the map that should be seen and aren't;
     considered: objects of the image that could be on the map.
     """
 
-    center: complex
-    turn: complex
+    pose: Pose
     log_odds: float
     matched: np.ndarray
     objects: np.ndarray
@@ -130,69 +140,94 @@ def telling_objects(query: Query, count: int) -> Query:
     return query.select(largest)
 
 
-def verify(verifier: Verifier, query: Query, center: complex, turn: complex) -> Evidence:
-    """Refines a pose by match and fit, then weighs it. query: of ``telling_objects``."""
-    factor = 2.0
+def verify(verifier: Verifier, query: Query, pose: Pose) -> Evidence:
+    """Refines the pose of a level camera by match and fit, then weighs it. query: of ``telling_objects``."""
+    return _refined(verifier, query, pose, 2.0)
+
+
+def verify_tilted(verifier: Verifier, query: Query, pose: Pose, focus: complex) -> Evidence:
+    """The same for a camera that may be tilted; matches spread from ``focus``, where the pose holds, over the image."""
+    gate = GROWING_GATE * query.diagonal
+    for reach in GROWING_REACH:
+        distances, objects, deviations = _nearest(verifier, query, pose)
+        near = (np.abs(query.points - focus) <= reach * query.diagonal) & _one_to_one(distances, objects)
+        ends = gate * abs(pose.turn) + GATE_IN_NOISE * deviations
+        kept = np.flatnonzero(near & (distances <= ends))
+        if len(kept) < MINIMUM_MATCHES:
+            break
+        loose = deviations[kept] / np.maximum(biweight(distances[kept], ends[kept]), 0.05) ** 0.5
+        fitted = fit_tilted(query.points[kept], verifier.index.points[objects[kept]], loose, pose, query.diagonal)
+        if not 0.7 < abs(fitted.turn / pose.turn) < 1.4:
+            break
+        pose = fitted
+    return _refined(verifier, query, pose, 2.0, tilted=True)
+
+
+def _refined(verifier: Verifier, query: Query, pose: Pose, factor: float, tilted: bool = False) -> Evidence:
+    """Match and fit until both agree; then the evidence."""
     for number in range(REFINEMENTS):
-        distances, objects, deviations = _nearest(verifier, query, center, turn)
+        distances, objects, deviations = _nearest(verifier, query, pose)
         kept = np.flatnonzero(_one_to_one(distances, objects) & (distances <= GATE_IN_NOISE * factor * deviations))
-        if len(kept) < 4:
+        if len(kept) < MINIMUM_MATCHES:
             break
-        weights = 1 / deviations[kept] ** 2
+        image, on_map, weights = query.points[kept], verifier.index.points[objects[kept]], 1 / deviations[kept] ** 2
         if number < ROBUST_REFINEMENTS:
-            weights *= biweight(distances[kept], GATE_IN_NOISE * factor * deviations[kept])
-        fitted = fit_similarity(query.points[kept], verifier.index.points[objects[kept]], weights)
-        if not 0.7 < abs(fitted[1] / turn) < 1.4:
+            weights *= np.maximum(biweight(distances[kept], GATE_IN_NOISE * factor * deviations[kept]), 1e-6)
+        if tilted:
+            fitted = fit_tilted(image, on_map, weights**-0.5, pose, query.diagonal)
+        else:
+            fitted = Pose(*(complex(value) for value in fit_similarity(image, on_map, weights)))
+        if not 0.7 < abs(fitted.turn / pose.turn) < 1.4:
             break
-        center, turn = complex(fitted[0]), complex(fitted[1])
-        residuals = np.abs(center + turn * query.points[kept] - verifier.index.points[objects[kept]])
-        factor = float(np.clip(np.median(residuals / deviations[kept]) / MEDIAN_OF_RAYLEIGH, *NOISE_FACTORS))
-    return weigh(verifier, query, center, turn, factor)
+        pose = fitted
+        residuals = np.abs(pose.on_map(image) - on_map) / deviations[kept]
+        factor = float(np.clip(np.median(residuals) / MEDIAN_OF_RAYLEIGH, *NOISE_FACTORS))
+    return weigh(verifier, query, pose, factor)
 
 
-def weigh(verifier: Verifier, query: Query, center: complex, turn: complex, factor: float) -> Evidence:
+def weigh(verifier: Verifier, query: Query, pose: Pose, factor: float) -> Evidence:
     """The evidence for a pose as it is."""
-    index, size = verifier.index, abs(turn)
-    distances, objects, deviations = _nearest(verifier, query, center, turn)
+    index, log_sizes = verifier.index, np.log(pose.pixel_sizes(query.points))
+    distances, objects, deviations = _nearest(verifier, query, pose)
     deviations = factor * deviations
     objects = np.where(_one_to_one(distances, objects), objects, -1)
-    terms = match_terms(verifier, query, distances, objects, deviations, np.log(size))
+    terms = match_terms(verifier, query, distances, objects, deviations, log_sizes)
     # Smaller than anything on the map: neither for nor against.
-    possible = query.log_areas + 2 * np.log(size) >= np.log(max(index.minimum_area_m2, 1e-12))
+    possible = query.log_areas + 2 * log_sizes >= np.log(max(index.minimum_area_m2, 1e-12))
     matched = np.flatnonzero((objects >= 0) & (distances <= GATE_IN_NOISE * deviations))
     hit = np.zeros(len(query.points), bool)
     hit[matched] = True
     terms = np.where(possible | hit, terms, 0)
-    missing = len(np.setdiff1d(expected_objects(verifier, query, center, turn), objects[matched]))
-    assumed = ASSUMED_OBJECTS * max(float(terms[matched].mean()), 0) if len(matched) else 0.0
+    missing = len(np.setdiff1d(expected_objects(verifier, query, pose), objects[matched]))
+    assumed = ASSUMED_OBJECTS if pose.is_level else ASSUMED_OBJECTS_TILTED
+    assumed *= max(float(terms[matched].mean()), 0) if len(matched) else 0
     log_odds = float(terms.sum() - assumed + missing * np.log(1 - VISIBILITY))
-    return Evidence(
-        center, turn, log_odds, matched, objects[matched], deviations[matched], factor, missing, int(possible.sum())
-    )
+    considered = int(possible.sum())
+    return Evidence(pose, log_odds, matched, objects[matched], deviations[matched], factor, missing, considered)
 
 
-def expected_objects(verifier: Verifier, query: Query, center: complex, turn: complex) -> np.ndarray:
+def expected_objects(verifier: Verifier, query: Query, pose: Pose) -> np.ndarray:
     """(M,) objects of the map that an image with this pose should show whole, none smaller than those in ``query``."""
-    index, size = verifier.index, abs(turn)
+    index = verifier.index
     half = complex(verifier.width_px, verifier.height_px) / 2
-    corners = center + turn * np.array([half, -half, half.conjugate(), -half.conjugate()])
+    corners = pose.on_map(np.array([half, -half, half.conjugate(), -half.conjugate()]))
     low = complex(corners.real.min(), corners.imag.min())
     found = index.within(low, complex(corners.real.max(), corners.imag.max()))
     found = found[index.whole[found]]
-    inside = (index.points[found] - center) / turn
-    sizes = np.exp(index.log_areas[found] / 2) / size
-    seen = (np.abs(inside.real) < half.real - sizes) & (np.abs(inside.imag) < half.imag - sizes)
+    inside = pose.in_image(index.points[found])
+    log_areas_px = index.log_areas[found] - 2 * np.log(pose.pixel_sizes(inside))
+    edge = np.exp(log_areas_px / 2)
+    seen = (np.abs(inside.real) < half.real - edge) & (np.abs(inside.imag) < half.imag - edge)
     smallest = np.log(max(verifier.minimum_area_px, 1e-12))
     if len(query.points) >= LARGEST_OBJECTS:
         smallest = max(smallest, float(query.log_areas.min()))
-    return found[seen & (index.log_areas[found] - 2 * np.log(size) > smallest + AREA_DEVIATION)]
+    return found[seen & (log_areas_px > smallest + AREA_DEVIATION)]
 
 
-def _nearest(verifier: Verifier, query: Query, center: complex, turn: complex):
+def _nearest(verifier: Verifier, query: Query, pose: Pose):
     """Distances (n,), objects (n,), assumed deviations (n,) of the image's objects at a pose."""
-    places = (center + turn * query.points)[None]
-    distances, objects = verifier.index.matcher.match(places, query.ranks)
-    return distances[0].astype(np.float64), objects[0], center_noise(query.log_areas, abs(turn))
+    distances, objects = verifier.index.matcher.match(pose.on_map(query.points)[None], query.ranks)
+    return distances[0].astype(np.float64), objects[0], center_noise(query.log_areas, abs(pose.turn))
 
 
 def _one_to_one(distances: np.ndarray, objects: np.ndarray) -> np.ndarray:
