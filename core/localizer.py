@@ -2,33 +2,46 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional, Tuple
 
 import numpy as np
 
+from .constellation import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, ConstellationResult, Place, localize
+from .constellation_index import ConstellationIndex, build_index
 from .database import ReferenceDatabase
 from .errors import DatabaseError, LabelMapError
+from .hypotheses import Prior
 from .matching import DISTANCE_THRESHOLD, vector_confidence, vector_distances
+from .pose import PoseUncertainty
 from .reference_objects import ReferenceObjects, extract_reference_objects
 from .topology_vector import MINIMUM_REFERENCES, topology_vector
 from .window_grid import centered_square
 
-FIX = "fix"
-NO_MATCH = "no_match"
-TOO_FEW_REFERENCES = "too_few_references"
+__all__ = ["AMBIGUOUS", "FIX", "NO_MATCH", "TOO_FEW_REFERENCES", "Localization", "Localizer", "Prior"]
 
 TOPOLOGY_VECTOR = "topology vector"
+CONSTELLATION = "constellation"
+
+PIXEL_SIZES = (0.4, 2.5)
+"""Pixel sizes searched without a prior, as multiples of the label map's; the goal is 0.5 to 2."""
+
+SMALLEST_OBJECT_PX = 9.0
+"""Objects of an image below this contour area have neither a shape nor a centre to speak of."""
 
 
 @dataclass(frozen=True)
 class Localization:
     """What is known of an image's position; None where a method doesn't tell.
 
-    status: ``fix``, ``no_match`` or ``too_few_references``; reason: one sentence without a fix, else empty.
+    status: ``fix``, ``ambiguous``, ``no_match`` or ``too_few_references``; reason: one sentence
+    without a fix, else empty;
     position: map coordinates (x, y) of the image's centre; heading_deg: of the image's top, clockwise from grid north;
     pixel_size_m: ground sampling distance; error_95_m: radius; distance: of topology vectors;
     references: reference objects described; inliers: those that agree with the map.
+    confidence: of the constellation, the probability that the best place is the right one, calibrated on trials;
+    alternatives: places that fit almost as well; uncertainty: 95 % ellipse, deviations of heading and pixel size;
+    search_capped: the search left out the most common patterns, as it does in very large databases.
     """
 
     status: str
@@ -45,6 +58,9 @@ class Localization:
     error_95_m: Optional[float] = None
     window: Optional[str] = None
     window_index: Optional[int] = None
+    alternatives: Tuple[Place, ...] = ()
+    uncertainty: Optional[PoseUncertainty] = None
+    search_capped: bool = False
 
 
 @dataclass(frozen=True)
@@ -80,16 +96,12 @@ def describe_image(
 
 
 class Localizer:
-    """Localises label images in one database. Raises DatabaseError when no window can be matched."""
+    """Localises label images in one database."""
 
     def __init__(self, database: ReferenceDatabase) -> None:
         self._database = database
         windows = database.windows
-        if not windows.described.any():
-            raise DatabaseError(
-                f"No window of the database has the {MINIMUM_REFERENCES} reference objects a topology vector needs; "
-                "build it with larger windows, a smaller minimum area or more reference classes."
-            )
+        self._index: Optional[ConstellationIndex] = None
         self._levels = []
         for size in np.unique(windows.sizes[windows.described]):
             index = np.flatnonzero(windows.described & (windows.sizes == size))
@@ -101,7 +113,13 @@ class Localizer:
         ``labels_hw``: (H, W) uint8 labels of the database's class table. The position is the matched window's centre;
         heading and pixel size are not part of the method. With several levels the image is described once for
         each window size, because the smallest object is the same fraction of the window's area.
+        Raises DatabaseError when no window can be matched.
         """
+        if not self._database.windows.described.any():
+            raise DatabaseError(
+                f"No window of the database has the {MINIMUM_REFERENCES} reference objects a topology vector needs; "
+                "build it with larger windows, a smaller minimum area or more reference classes."
+            )
         count, best = 0, None
         for size, index, vectors in self._levels:
             described = self.describe(labels_hw, size)
@@ -135,6 +153,30 @@ class Localizer:
             window_index=index,
         )
 
+    @property
+    def index(self) -> ConstellationIndex:
+        """The catalogue's triangles; built at the first use, seconds at 10⁵ objects."""
+        if self._index is None:
+            self._index = build_index(self._database.references, self._database.parameters.pixel_size)
+        return self._index
+
+    def localize_by_constellation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
+        """The default method: reference objects as stars (DESIGN §3); position, heading and pixel size of any image.
+
+        ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on it the pixel size is
+        searched from PIXEL_SIZES times the label map's. Raises LabelMapError for an image without pixels.
+        """
+        height, width = labels_hw.shape
+        if not height or not width:
+            raise LabelMapError("The image has no pixels.")
+        parameters = self._database.parameters
+        sizes = (PIXEL_SIZES[0] * parameters.pixel_size, PIXEL_SIZES[1] * parameters.pixel_size)
+        prior = prior or Prior()
+        prior = prior if prior.pixel_size_range else replace(prior, pixel_size_range=sizes)
+        smallest = max(parameters.minimum_area / prior.pixel_size_range[1] ** 2, SMALLEST_OBJECT_PX)
+        objects = extract_reference_objects(labels_hw, self._database.class_table.reference_values, smallest)
+        return _localization(localize(objects, width, height, self.index, prior, smallest))
+
     def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:
         """The image as windows of ``window_size`` (map units) of this database are described."""
         parameters = self._database.parameters
@@ -144,3 +186,24 @@ class Localizer:
             parameters.minimum_area / window_size**2,
             parameters.references_per_vector,
         )
+
+
+def _localization(result: ConstellationResult) -> Localization:
+    """As a result of the localiser: places without a fix are alternatives, never a position."""
+    place = result.place
+    common = {"status": result.status, "method": CONSTELLATION, "references": result.references}
+    common.update(reason=result.reason, search_capped=result.capped, confidence=result.confidence)
+    if place is None:
+        return Localization(**common)
+    common.update(log_odds=place.log_odds, inliers=place.inliers)
+    if result.status != FIX:
+        alternatives = (place, *result.alternatives) if result.status == AMBIGUOUS else ()
+        return Localization(**common, alternatives=alternatives)
+    return Localization(
+        **common,
+        position=place.position,
+        heading_deg=place.heading_deg,
+        pixel_size_m=place.pixel_size_m,
+        error_95_m=result.uncertainty.semi_major if result.uncertainty else None,
+        uncertainty=result.uncertainty,
+    )

@@ -1,0 +1,209 @@
+"""Constellation localisation: a seeded random town, queries with known truth, and queries that must get no fix."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from semref.core.constellation import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, localize
+from semref.core.constellation_index import build_index
+from semref.core.database import MapReferences
+from semref.core.hypotheses import Prior
+from semref.core.label_source import ArrayLabels
+from semref.core.reference_objects import ReferenceObjects, extract_reference_objects
+from semref.core.trials import ObjectNoise, View, cut_view, spoil_objects
+
+SIZE = 640
+CLASSES = (1, 2, 3)
+ORIGIN = (500_000.0, 5_200_000.0)
+PRIOR = Prior(pixel_size_range=(0.4, 2.5))
+NOISE = ObjectNoise(missed=0.2, invented=0.2, misnamed=0.05, jitter_px=1.0, area=0.1)
+
+
+def town(seed, size=3000, count=2500):
+    """(size, size) uint8 labels of houses in clusters, with a few fields and ponds."""
+    rng = np.random.default_rng(seed)
+    labels = np.zeros((size, size), np.uint8)
+    centers = rng.uniform(0, size, (40, 2))
+    for _ in range(count):
+        x, y = centers[rng.integers(40)] + rng.normal(0, 220, 2)
+        value = rng.choice(CLASSES, p=(0.85, 0.1, 0.05))
+        width, height = rng.uniform(8, 30, 2) * (1 if value == 1 else 1.8)
+        left, top, right, bottom = (int(v) for v in (x, y, x + width, y + height))
+        if min(left, top) < 2 or max(right, bottom) > size - 2:
+            continue
+        if not labels[top - 2 : bottom + 2, left - 2 : right + 2].any():
+            labels[top:bottom, left:right] = value
+    return labels
+
+
+class Ground:
+    def __init__(self, labels):
+        self.source = ArrayLabels(labels)
+        self.objects = extract_reference_objects(labels, CLASSES, 80)
+        positions = self.objects.centers_xy * (1, -1) + ORIGIN
+        self.references = MapReferences(
+            positions, self.objects.classes, self.objects.areas_px, self.objects.touches_edge
+        )
+        self.index = build_index(self.references, 1.0)
+
+    def see(self, view, noise=None, seed=0):
+        objects = extract_reference_objects(cut_view(self.source, view), CLASSES, 12)
+        if noise is None:
+            return objects
+        return spoil_objects(objects, noise, np.random.default_rng(seed), objects, (SIZE, SIZE))
+
+
+@pytest.fixture(scope="module")
+def ground():
+    return Ground(town(7))
+
+
+def seen_from(column, row, heading=0.0, scale=1.0):
+    return View(column, row, heading, scale, SIZE, SIZE)
+
+
+def solve(ground, objects, prior=PRIOR):
+    return localize(objects, SIZE, SIZE, ground.index, prior)
+
+
+def error(result, view):
+    return np.hypot(result.place.position[0] - ORIGIN[0] - view.column, result.place.position[1] - ORIGIN[1] + view.row)
+
+
+def mirrored(objects):
+    return dataclasses.replace(objects, centers_xy=np.abs((SIZE, 0) - objects.centers_xy))
+
+
+def points_as_objects(centers, classes=None, areas=None):
+    count = len(centers)
+    return ReferenceObjects(
+        np.asarray(centers, float).reshape(-1, 2),
+        np.ones(count, np.uint8) if classes is None else classes,
+        np.full(count, 200.0) if areas is None else areas,
+        np.zeros((count, 4), np.int64),
+        np.zeros(count, bool),
+    )
+
+
+@pytest.mark.parametrize("count", [0, 1, 3])
+def test_with_too_few_objects_it_says_how_many_more_are_needed(ground, count):
+    result = solve(ground, points_as_objects(np.random.default_rng(0).uniform(50, 600, (count, 2))))
+    assert result.status == TOO_FEW_REFERENCES
+    assert f"shows {count} whole" in result.reason and "more are needed" in result.reason
+
+
+def test_an_image_without_known_classes_has_too_few_references(ground):
+    objects = points_as_objects(np.random.default_rng(0).uniform(50, 600, (30, 2)), np.full(30, 99, np.uint8))
+    assert solve(ground, objects).status == TOO_FEW_REFERENCES
+
+
+def test_an_empty_catalogue_gives_no_fix(ground):
+    empty = MapReferences(np.empty((0, 2)), np.empty(0, np.uint8), np.empty(0), np.empty(0, bool))
+    result = localize(ground.see(seen_from(1500, 1500)), SIZE, SIZE, build_index(empty, 1.0), PRIOR)
+    assert result.status != FIX
+
+
+@pytest.mark.parametrize("heading", [0.0, 33.3, 90.0, 201.7, 359.0])
+@pytest.mark.parametrize("scale", [0.75, 1.0, 1.6])
+def test_a_clean_view_is_found_exactly_at_any_heading_and_scale(ground, heading, scale):
+    view = seen_from(1400.3, 1610.8, heading, scale)
+    result = solve(ground, ground.see(view))
+    assert result.status == FIX, result.reason
+    assert error(result, view) < 0.5
+    assert abs((result.place.heading_deg - heading + 180) % 360 - 180) < 0.1
+    assert result.place.pixel_size_m == pytest.approx(scale, rel=0.002)
+
+
+def test_most_spoilt_views_are_found_and_no_fix_is_wrong(ground):
+    rng = np.random.default_rng(3)
+    fixes = []
+    for seed in range(25):
+        view = seen_from(*rng.uniform(700, 2300, 2), rng.uniform(0, 360), rng.uniform(0.8, 1.25))
+        result = solve(ground, ground.see(view, NOISE, seed))
+        if result.status == FIX:
+            fixes.append((error(result, view), result.uncertainty))
+    assert len(fixes) >= 23
+    assert max(off for off, _ in fixes) < 10
+    # The 95 % ellipse is of the right size: neither far too small nor far too large.
+    ratios = np.array([off / np.hypot(u.semi_major, u.semi_minor) * np.sqrt(2) for off, u in fixes])
+    assert 0.2 < np.median(ratios) < 0.9
+    assert (ratios <= 1.3).mean() >= 0.8
+
+
+def test_a_mirrored_view_gets_no_fix(ground):
+    for center in ((1400, 1600), (1000, 2000), (2000, 900)):
+        assert solve(ground, mirrored(ground.see(seen_from(*center, 77.0)))).status != FIX
+
+
+def test_a_view_of_another_town_gets_no_fix(ground):
+    other = Ground(town(8))
+    for center in ((1400, 1600), (1000, 2000), (2000, 900)):
+        result = solve(ground, other.see(seen_from(*center, 10.0)))
+        assert result.status in (NO_MATCH, TOO_FEW_REFERENCES) and result.reason
+
+
+def test_a_regular_lattice_of_plots_gets_no_fix_on_its_own_map():
+    labels = np.zeros((2400, 2400), np.uint8)
+    for top in range(20, 2380, 60):
+        for left in range(20, 2380, 60):
+            labels[top : top + 14, left : left + 14] = 1
+    plots = Ground(labels)
+    for view in (seen_from(1200, 1200), seen_from(1000.5, 1300.2, 31.0, 1.1)):
+        assert solve(plots, plots.see(view)).status in (AMBIGUOUS, NO_MATCH)
+
+
+def test_two_places_that_are_alike_are_named_as_alternatives():
+    piece = town(9, 1200, 500)
+    labels = np.zeros((1200, 2600), np.uint8)
+    labels[:, :1200] = piece
+    labels[:, 1400:] = piece
+    twins = Ground(labels)
+    result = solve(twins, twins.see(seen_from(600, 600, 20.0)))
+    assert result.status == AMBIGUOUS and len(result.alternatives) == 1
+    assert abs(result.alternatives[0].position[0] - result.place.position[0]) == pytest.approx(1400, abs=1)
+
+
+def test_a_prior_tells_twins_apart():
+    piece = town(9, 1200, 500)
+    labels = np.zeros((1200, 2600), np.uint8)
+    labels[:, :1200] = piece
+    labels[:, 1400:] = piece
+    twins = Ground(labels)
+    view = seen_from(2000, 600, 20.0)
+    prior = dataclasses.replace(PRIOR, position=(ORIGIN[0] + 2100, ORIGIN[1] - 550), radius=300.0)
+    result = solve(twins, twins.see(view), prior)
+    assert result.status == FIX and error(result, view) < 1
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"position": (ORIGIN[0] + 300, ORIGIN[1] - 300), "radius": 200.0},
+        {"heading_deg": 200.0, "heading_range_deg": 20.0},
+        {"pixel_size_range": (1.5, 2.5)},
+    ],
+)
+def test_a_prior_that_excludes_the_truth_gives_no_fix(ground, wrong):
+    view = seen_from(1800, 1700, 45.0)
+    assert solve(ground, ground.see(view), dataclasses.replace(PRIOR, **wrong)).status != FIX
+
+
+def test_a_prior_that_contains_the_truth_changes_nothing(ground):
+    view = seen_from(1800, 1700, 45.0)
+    prior = Prior((ORIGIN[0] + 1790, ORIGIN[1] - 1720), 100.0, 40.0, 10.0, (0.9, 1.1))
+    result = solve(ground, ground.see(view), prior)
+    assert result.status == FIX and error(result, view) < 0.5
+
+
+def test_the_same_image_gets_the_same_answer(ground):
+    objects = ground.see(seen_from(1500, 1300, 120.0), NOISE)
+    one, other = solve(ground, objects), solve(ground, objects)
+    assert one.place == other.place and one.uncertainty == other.uncertainty
+
+
+def test_objects_at_the_border_do_no_harm(ground):
+    objects = ground.see(seen_from(1500, 1300, 120.0))
+    moved = objects.centers_xy + np.where(objects.touches_edge[:, None], 9.0, 0.0)
+    result = solve(ground, dataclasses.replace(objects, centers_xy=moved))
+    assert result.place == solve(ground, objects).place
