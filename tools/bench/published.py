@@ -78,7 +78,8 @@ def _by_landmarks(ground: Ground, windows: np.ndarray, turned: dict, scaled: dic
     landmarks = ground.database.windows.counts[windows]
     every = ground.database.windows.counts[ground.database.windows.described]
     cases = {
-        "rotation, not 0/90/180/270°": [turned[h] for h in ROTATIONS_DEG if h % 90],
+        # A further quarter turn gives the same result, so that more rotations would only count these twice.
+        "rotation 30° and 60°": [turned[h] for h in (30, 60)],
         "view radius 1.2 and 0.8 ×": [scaled[s] for s in (1.2, 0.8)],
         "view radius 1.5 and 0.65 ×": [scaled[s] for s in (1.5, 0.65)],
     }
