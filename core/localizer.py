@@ -23,8 +23,12 @@ __all__ = ["AMBIGUOUS", "FIX", "NO_MATCH", "TOO_FEW_REFERENCES", "Localization",
 TOPOLOGY_VECTOR = "topology vector"
 CONSTELLATION = "constellation"
 
-PIXEL_SIZES = (0.4, 2.5)
-"""Pixel sizes searched without a prior, as multiples of the label map's; the goal is 0.5 to 2."""
+AUTOMATIC = "automatic"
+
+SCALES = (0.4, 2.5)
+"""Ground searched that an image may show without a prior, as multiples of a window's edge; the goal is 0.5 to 2."""
+
+METHODS = (AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION)
 
 SMALLEST_OBJECT_PX = 9.0
 """Objects of an image below this contour area have neither a shape nor a centre to speak of."""
@@ -163,19 +167,31 @@ class Localizer:
     def localize_by_constellation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
         """The default method: reference objects as stars (DESIGN §3); position, heading and pixel size of any image.
 
-        ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on it the pixel size is
-        searched from PIXEL_SIZES times the label map's. Raises LabelMapError for an image without pixels.
+        ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size,
+        images are searched that show SCALES times a window's ground. Raises LabelMapError for an image without pixels.
         """
         height, width = labels_hw.shape
         if not height or not width:
             raise LabelMapError("The image has no pixels.")
         parameters = self._database.parameters
-        sizes = (PIXEL_SIZES[0] * parameters.pixel_size, PIXEL_SIZES[1] * parameters.pixel_size)
         prior = prior or Prior()
-        prior = prior if prior.pixel_size_range else replace(prior, pixel_size_range=sizes)
+        if not prior.pixel_size_range:
+            prior = replace(prior, pixel_size_range=self.pixel_sizes(labels_hw.shape, SCALES))
         smallest = max(parameters.minimum_area / prior.pixel_size_range[1] ** 2, SMALLEST_OBJECT_PX)
         objects = extract_reference_objects(labels_hw, self._database.class_table.reference_values, smallest)
         return _localization(localize(objects, width, height, self.index, prior, smallest))
+
+    def pixel_sizes(self, shape_hw: Tuple[int, int], scales: Tuple[float, float]) -> Tuple[float, float]:
+        """Smallest and largest pixel size of images whose shorter edge shows ``scales`` times a window's edge."""
+        sizes = self._database.windows.sizes
+        shorter = min(shape_hw)
+        return scales[0] * float(sizes.min()) / shorter, scales[1] * float(sizes.max()) / shorter
+
+    def localize(self, labels_hw: np.ndarray, method: str, prior: Optional[Prior] = None) -> Localization:
+        """By one of METHODS; automatic is the constellation, which says when it does not know."""
+        if method == TOPOLOGY_VECTOR:
+            return self.localize_by_topology_vector(labels_hw)
+        return self.localize_by_constellation(labels_hw, prior)
 
     def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:
         """The image as windows of ``window_size`` (map units) of this database are described."""

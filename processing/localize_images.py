@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from math import isnan
-from typing import Optional
+from typing import Optional, Tuple
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -16,7 +16,8 @@ from qgis.core import (
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFile,
     QgsProcessingParameterMultipleLayers,
-    QgsRectangle,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterPoint,
 )
 
 from ..core.class_table import LIST_SEPARATOR
@@ -51,6 +52,7 @@ class LocalizedImage:
     path: str
     result: Optional[object] = None
     error: str = ""
+    shape_hw: Tuple[int, int] = (0, 0)
 
 
 class LocalizeImages(SemRefAlgorithm):
@@ -62,6 +64,10 @@ class LocalizeImages(SemRefAlgorithm):
     IMAGES = "IMAGES"
     METHOD = "METHOD"
     OUTPUT = "OUTPUT"
+    PRIOR_POINT = "PRIOR_POINT"
+    PRIOR_RADIUS = "PRIOR_RADIUS"
+    SCALE_MINIMUM = "SCALE_MINIMUM"
+    SCALE_MAXIMUM = "SCALE_MAXIMUM"
     FOOTPRINTS = "FOOTPRINTS"
     FIX_COUNT = "FIX_COUNT"
     AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION, MAP_CORRELATION = range(4)
@@ -71,11 +77,11 @@ class LocalizeImages(SemRefAlgorithm):
 
     def summary(self):
         return tr(
-            "Finds where images were taken: each label image is described by its landmarks and matched with the "
-            "windows of a reference database.\n\n"
-            "Every image gives one point; without a fix it has no geometry and its reason says why. The topology "
-            "vector method finds images centered on a window of the database and is known to accept images from "
-            "elsewhere: check what it finds."
+            "Finds where images were taken: each label image is described by its landmarks and matched with a "
+            "reference database.\n\n"
+            "Every image gives one point; without a fix it has no geometry and its reason says why. The constellation "
+            "method finds images anywhere on the map, at any heading, and verifies what it finds. The topology vector "
+            "method finds images centered on a window and accepts images from elsewhere: check what it finds."
         )
 
     def initAlgorithm(self, config=None):
@@ -95,16 +101,38 @@ class LocalizeImages(SemRefAlgorithm):
                 self.METHOD,
                 tr("Method"),
                 [
-                    tr("Automatic (not in this version)"),
+                    tr("Automatic"),
                     tr("Topology vector (He & Wu 2025)"),
-                    tr("Constellation (not in this version)"),
+                    tr("Constellation"),
                     tr("Map correlation (not in this version)"),
                 ],
-                defaultValue=self.TOPOLOGY_VECTOR,
+                defaultValue=self.AUTOMATIC,
             ),
             tr(
-                "Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2."
+                "Automatic takes the most reliable method, in this version the constellation. Topology vector is the "
+                "published method: the nearest vector of all windows, accepted up to distance 2."
             ),
+        )
+        self.offer(
+            QgsProcessingParameterPoint(self.PRIOR_POINT, tr("Approximate position"), optional=True),
+            tr("Where the images are known to be, roughly. It speeds up the search and is never needed."),
+            advanced=True,
+        )
+        number = QgsProcessingParameterNumber
+        self.offer(
+            number(self.PRIOR_RADIUS, tr("Radius around it (map units)"), number.Double, 1000.0, minValue=0.0),
+            tr("Only with an approximate position: places farther away are not searched."),
+            advanced=True,
+        )
+        self.offer(
+            number(self.SCALE_MINIMUM, tr("Smallest scale"), number.Double, 0.4, minValue=0.01, maxValue=100),
+            tr("Ground that the shorter edge of an image shows, as a multiple of the database’s window size."),
+            advanced=True,
+        )
+        self.offer(
+            number(self.SCALE_MAXIMUM, tr("Largest scale"), number.Double, 2.5, minValue=0.01, maxValue=100),
+            tr("As above; a narrower range is searched faster."),
+            advanced=True,
         )
         self.offer(
             QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), SOURCE_POINT),
@@ -114,14 +142,23 @@ class LocalizeImages(SemRefAlgorithm):
             QgsProcessingParameterFeatureSink(
                 self.FOOTPRINTS, tr("Footprints"), SOURCE_POLYGON, optional=True, createByDefault=False
             ),
-            tr("One polygon a fix: the matched window."),
+            tr("One polygon a fix: the ground the image shows, or the matched window of the topology vector method."),
         )
         self.addOutput(QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of fixes")))
 
     def checkParameterValues(self, parameters, context):
-        if self.parameterAsEnum(parameters, self.METHOD, context) != self.TOPOLOGY_VECTOR:
-            return False, tr("This version has one method: choose METHOD 1 (topology vector).")
-        return super().checkParameterValues(parameters, context)
+        possible, reason = super().checkParameterValues(parameters, context)
+        if not possible:
+            return False, reason
+        if self.parameterAsEnum(parameters, self.METHOD, context) == self.MAP_CORRELATION:
+            return False, tr("Map correlation is not in this version: choose METHOD 0, 1 or 2.")
+        smallest = self.parameterAsDouble(parameters, self.SCALE_MINIMUM, context)
+        largest = self.parameterAsDouble(parameters, self.SCALE_MAXIMUM, context)
+        if smallest > largest:
+            return False, tr("The smallest scale ({smallest:g}) is above the largest ({largest:g}); swap them.").format(
+                smallest=smallest, largest=largest
+            )
+        return True, ""
 
     def work(self, parameters, context, feedback):
         from ..core.localizer import FIX, Localizer
@@ -133,7 +170,7 @@ class LocalizeImages(SemRefAlgorithm):
         crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
         if not crs.isValid():
             raise DatabaseError(f"{database.source} has no readable parameter crs; build it again.")
-        localizer = Localizer(database)
+        localize = self._localizing(parameters, context, Localizer(database), crs)
         paths = image_files(self._paths(parameters, context))
         if not paths:
             raise ParameterError("IMAGES is empty; choose at least one image or a folder with images.")
@@ -141,7 +178,7 @@ class LocalizeImages(SemRefAlgorithm):
         for n, path in enumerate(paths):
             check_canceled(feedback)
             feedback.setProgressText(os.path.basename(path))
-            localized.append(_localize(path, localizer, database.class_table))
+            localized.append(_localize(path, localize, database.class_table))
             _say(localized[-1], feedback)
             feedback.setProgress(95 * (n + 1) / len(paths))
         # Sinks are made last: a cancel before leaves nothing behind.
@@ -154,6 +191,24 @@ class LocalizeImages(SemRefAlgorithm):
         feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
         results[self.FIX_COUNT] = fixes
         return results
+
+    def _localizing(self, parameters, context, localizer, crs):
+        """The function labels → result that the parameters ask for."""
+        from ..core.localizer import METHODS, Prior
+
+        method = METHODS[self.parameterAsEnum(parameters, self.METHOD, context)]
+        scales = [self.parameterAsDouble(parameters, key, context) for key in (self.SCALE_MINIMUM, self.SCALE_MAXIMUM)]
+        position = radius = None
+        if parameters.get(self.PRIOR_POINT) not in (None, ""):
+            point = self.parameterAsPoint(parameters, self.PRIOR_POINT, context, crs)
+            position, radius = (point.x(), point.y()), self.parameterAsDouble(parameters, self.PRIOR_RADIUS, context)
+
+        def localize(labels_hw):
+            sizes = localizer.pixel_sizes(labels_hw.shape, scales)
+            prior = Prior(position=position, radius=radius, pixel_size_range=sizes)
+            return localizer.localize(labels_hw, method, prior)
+
+        return localize
 
     def _paths(self, parameters, context):
         """Files as a list, one path, or several separated by “;” as text."""
@@ -182,23 +237,36 @@ class LocalizeImages(SemRefAlgorithm):
             return None
         names = [name for name, _ in FOOTPRINT_FIELDS]
         for item in localized:
-            if item.result is None or item.result.window_index is None:
-                continue
-            x, y = database.windows.centers[item.result.window_index].tolist()
-            half = float(database.windows.sizes[item.result.window_index]) / 2
-            square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
-            sink.add(square, {name: value for name, value in _row(item).items() if name in names})
+            corners = _corners(item, database.windows)
+            if corners is not None:
+                polygon = QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners]])
+                sink.add(polygon, {name: value for name, value in _row(item).items() if name in names})
         return sink.close()
 
 
-def _localize(path, localizer, table) -> LocalizedImage:
+def _localize(path, localize, table) -> LocalizedImage:
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
     from .exchange.rasters import read_label_image
 
     try:
-        return LocalizedImage(path, localizer.localize_by_topology_vector(read_label_image(path, table)))
+        labels_hw = read_label_image(path, table)
+        return LocalizedImage(path, localize(labels_hw), shape_hw=labels_hw.shape)
     except SemRefError as error:
         return LocalizedImage(path, error=str(error))
+
+
+def _corners(item, windows):
+    """(4, 2) map coordinates of what an image with a fix shows, else None."""
+    from ..core.footprint import image_corners
+
+    result = item.result
+    if result is None or result.position is None:
+        return None
+    if result.window_index is not None:
+        size = float(windows.sizes[result.window_index])
+        return image_corners(tuple(windows.centers[result.window_index]), 0.0, size, 1, 1)
+    height, width = item.shape_hw
+    return image_corners(result.position, result.heading_deg, result.pixel_size_m, width, height)
 
 
 def _row(item) -> dict:
@@ -234,15 +302,14 @@ def _say(item, feedback) -> None:
     if result.position is None:
         feedback.pushInfo(f"{name}: {result.status}. {result.reason}")
         return
-    feedback.pushInfo(
-        tr(
-            "{name}: window {window}, position {x:.1f} {y:.1f}, distance {distance:.4f}, confidence {confidence:.2f}"
-        ).format(
-            name=name,
-            window=result.window,
-            x=result.position[0],
-            y=result.position[1],
-            distance=result.distance,
-            confidence=result.confidence,
-        )
+    details = (
+        (result.window, tr("window {value}")),
+        (result.distance, tr("distance {value:.4f}")),
+        (result.heading_deg, tr("heading {value:.1f}°")),
+        (result.pixel_size_m, tr("pixel size {value:.3g} m")),
+        (result.error_95_m, tr("within {value:.1f} m (95 %)")),
+        (result.confidence, tr("confidence {value:.2f}")),
     )
+    texts = [text.format(value=value) for value, text in details if value is not None]
+    x, y = result.position
+    feedback.pushInfo(f"{name}: {x:.1f} {y:.1f}, {', '.join(texts)}")
