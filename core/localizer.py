@@ -119,11 +119,7 @@ class Localizer:
         each window size, because the smallest object is the same fraction of the window's area.
         Raises DatabaseError when no window can be matched.
         """
-        if not self._database.windows.described.any():
-            raise DatabaseError(
-                f"No window of the database has the {MINIMUM_REFERENCES} reference objects a topology vector needs; "
-                "build it with larger windows, a smaller minimum area or more reference classes."
-            )
+        self.check(TOPOLOGY_VECTOR)
         count, best = 0, None
         for size, index, vectors in self._levels:
             described = self.describe(labels_hw, size)
@@ -183,9 +179,18 @@ class Localizer:
 
     def pixel_sizes(self, shape_hw: Tuple[int, int], scales: Tuple[float, float]) -> Tuple[float, float]:
         """Smallest and largest pixel size of images whose shorter edge shows ``scales`` times a window's edge."""
-        sizes = self._database.windows.sizes
-        shorter = min(shape_hw)
-        return scales[0] * float(sizes.min()) / shorter, scales[1] * float(sizes.max()) / shorter
+        parameters = self._database.parameters
+        edges = [parameters.window_size * level for level in parameters.levels]
+        shorter = max(min(shape_hw), 1)
+        return scales[0] * min(edges) / shorter, scales[1] * max(edges) / shorter
+
+    def check(self, method: str) -> None:
+        """Raises DatabaseError when the database can't serve ``method`` for any image."""
+        if method == TOPOLOGY_VECTOR and not self._database.windows.described.any():
+            raise DatabaseError(
+                f"No window of the database has the {MINIMUM_REFERENCES} reference objects a topology vector needs; "
+                "build it with larger windows, a smaller minimum area or more reference classes."
+            )
 
     def localize(self, labels_hw: np.ndarray, method: str, prior: Optional[Prior] = None) -> Localization:
         """By one of METHODS; automatic is the constellation, which says when it does not know."""

@@ -197,6 +197,7 @@ class LocalizeImages(SemRefAlgorithm):
         from ..core.localizer import METHODS, Prior
 
         method = METHODS[self.parameterAsEnum(parameters, self.METHOD, context)]
+        localizer.check(method)
         scales = [self.parameterAsDouble(parameters, key, context) for key in (self.SCALE_MINIMUM, self.SCALE_MAXIMUM)]
         position = radius = None
         if parameters.get(self.PRIOR_POINT) not in (None, ""):

@@ -14,7 +14,7 @@ from ..processing.translation import tr
 from .database_layers import add_database_to_map
 from .findings import FIX, Finding, read_findings
 from .highlight import HitHighlight
-from .inputs import MARGIN_PX, DatabaseBox, ImageBox
+from .inputs import MARGIN_PX, DatabaseBox, ImageBox, MethodRow
 from .localization_run import LocalizationRun
 from .messages import Messages
 from .results import ResultsBox
@@ -33,6 +33,7 @@ class SemRefDock(QgsDockWidget):
         self.run = LocalizationRun(self)
         self.database = DatabaseBox()
         self.images = ImageBox()
+        self.method = MethodRow()
         self.localize_button = QPushButton()
         self.progress = QProgressBar()
         self.state = _ShorteningLabel()
@@ -51,7 +52,7 @@ class SemRefDock(QgsDockWidget):
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
-        for widget in (self.database, self.images, self.localize_button, self.progress, self.state):
+        for widget in (self.database, self.images, self.method, self.localize_button, self.progress, self.state):
             layout.addWidget(widget)
         layout.addWidget(self.results, 1)
         area = QScrollArea()
@@ -86,13 +87,14 @@ class SemRefDock(QgsDockWidget):
             self.state.show_text(tr("Canceling…"))
             self.run.cancel()
             return
-        if self.run.start(self.database.path(), self.images.paths()):
+        if self.run.start(self.database.path(), self.images.paths(), self.method.method()):
             self._set_running(True)
             self.state.show_text(tr("Starting…"))
 
     def _set_running(self, running: bool) -> None:
         self.database.setEnabled(not running)
         self.images.setEnabled(not running)
+        self.method.setEnabled(not running)
         self.progress.setVisible(running)
         self.progress.setValue(0)
         self.localize_button.setText(tr("Cancel") if running else tr("Localize"))

@@ -15,6 +15,10 @@ FIX = "fix"
 """The one status with a position."""
 
 
+TOPOLOGY_VECTOR = "topology vector"
+"""Name of the published method in the column ``method``."""
+
+
 @dataclass(frozen=True)
 class Finding:
     """One image's row of OUTPUT (columns as DESIGN §6), with its polygon of FOOTPRINTS; None where there is nothing."""
@@ -32,6 +36,7 @@ class Finding:
     references: Optional[int]
     error_95: Optional[float]
     window: Optional[str]
+    method: Optional[str]
     reason: Optional[str]
     crs: QgsCoordinateReferenceSystem
     outline: Optional[QgsGeometry]
@@ -39,6 +44,11 @@ class Finding:
     @property
     def name(self) -> str:
         return os.path.basename(self.image)
+
+    @property
+    def is_verified(self) -> bool:
+        """Whether the method checks its own fix; the published one takes the nearest window, whatever it is."""
+        return self.method != TOPOLOGY_VECTOR
 
     @property
     def center(self) -> Optional[QgsPointXY]:
@@ -61,8 +71,10 @@ def read_findings(positions: QgsVectorLayer, footprints: Optional[QgsVectorLayer
     return findings
 
 
-def status_text(status: str) -> str:
+def status_text(finding: Finding) -> str:
     """An image's status in words; a status this version does not know stands for itself."""
+    if finding.status == FIX and not finding.is_verified:
+        return tr("Unverified match")
     texts = {
         FIX: tr("Fix"),
         "ambiguous": tr("Ambiguous"),
@@ -70,4 +82,4 @@ def status_text(status: str) -> str:
         "too_few_references": tr("Too few landmarks"),
         "error": tr("Unreadable"),
     }
-    return texts.get(status, status)
+    return texts.get(finding.status, finding.status)

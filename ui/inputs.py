@@ -1,4 +1,4 @@
-"""The upper part of the dock: which database, which images."""
+"""The upper part of the dock: which database, which images, which method."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import List
 from qgis.core import QgsApplication, QgsProviderRegistry, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
 from qgis.PyQt.QtCore import pyqtSignal
-from qgis.PyQt.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QVBoxLayout
+from qgis.PyQt.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ..processing.translation import tr
 from .image_list import ImageList
@@ -16,6 +16,7 @@ MARGIN_PX = 5
 """Around the content of the dock and of its boxes: width is scarce in a dock."""
 
 _DATABASE_SETTING = "semref/dock/database"
+_METHOD_SETTING = "semref/dock/method"
 _FOLDER_SETTING = "semref/dock/image_folder"
 
 
@@ -95,6 +96,32 @@ class ImageBox(QgsCollapsibleGroupBox):
         if any(paths):
             QgsSettings().setValue(_FOLDER_SETTING, paths[0])
             self.list.add(paths)
+
+
+class MethodRow(QWidget):
+    """How images are localised, remembered from session to session."""
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(parent)
+        self.setObjectName("SemRefMethod")
+        self.choice = QComboBox()
+        # The numbers are METHOD of semref:localizeimages, which is public.
+        for number, name in ((0, tr("Automatic")), (2, tr("Constellation")), (1, tr("Topology vector (published)"))):
+            self.choice.addItem(name, number)
+        label = QLabel(tr("Method"))
+        label.setBuddy(self.choice)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(label)
+        layout.addWidget(self.choice, 1)
+        self.choice.setCurrentIndex(max(0, self.choice.findData(QgsSettings().value(_METHOD_SETTING, 0, type=int))))
+        self.choice.currentIndexChanged.connect(self._remember)
+
+    def method(self) -> int:
+        return self.choice.currentData()
+
+    def _remember(self) -> None:
+        QgsSettings().setValue(_METHOD_SETTING, self.method())
 
 
 def _last_folder() -> str:

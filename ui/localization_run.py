@@ -16,9 +16,6 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ..processing.translation import tr
 
 ALGORITHM = "semref:localizeimages"
-TOPOLOGY_VECTOR = 1
-"""METHOD; public API of the algorithm, as are its keys below."""
-
 UNLOAD_WAIT_MS = 2000
 """A cancel takes effect within a second; unloading waits no longer than this."""
 
@@ -51,8 +48,8 @@ class LocalizationRun(QObject):
     def running(self) -> bool:
         return self._task is not None
 
-    def start(self, database: str, images: List[str]) -> bool:
-        """False when it can't even begin; then ``failed`` has said why."""
+    def start(self, database: str, images: List[str], method: int) -> bool:
+        """``method``: METHOD of the algorithm. False when it can't even begin; then ``failed`` has said why."""
         algorithm = QgsApplication.processingRegistry().algorithmById(ALGORITHM)
         if algorithm is None:
             self.failed.emit(tr("The Processing provider SemRef is switched off; switch it on in the options."))
@@ -64,7 +61,7 @@ class LocalizationRun(QObject):
         parameters = {
             "DATABASE": database,
             "IMAGES": images,
-            "METHOD": TOPOLOGY_VECTOR,
+            "METHOD": method,
             "OUTPUT": "memory:" + tr("SemRef positions"),
             "FOOTPRINTS": "memory:" + tr("SemRef footprints"),
         }

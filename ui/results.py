@@ -95,7 +95,7 @@ class _Details(QTextEdit):
 
 def _lines(finding: Finding) -> List[str]:
     """Lines of HTML."""
-    lines = [f"<b>{escape(finding.name)}</b>: {escape(status_text(finding.status))}"]
+    lines = [f"<b>{escape(finding.name)}</b>: {escape(status_text(finding))}"]
     if finding.reason:
         lines.append(escape(finding.reason))
     if finding.center is not None:

@@ -10,7 +10,7 @@ from qgis.PyQt.QtCore import QAbstractTableModel, QModelIndex, Qt
 from ..processing.translation import tr
 from .findings import FIX, Finding, status_text
 
-IMAGE, CONFIDENCE, WINDOW, DISTANCE, STATUS = range(5)
+IMAGE, CONFIDENCE, STATUS, WINDOW, DISTANCE = range(5)
 COLUMN_COUNT = 5
 SORT_ROLE = Qt.ItemDataRole.UserRole
 NUMBER_COLUMNS = (CONFIDENCE, DISTANCE)
@@ -45,7 +45,7 @@ class ResultsModel(QAbstractTableModel):
         if orientation != Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return [tr("Image"), tr("Confidence"), tr("Window"), tr("Distance"), tr("Status")][section]
+            return [tr("Image"), tr("Confidence"), tr("Status"), tr("Window"), tr("Distance")][section]
         if role == Qt.ItemDataRole.ToolTipRole:
             return _header_help()[section]
         return None
@@ -57,19 +57,26 @@ class ResultsModel(QAbstractTableModel):
         if role == SORT_ROLE:
             return _sort_value(finding, column)
         if role == Qt.ItemDataRole.ToolTipRole:
-            return "\n".join(filter(None, (finding.image, status_text(finding.status), finding.reason)))
+            return "\n".join(filter(None, (finding.image, status_text(finding), finding.reason)))
         if role == Qt.ItemDataRole.DecorationRole and column == IMAGE:
-            return QgsApplication.getThemeIcon(_ICONS.get(finding.status, _OTHER_ICON))
+            return QgsApplication.getThemeIcon(_icon(finding))
         return None
+
+
+def _icon(finding: Finding) -> str:
+    # A check mark is for what was checked.
+    if finding.status == FIX and not finding.is_verified:
+        return _OTHER_ICON
+    return _ICONS.get(finding.status, _OTHER_ICON)
 
 
 def _header_help() -> List[str]:
     return [
         tr("File name of the image"),
-        tr("1 is a perfect match, 0 none"),
+        tr("Probability that the position is right; for the published method, how near the vectors are"),
+        tr("Whether a position was found"),
         tr("Name of the matched window: its first column and row on the map"),
         tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none"),
-        tr("Whether a position was found"),
     ]
 
 
@@ -77,7 +84,7 @@ def _text(finding: Finding, column: int) -> str:
     if column == IMAGE:
         return finding.name
     if column == STATUS:
-        return status_text(finding.status)
+        return status_text(finding)
     if column == WINDOW:
         return finding.window or ""
     if column == CONFIDENCE:

@@ -219,4 +219,5 @@ def test_a_database_without_any_vector_is_refused():
             "windows, a smaller minimum area or more reference classes."
         ),
     ):
-        localizer_of(with_blocks((60, 60), (5, 5, 9, 2), (25, 25, 9, 5)))
+        localizer, _ = localizer_of(with_blocks((60, 60), (5, 5, 9, 2), (25, 25, 9, 5)))
+        localizer.check("topology vector")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -92,7 +93,10 @@ def plugin(area, iface, without_provider):
 @pytest.fixture
 def dock(plugin, iface):
     iface.tool_bar_actions[0].trigger()
-    return iface.docks[0]
+    dock = iface.docks[0]
+    # The published method names the window, so the truth is exact.
+    choose_method(dock, TOPOLOGY_VECTOR)
+    return dock
 
 
 @pytest.fixture
@@ -129,6 +133,13 @@ def wait_until(condition, what: str) -> None:
             pytest.fail(f"{what} did not happen within {DEADLINE_S} s.")
         QCoreApplication.processEvents()
         time.sleep(0.005)
+
+
+AUTOMATIC, TOPOLOGY_VECTOR = 0, 1
+
+
+def choose_method(dock, method: int) -> None:
+    dock.method.choice.setCurrentIndex(dock.method.choice.findData(method))
 
 
 def start(dock, database: str, images: list[str]) -> None:
@@ -202,11 +213,29 @@ def test_an_empty_dock_says_what_to_do(dock, area):
 
 def test_an_image_cut_from_a_window_is_found_there(dock, area):
     localize(dock, area.database, [area.image])
-    assert table(dock) == [["on_window.tif", "1.00", "150_250", "0.000", "Fix"]]
+    assert table(dock) == [["on_window.tif", "1.00", "Unverified match", "150_250", "0.000"]]
     assert dock.state.text() == "1 of 1 images have a fix."
     details = dock.results.details.toPlainText()
     assert "x, y: 400250.00, 5399650.00 (EPSG:25832)" in details
     assert "lon, lat: 7.6" in details
+
+
+def test_the_automatic_method_tells_heading_pixel_size_and_error(dock, iface, area):
+    choose_method(dock, AUTOMATIC)
+    localize(dock, area.database, [area.image])
+    assert [row[:3] for row in table(dock)] == [["on_window.tif", "1.00", "Fix"]]
+    details = dock.results.details.toPlainText()
+    assert "heading" in details and "pixel size 1 m" in details and "(95 %)" in details
+    assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=0.5)
+
+
+def test_the_method_is_remembered(dock, qgis_app):
+    from semref.ui.inputs import MethodRow
+
+    choose_method(dock, TOPOLOGY_VECTOR)
+    assert MethodRow().method() == TOPOLOGY_VECTOR
+    choose_method(dock, AUTOMATIC)
+    assert MethodRow().method() == AUTOMATIC
 
 
 def test_the_hit_is_outlined_and_its_center_marked(dock, iface, area):
@@ -243,7 +272,7 @@ def test_the_canvas_stays_when_zooming_is_switched_off(dock, iface, area):
 def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, iface, area):
     localize(dock, area.database, [area.image, area.unreadable])
     dock.results.table.selectRow(1)
-    assert table(dock)[1] == ["broken.tif", "", "", "", "Unreadable"]
+    assert table(dock)[1] == ["broken.tif", "", "Unreadable", "", ""]
     assert "broken.tif can't be read" in dock.results.details.toPlainText()
     assert (shown_outline(iface), shown_center(iface)) == (None, None)
     assert not dock.results.copy_map.isEnabled()
@@ -449,8 +478,10 @@ def test_the_database_is_remembered(plugin, dock, iface, area):
 def test_every_status_has_words(qgis_app):
     from semref.core import localizer
     from semref.processing.localize_images import ERROR
-    from semref.ui.findings import FIX, status_text
+    from semref.ui.findings import FIX, TOPOLOGY_VECTOR, status_text
 
     assert localizer.FIX == FIX
-    for status in (localizer.FIX, localizer.NO_MATCH, localizer.TOO_FEW_REFERENCES, ERROR):
-        assert status_text(status) != status
+    assert localizer.TOPOLOGY_VECTOR == TOPOLOGY_VECTOR
+    for status in (localizer.FIX, localizer.AMBIGUOUS, localizer.NO_MATCH, localizer.TOO_FEW_REFERENCES, ERROR):
+        assert status_text(SimpleNamespace(status=status, is_verified=True)) != status
+    assert "nverified" in status_text(SimpleNamespace(status=FIX, is_verified=False))

@@ -482,8 +482,6 @@ def test_vectors_of_another_length_are_refused(refused, copied):
         "UPDATE parameters SET value = '\"\"' WHERE key = 'crs'",
         "UPDATE classes SET role = 'landmark' WHERE value = 1",
         "DELETE FROM classes",
-        "DELETE FROM windows",
-        "UPDATE windows SET vector = NULL",
         "UPDATE windows SET size = NULL",
         "UPDATE windows SET center_x = 'east'",
         'UPDATE "references" SET geom = NULL',
@@ -494,6 +492,13 @@ def test_a_database_that_was_edited_into_nonsense_is_refused(refused, copied, st
     with edited(copied) as connection:
         connection.execute(statement)
     refused(LOCALIZE, DATABASE=str(copied))
+
+
+@pytest.mark.parametrize("statement", ["DELETE FROM windows", "UPDATE windows SET vector = NULL"])
+def test_a_database_without_vectors_is_refused_by_the_method_that_needs_them(refused, copied, statement):
+    with edited(copied) as connection:
+        connection.execute(statement)
+    assert "topology vector" in refused(LOCALIZE, DATABASE=str(copied), METHOD=1)
 
 
 # --- images ---
@@ -592,9 +597,12 @@ def test_no_images_at_all_are_refused(refused, images):
     assert "IMAGES" in refused(LOCALIZE, IMAGES=images)
 
 
-@pytest.mark.parametrize("method", [0, 2, 3])
-def test_methods_that_are_not_in_this_version_are_refused(refused, method):
-    assert "METHOD 1" in refused(LOCALIZE, METHOD=method)
+def test_a_method_that_is_not_in_this_version_is_refused(refused):
+    assert "METHOD 0, 1 or 2" in refused(LOCALIZE, METHOD=3)
+
+
+def test_scales_the_wrong_way_round_are_refused(refused):
+    assert "(2)" in refused(LOCALIZE, SCALE_MINIMUM=2, SCALE_MAXIMUM=0.5)
 
 
 def test_an_image_without_classes_of_its_own_needs_a_table(refused):

@@ -297,10 +297,14 @@ def test_positions_can_be_a_shapefile_or_csv(localize, tmp_path):
         assert [row["status"] for row in found] == ["fix", "error"]
 
 
-def test_the_topology_vector_is_the_default_method(run_algorithm, database, tmp_path):
+@pytest.mark.parametrize(
+    ("method", "name"), [({}, "constellation"), ({"METHOD": 0}, "constellation"), ({"METHOD": 2}, "constellation")]
+)
+def test_the_constellation_is_the_automatic_method(run_algorithm, database, tmp_path, method, name):
     path = image(tmp_path, "a.png", window(0, 0))
-    results = run_algorithm(LOCALIZE, {"DATABASE": database, "IMAGES": [path], "OUTPUT": "TEMPORARY_OUTPUT"})
-    assert [feature["method"] for feature in results["OUTPUT"].getFeatures()] == ["topology vector"]
+    parameters = {"DATABASE": database, "IMAGES": [path], "OUTPUT": "TEMPORARY_OUTPUT", **method}
+    results = run_algorithm(LOCALIZE, parameters)
+    assert [feature["method"] for feature in results["OUTPUT"].getFeatures()] == [name]
 
 
 def test_the_method_given_as_text_is_accepted(localize, tmp_path):

@@ -139,7 +139,8 @@ def test_a_second_run_gives_the_same(run_algorithm, inputs, settings, expected, 
 
 def test_numbers_as_numbers_give_the_same_as_text(run_algorithm, inputs, settings, expected, tmp_path):
     rasterize, build, _ = settings
-    numbers = ({**rasterize, "PIXEL_SIZE": 1.0}, {**build, "WINDOW_SIZE": 150, "STRIDE": 50.0, "MINIMUM_AREA": 60}, {})
+    build = {**build, "WINDOW_SIZE": 150, "STRIDE": 50.0, "MINIMUM_AREA": 60}
+    numbers = {**rasterize, "PIXEL_SIZE": 1.0}, build, {"METHOD": 1}
     assert_same(run_chain(run_algorithm, numbers, tmp_path, inputs), expected)
 
 

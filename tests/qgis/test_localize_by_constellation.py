@@ -1,0 +1,121 @@
+"""semref:localizeimages with the constellation: anywhere on the map, at any heading, or a reason."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from osgeo import ogr
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import NORTH, WEST, scattered_objects, write_raster
+
+LOCALIZE = "semref:localizeimages"
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+LABELS = scattered_objects(900, 1000, 1300, seed=5)
+SIZE = 300
+
+
+@pytest.fixture(scope="module")
+def database(run_algorithm, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("area")
+    parameters = {
+        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
+        "REFERENCE_CLASSES": "building;water;bare_land",
+        "WINDOW_SIZE": SIZE,
+        "STRIDE": SIZE / 2,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+
+
+def view(column: float, row: float, heading: float, scale: float = 1.0, labels=LABELS) -> np.ndarray:
+    """(SIZE, SIZE) labels seen around a point of the map, top towards ``heading`` (° clockwise from north)."""
+    angle = np.radians(heading)
+    right, down = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+    steps = (np.arange(SIZE) + 0.5 - SIZE / 2) * scale
+    # OpenCV counts from the centre of the first pixel.
+    xs = column + steps[None, :] * right[0] + steps[:, None] * down[0] - 0.5
+    ys = row + steps[None, :] * right[1] + steps[:, None] * down[1] - 0.5
+    return cv2.remap(labels, xs.astype(np.float32), ys.astype(np.float32), cv2.INTER_NEAREST)
+
+
+@pytest.fixture
+def localize(run_algorithm, database, tmp_path):
+    def run(labels, **parameters):
+        path = write_raster(tmp_path / "photo.png", labels, transform=None)
+        results = run_algorithm(
+            LOCALIZE,
+            {
+                "DATABASE": database,
+                "IMAGES": [str(path)],
+                "OUTPUT": str(tmp_path / "positions.gpkg"),
+                "FOOTPRINTS": str(tmp_path / "footprints.gpkg"),
+                **parameters,
+            },
+        )
+        positions, footprints = (ogr.Open(results[key]) for key in ("OUTPUT", "FOOTPRINTS"))
+        (row,) = [feature.items() for feature in positions.GetLayer(0)]
+        polygons = [feature.GetGeometryRef().Clone() for feature in footprints.GetLayer(0)]
+        return row, polygons
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("column", "row", "heading", "scale"),
+    [(400, 400, 0, 1.0), (333.3, 517.7, 47, 1.0), (612, 455, 200, 1.2), (501, 380, 312, 0.8)],
+)
+def test_an_image_between_windows_is_found_with_heading_and_pixel_size(localize, column, row, heading, scale):
+    found, (footprint,) = localize(view(column, row, heading, scale))
+    assert found["status"] == "fix" and found["method"] == "constellation"
+    assert (found["x"], found["y"]) == pytest.approx((WEST + column, NORTH - row), abs=1.0)
+    assert (found["heading"] - heading + 180) % 360 - 180 == pytest.approx(0, abs=0.5)
+    assert found["pixel_size"] == pytest.approx(scale, rel=0.01)
+    assert 0 < found["error_95"] < 3 and found["log_odds"] > 20.7 and found["confidence"] > 0.9
+    assert footprint.GetArea() == pytest.approx((SIZE * scale) ** 2, rel=0.02)
+    center = footprint.Centroid()
+    assert (center.GetX(), center.GetY()) == pytest.approx((found["x"], found["y"]), abs=0.1)
+
+
+def test_the_footprint_lies_where_the_image_was_taken(localize):
+    _, (footprint,) = localize(view(500, 450, 90))
+    left, right, bottom, top = footprint.GetEnvelope()
+    assert (left, right) == pytest.approx((WEST + 500 - SIZE / 2, WEST + 500 + SIZE / 2), abs=1.5)
+    assert (bottom, top) == pytest.approx((NORTH - 450 - SIZE / 2, NORTH - 450 + SIZE / 2), abs=1.5)
+
+
+@pytest.mark.parametrize(
+    "labels",
+    [view(500, 450, 30)[:, ::-1], view(300, 300, 10, labels=scattered_objects(900, 1000, 1300, seed=6))],
+    ids=["mirrored", "elsewhere"],
+)
+def test_what_is_not_on_the_map_gets_a_reason_and_no_position(localize, labels):
+    found, footprints = localize(np.ascontiguousarray(labels))
+    assert found["status"] in ("no_match", "ambiguous") and found["reason"]
+    assert found["x"] is None and footprints == []
+
+
+def test_an_empty_image_says_how_many_landmarks_are_missing(localize):
+    found, _ = localize(np.zeros((SIZE, SIZE), np.uint8))
+    assert found["status"] == "too_few_references" and "0" in found["reason"]
+
+
+def test_a_prior_elsewhere_excludes_the_right_place(localize):
+    labels = view(300, 300, 120)
+    here, there = f"{WEST + 310},{NORTH - 290} [EPSG:32632]", f"{WEST + 800},{NORTH - 700} [EPSG:32632]"
+    assert localize(labels, PRIOR_POINT=here, PRIOR_RADIUS=50)[0]["status"] == "fix"
+    assert localize(labels, PRIOR_POINT=there, PRIOR_RADIUS=50)[0]["status"] != "fix"
+
+
+def test_a_scale_range_without_the_right_scale_gives_no_fix(localize):
+    assert localize(view(400, 400, 0), SCALE_MINIMUM=1.5, SCALE_MAXIMUM=2)[0]["status"] != "fix"
+
+
+def test_the_same_image_gives_the_same_answer(localize):
+    labels = view(520, 410, 77)
+    assert localize(labels)[0] == localize(labels)[0]
