@@ -139,7 +139,7 @@ def _off_grid(ground: Ground, windows: np.ndarray) -> str:
 
 def _elsewhere(run: inputs.Run, ground: Ground) -> str:
     cases = {
-        f"sample area, {LANDSCAPES} landscapes": _sample_crops(ground),
+        f"sample area, {LANDSCAPES} landscapes": _sample_crops(ground, run.area.name == "sample"),
         f"{run.area.name}, mirrored": _mirrored_crops(ground),
     }
     header = ["images from", "images", "too few landmarks", "accepted (d ≤ 2)", "median distance", "median confidence"]
@@ -162,15 +162,18 @@ def _elsewhere(run: inputs.Run, ground: Ground) -> str:
     return page.table(header, rows)
 
 
-def _sample_crops(ground: Ground):
-    """Images of made-up landscapes, any place and heading, with the reference classes' values as on the real map."""
+def _sample_crops(ground: Ground, map_is_first: bool):
+    """Images of made-up landscapes, any place and heading, with the reference classes' values as on the real map.
+
+    `map_is_first`: the map itself is the first of these landscapes, so that elsewhere begins with the second.
+    """
     from sample import writers
     from sample.landscape import make_landscape
 
     rng = np.random.default_rng([trials.SEED, 2])
     reach = ground.size_px / np.sqrt(2) + 2
-    for seed in range(trials.SEED, trials.SEED + LANDSCAPES):
-        labels = writers.rasterize(make_landscape(seed), ground.pixel_size)
+    for number in range(LANDSCAPES):
+        labels = writers.rasterize(make_landscape(trials.SEED + map_is_first + number), ground.pixel_size)
         for _ in range(ELSEWHERE_COUNT // LANDSCAPES):
             column, row = rng.uniform(reach, np.subtract(labels.shape[::-1], reach))
             view = trials.View("elsewhere", "bench", column, row, rng.uniform(0, 360))

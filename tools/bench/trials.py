@@ -49,13 +49,13 @@ class Ground:
         self.pixel_size = pixel
 
     def choose_windows(self, count: int = WINDOW_COUNT) -> np.ndarray:
-        """(count,) windows with a vector around which the largest view lies on the map, in order; always the same."""
+        """Up to `count` windows with a vector around which the largest view lies on the map, in order; always the same."""
         height, width = self.labels_hw.shape
         reach = self.size_px / 2 * LARGEST_SCALE
         x, y = self.centers_px.T
         on_map = (x >= reach) & (y >= reach) & (x <= width - reach) & (y <= height - reach)
         eligible = np.flatnonzero(self.database.windows.described & on_map)
-        return np.sort(np.random.default_rng(SEED).choice(eligible, count, replace=False))
+        return np.sort(np.random.default_rng(SEED).choice(eligible, min(count, len(eligible)), replace=False))
 
     def view(
         self, window: int, heading_deg: float = 0.0, scale: float = 1.0, moved_px: Sequence[float] = (0, 0)
