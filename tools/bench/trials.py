@@ -49,7 +49,7 @@ class Ground:
         self.pixel_size = pixel
 
     def choose_windows(self, count: int = WINDOW_COUNT) -> np.ndarray:
-        """Up to `count` windows with a vector around which the largest view lies on the map, in order; always the same."""
+        """Up to `count` windows with a vector around which the largest view lies on the map; always the same ones."""
         height, width = self.labels_hw.shape
         reach = self.size_px / 2 * LARGEST_SCALE
         x, y = self.centers_px.T
