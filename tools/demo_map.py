@@ -83,7 +83,7 @@ def _positions_layer(path: str) -> QgsVectorLayer:
 
 
 def _hit_layer(path: str, image: str) -> QgsVectorLayer:
-    layer = QgsVectorLayer(path, "Hit: matched window")
+    layer = QgsVectorLayer(path, "Hit: ground the picture shows")
     layer.setSubsetString(f"image LIKE '%/{image}'")
     symbol = QgsFillSymbol.createSimple(
         {"color": "255,176,0,50", "outline_color": HIT_COLOR, "outline_width": "1.2", "style": "solid"}
@@ -126,9 +126,10 @@ def _layout(project: QgsProject, labels: QgsRasterLayer, fix: dict, image: Path)
     _place(picture, 212, 27, 70, 70)
     picture.setFrameEnabled(True)
     text = (
-        f"{image.name}\nMatched window {fix['window']}\nx {fix['x']:.1f}   y {fix['y']:.1f}\n"
+        f"{image.name}\nx {fix['x']:.1f}   y {fix['y']:.1f}   (± {fix['error_95']:.2f} m)\n"
         f"longitude {fix['longitude']:.6f}°   latitude {fix['latitude']:.6f}°\n"
-        f"distance {fix['distance']:.4f}   confidence {fix['confidence']:.2f}"
+        f"heading {fix['heading']:.1f}°   pixel size {fix['pixel_size']:.2f} m\n"
+        f"{fix['inliers']} of {fix['references']} landmarks agree, confidence {fix['confidence']:.2f}"
     )
     _label(layout, text, 212, 100, 80, 28, 9)
     _legend(layout, project, page_map)
