@@ -116,8 +116,8 @@ def print_fixes(found: Dict[str, Dict[str, dict]], truth: List[dict]) -> None:
         cells = (f"{sum(column)} of {len(rows)}" for column in zip(*rows))
         print(f"   {kind:32s}" + "".join(f" | {cell:38s}" for cell in cells))
     print(
-        "\n   Pictures between windows (off_grid) are matched with a wrong window by the published method, and it\n"
-        "   does not notice: a distance below 2 counts as a match. The constellation verifies its fixes. See docs/method.md."
+        "\n   Pictures between windows (off_grid) are matched with a wrong window by the published method, and it does"
+        "\n   not notice: a distance below 2 counts as a match. The constellation verifies its fixes: docs/method.md."
     )
 
 
