@@ -4,10 +4,6 @@
  <context>
   <name>SemRef</name>
   <message>
-   <source>1 is a perfect match, 0 none</source>
-   <translation>1 ist volle Übereinstimmung, 0 keine</translation>
-  </message>
-  <message>
    <source>A GeoPackage made by “Build reference database”.</source>
    <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage.</translation>
   </message>
@@ -64,12 +60,24 @@
    <translation>Von der Annotation zur Referenzdatenbank</translation>
   </message>
   <message>
+   <source>Approximate position</source>
+   <translation>Ungefähre Position</translation>
+  </message>
+  <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
    <translation>Zu rasternder Bereich, auf ganze Pixel erweitert; ohne Angabe die Ausdehnung der Polygone.</translation>
   </message>
   <message>
-   <source>Automatic (not in this version)</source>
-   <translation>Automatisch (nicht in dieser Version)</translation>
+   <source>As above; a narrower range is searched faster.</source>
+   <translation>Wie oben; ein engerer Bereich wird schneller durchsucht.</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>Automatic takes the most reliable method, in this version the constellation. Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
+   <translation>Automatisch nimmt das zuverlässigste Verfahren, in dieser Version die Konstellation. Topologievektor ist das veröffentlichte Verfahren: der nächste Vektor aller Fenster, angenommen bis zum Abstand 2.</translation>
   </message>
   <message>
    <source>Build reference database</source>
@@ -160,8 +168,8 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Konfidenz</translation>
   </message>
   <message>
-   <source>Constellation (not in this version)</source>
-   <translation>Konstellation (nicht in dieser Version)</translation>
+   <source>Constellation</source>
+   <translation>Konstellation</translation>
   </message>
   <message>
    <source>Copy longitude, latitude</source>
@@ -224,12 +232,12 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Referenzobjekte werden gesucht</translation>
   </message>
   <message>
-   <source>Finds where images were taken: each label image is described by its landmarks and matched with the windows of a reference database.
+   <source>Finds where images were taken: each label image is described by its landmarks and matched with a reference database.
 
-Every image gives one point; without a fix it has no geometry and its reason says why. The topology vector method finds images centered on a window of the database and is known to accept images from elsewhere: check what it finds.</source>
-   <translation>Findet, wo Bilder aufgenommen wurden: Jedes Klassenbild wird durch seine Landmarken beschrieben und mit den Fenstern einer Referenzdatenbank verglichen.
+Every image gives one point; without a fix it has no geometry and its reason says why. The constellation method finds images anywhere on the map, at any heading, and verifies what it finds. The topology vector method finds images centered on a window and accepts images from elsewhere: check what it finds.</source>
+   <translation>Findet, wo Bilder aufgenommen wurden: Jedes Klassenbild wird durch seine Landmarken beschrieben und mit einer Referenzdatenbank verglichen.
 
-Jedes Bild ergibt einen Punkt; wurde kein Standort gefunden, hat er keine Geometrie und nennt den Grund. Die Methode Topologievektor findet Bilder, deren Mitte auf der eines Fensters der Datenbank liegt, und nimmt bekanntermaßen auch Bilder von anderswo an: Ergebnisse prüfen.</translation>
+Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, und seine Begründung sagt, warum. Die Konstellation findet Bilder überall auf der Karte, in jeder Ausrichtung, und prüft, was sie findet. Der Topologievektor findet Bilder, die mittig auf einem Fenster liegen, und nimmt Bilder von anderswo an: seine Treffer sind zu prüfen.</translation>
   </message>
   <message>
    <source>Fix</source>
@@ -254,6 +262,10 @@ Jedes Bild ergibt einen Punkt; wurde kein Standort gefunden, hat er keine Geomet
   <message>
    <source>GeoTIFF, 8 bits a pixel, with the class table, colors and class names.</source>
    <translation>GeoTIFF, 8 Bit pro Pixel, mit Klassentabelle, Farben und Klassennamen.</translation>
+  </message>
+  <message>
+   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size.</source>
+   <translation>Gelände, das die kürzere Kante eines Bildes zeigt, als Vielfaches der Fenstergröße der Datenbank.</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -312,6 +324,10 @@ Jedes Bild ergibt einen Punkt; wurde kein Standort gefunden, hat er keine Geomet
    <translation>Landmarken je Vektor</translation>
   </message>
   <message>
+   <source>Largest scale</source>
+   <translation>Größter Maßstab</translation>
+  </message>
+  <message>
    <source>Levels</source>
    <translation>Höhenstufen</translation>
   </message>
@@ -334,6 +350,10 @@ Jedes Bild ergibt einen Punkt; wurde kein Standort gefunden, hat er keine Geomet
   <message>
    <source>Map correlation (not in this version)</source>
    <translation>Kartenkorrelation (nicht in dieser Version)</translation>
+  </message>
+  <message>
+   <source>Map correlation is not in this version: choose METHOD 0, 1 or 2.</source>
+   <translation>Kartenkorrelation gibt es in dieser Version nicht: METHOD 0, 1 oder 2 wählen.</translation>
   </message>
   <message>
    <source>Method</source>
@@ -396,8 +416,12 @@ Jedes Bild ergibt einen Punkt; wurde kein Standort gefunden, hat er keine Geomet
    <translation>Ein Punkt pro Bild: Status, Position, Konfidenz, Abstand, Fenster und, wenn kein Standort gefunden wurde, der Grund.</translation>
   </message>
   <message>
-   <source>One polygon a fix: the matched window.</source>
-   <translation>Ein Polygon pro gefundenem Standort: das passende Fenster.</translation>
+   <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
+   <translation>Ein Polygon je gefundenem Standort: das Gelände, das das Bild zeigt, oder beim Topologievektor das getroffene Fenster.</translation>
+  </message>
+  <message>
+   <source>Only with an approximate position: places farther away are not searched.</source>
+   <translation>Nur mit einer ungefähren Position: weiter entfernte Orte werden nicht durchsucht.</translation>
   </message>
   <message>
    <source>Overview</source>
@@ -424,8 +448,16 @@ Jedes Bild ergibt einen Punkt; wurde kein Standort gefunden, hat er keine Geomet
    <translation>Prioritätsfeld</translation>
   </message>
   <message>
+   <source>Probability that the position is right; for the published method, how near the vectors are</source>
+   <translation>Wahrscheinlichkeit, dass die Position stimmt; beim veröffentlichten Verfahren, wie nahe sich die Vektoren sind</translation>
+  </message>
+  <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>Projiziertes KBS in Metern. Ohne Angabe: das des Layers, wenn es metrisch ist, sonst eine UTM-Zone.</translation>
+  </message>
+  <message>
+   <source>Radius around it (map units)</source>
+   <translation>Radius darum (Karteneinheiten)</translation>
   </message>
   <message>
    <source>Rasterize annotation</source>
@@ -508,6 +540,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Kleinere Flächen sind keine Landmarken.</translation>
   </message>
   <message>
+   <source>Smallest scale</source>
+   <translation>Kleinster Maßstab</translation>
+  </message>
+  <message>
    <source>Starting…</source>
    <translation>Wird gestartet…</translation>
   </message>
@@ -552,16 +588,16 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
   </message>
   <message>
+   <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); swap them.</source>
+   <translation>Der kleinste Maßstab ({smallest:g}) liegt über dem größten ({largest:g}); bitte vertauschen.</translation>
+  </message>
+  <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>Die Schrittweite ({stride:g}) ist größer als das Fenster ({size:g}), sodass Boden zwischen den Fenstern fehlen würde; die Schrittweite darf höchstens so groß sein wie das Fenster.</translation>
   </message>
   <message>
    <source>There is no database {path}; choose another file.</source>
    <translation>Es gibt keine Datenbank {path}; eine andere Datei wählen.</translation>
-  </message>
-  <message>
-   <source>This version has one method: choose METHOD 1 (topology vector).</source>
-   <translation>Diese Version hat nur eine Methode: METHOD 1 (Topologievektor) wählen.</translation>
   </message>
   <message>
    <source>Too few landmarks</source>
@@ -576,8 +612,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Topologievektor (He &amp; Wu 2025)</translation>
   </message>
   <message>
-   <source>Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
-   <translation>Topologievektor ist die veröffentlichte Methode: der nächstliegende Vektor aller Fenster, angenommen bis zum Abstand 2.</translation>
+   <source>Topology vector (published)</source>
+   <translation>Topologievektor (veröffentlicht)</translation>
   </message>
   <message>
    <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
@@ -590,6 +626,14 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Unreadable</source>
    <translation>Nicht lesbar</translation>
+  </message>
+  <message>
+   <source>Unverified match</source>
+   <translation>Ungeprüfter Treffer</translation>
+  </message>
+  <message>
+   <source>Where the images are known to be, roughly. It speeds up the search and is never needed.</source>
+   <translation>Wo die Bilder ungefähr liegen. Das beschleunigt die Suche und ist nie nötig.</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -644,6 +688,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Abstand {value:.3f}</translation>
   </message>
   <message>
+   <source>distance {value:.4f}</source>
+   <translation>Abstand {value:.4f}</translation>
+  </message>
+  <message>
    <source>heading {value:.1f}°</source>
    <translation>Ausrichtung {value:.1f}°</translation>
   </message>
@@ -678,10 +726,6 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>{name} can’t be written; choose a place where you may write.</source>
    <translation>{name} lässt sich nicht schreiben; einen Ort mit Schreibrecht wählen.</translation>
-  </message>
-  <message>
-   <source>{name}: window {window}, position {x:.1f} {y:.1f}, distance {distance:.4f}, confidence {confidence:.2f}</source>
-   <translation>{name}: Fenster {window}, Position {x:.1f} {y:.1f}, Abstand {distance:.4f}, Konfidenz {confidence:.2f}</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
