@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from typing import Optional, Tuple
 
 import numpy as np
@@ -10,34 +9,39 @@ import numpy as np
 from .label_source import LabelSource
 from .reference_objects import CENTER_OF_FIRST_PIXEL
 
-_BLOCK = 1024
-_BLOCKS_KEPT = 64
+_REACH = 256
+"""Pixels around the current one that are held at a time, in every direction."""
 
 # The eight neighbours in counter-clockwise order as seen with y down, beginning on the right.
 _STEPS = ((1, 0), (1, -1), (0, -1), (-1, -1), (-1, 0), (-1, 1), (0, 1), (1, 1))
 
 
-class _Pixels:
-    """Random access to the pixels of one class, through a few blocks held in memory."""
+class _Surroundings:
+    """Which pixels around a place are of one class, as bytes; beyond the map none is."""
 
-    def __init__(self, source: LabelSource, value: int) -> None:
-        self._source = source
-        self._value = value
-        self._height, self._width = source.shape_hw
-        self._blocks: "OrderedDict[Tuple[int, int], np.ndarray]" = OrderedDict()
+    def __init__(self, source: LabelSource, value: int, x: int, y: int) -> None:
+        height, width = source.shape_hw
+        self.left, self.top = x - _REACH, y - _REACH
+        self.width = 2 * _REACH + 1
+        left, top = max(self.left, 0), max(self.top, 0)
+        right, bottom = min(x + _REACH + 1, width), min(y + _REACH + 1, height)
+        held = np.zeros((self.width, self.width), np.uint8)
+        labels = source.read(left, top, right - left, bottom - top)
+        held[top - self.top:bottom - self.top, left - self.left:right - self.left] = labels == np.uint8(value)
+        self.pixels = held.tobytes()
+        self.offsets = tuple(dx + dy * self.width for dx, dy in _STEPS)
 
-    def is_set(self, column: int, row: int) -> bool:
-        if not (0 <= column < self._width and 0 <= row < self._height):
-            return False
-        key = (column // _BLOCK, row // _BLOCK)
-        block = self._blocks.get(key)
-        if block is None:
-            x, y = key[0] * _BLOCK, key[1] * _BLOCK
-            block = self._source.read(x, y, min(_BLOCK, self._width - x), min(_BLOCK, self._height - y))
-            self._blocks[key] = block
-            if len(self._blocks) > _BLOCKS_KEPT:
-                self._blocks.popitem(last=False)
-        return block[row - key[1] * _BLOCK, column - key[0] * _BLOCK] == self._value
+    def holds_neighbors(self, x: int, y: int) -> bool:
+        return 0 < x - self.left < self.width - 1 and 0 < y - self.top < self.width - 1
+
+    def direction(self, x: int, y: int, first: int, turn: int) -> Optional[int]:
+        """The first direction with a set neighbour, from ``first`` on, counter-clockwise (turn 1) or clockwise (−1)."""
+        place = (y - self.top) * self.width + x - self.left
+        for step in range(8):
+            direction = (first + turn * step) % 8
+            if self.pixels[place + self.offsets[direction]]:
+                return direction
+        return None
 
 
 def follow_outer_border(
@@ -48,10 +52,10 @@ def follow_outer_border(
     Area and centre are those of the polygon through the border pixels' centres (Green's formula, exact in
     integers), as ``cv2.contourArea`` and ``cv2.moments`` give. None when the area is below ``minimum_area`` (pixels).
     """
-    pixels = _Pixels(source, value)
     x0, y0 = first_pixel
+    around = _Surroundings(source, value, x0, y0)
     # The pixel to the left of the first one is background; look around from there.
-    direction = _next_direction(pixels, x0, y0, 4, clockwise=True)
+    direction = around.direction(x0, y0, 4, -1)
     if direction is None:
         return None
     start_neighbor = (x0 + _STEPS[direction][0], y0 + _STEPS[direction][1])
@@ -60,7 +64,9 @@ def follow_outer_border(
     top = bottom = y0
     x, y, back = x0, y0, direction
     while True:
-        direction = _next_direction(pixels, x, y, back + 1, clockwise=False)
+        if not around.holds_neighbors(x, y):
+            around = _Surroundings(source, value, x, y)
+        direction = around.direction(x, y, back + 1, 1)
         next_x, next_y = x + _STEPS[direction][0], y + _STEPS[direction][1]
         cross = (x - x0) * (next_y - y0) - (next_x - x0) * (y - y0)
         twice_area += cross
@@ -77,11 +83,3 @@ def follow_outer_border(
     center_x = x0 + six_x / (3 * twice_area) + CENTER_OF_FIRST_PIXEL
     center_y = y0 + six_y / (3 * twice_area) + CENTER_OF_FIRST_PIXEL
     return value, center_x, center_y, area, left, top, right + 1, bottom + 1
-
-
-def _next_direction(pixels: _Pixels, x: int, y: int, first: int, clockwise: bool) -> Optional[int]:
-    for turn in range(8):
-        direction = (first - turn if clockwise else first + turn) % 8
-        if pixels.is_set(x + _STEPS[direction][0], y + _STEPS[direction][1]):
-            return direction
-    return None

@@ -85,6 +85,10 @@ class DatabaseBuilder:
         self.database: Optional[ReferenceDatabase] = None
         self.distinctiveness: Optional[np.ndarray] = None
 
+    def read_from(self, source: LabelSource) -> None:
+        """Takes the same map's labels from another source from now on: from memory, say."""
+        self._source = source
+
     def steps(self) -> Iterator[Tuple[str, float]]:
         """Yields (what is being done, share done 0…1). Raises LabelMapError for a map without reference objects."""
         objects, map_hash = None, ""
@@ -131,12 +135,15 @@ class DatabaseBuilder:
             self._source, self._table.reference_values, self._minimum_area_px, band_multiple=factor
         )
         pixels = hashlib.sha256(repr((self._source.shape_hw, self._frame.geotransform)).encode("ascii"))
-        reduced = []
-        for n, (_, labels) in enumerate(catalogue.bands(), start=1):
-            pixels.update(labels)
-            reduced.append(most_frequent_labels(labels, factor))
+        height, width = self._source.shape_hw
+        # Filled in place: a list of bands would be held twice when it is joined.
+        overview = np.empty((-(-height // factor), -(-width // factor)), np.uint8)
+        for n, (first, labels) in enumerate(catalogue.bands(), start=1):
+            pixels.update(np.ascontiguousarray(labels))
+            reduced = most_frequent_labels(labels, factor)
+            overview[first // factor:first // factor + len(reduced)] = reduced
             yield 0.9 * n / catalogue.band_count, None
-        self.overview = np.concatenate(reduced)
+        self.overview = overview
         for _ in catalogue.crossing():
             yield 0.9, None
         yield 1.0, (catalogue.objects, pixels.hexdigest())

@@ -9,7 +9,7 @@ import numpy as np
 BLOCK = 1024
 """Windows compared at a time; 1024 × 10⁵ distances in single precision take 400 MB at most."""
 
-_BLOCK_BYTES = 128_000_000
+_BLOCK_BYTES = 32_000_000
 
 _TOUCHING = 1 - 1e-6
 """Windows side by side share no area, though rounding of large map coordinates may let them overlap by a hair."""
@@ -28,7 +28,9 @@ def distinctiveness(vectors: np.ndarray, centers: np.ndarray, sizes: np.ndarray)
     # Windows of one area are neighbours in y, so only a band of the others can overlap a block.
     for first in range(0, count, step):
         block = slice(first, min(first + step, count))
-        score = squares[None, :] - 2.0 * (vectors[block] @ vectors.T)
+        score = vectors[block] @ vectors.T
+        score *= -2.0
+        score += squares
         near = np.flatnonzero(
             (centers[:, 1] + half > (centers[block, 1] - half[block]).min())
             & (centers[:, 1] - half < (centers[block, 1] + half[block]).max())

@@ -15,7 +15,7 @@ class LabelSource(Protocol):
         """(height, width) in pixels."""
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """(height, width) uint8 labels, C-contiguous; the piece lies wholly on the map."""
+        """(height, width) uint8 labels, not to be changed; the piece lies wholly on the map."""
 
 
 class ArrayLabels:
@@ -29,7 +29,7 @@ class ArrayLabels:
         return self._labels_hw.shape[0], self._labels_hw.shape[1]
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        return np.ascontiguousarray(self._labels_hw[row:row + height, column:column + width])
+        return self._labels_hw[row:row + height, column:column + width]
 
 
 class RollingRows:

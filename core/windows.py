@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Deque, Dict, Iterator, List, Sequence, Tuple
+from typing import Callable, Deque, Dict, Iterator, List, Sequence, Tuple
 
 import numpy as np
 
-from .label_source import LabelSource, RollingRows
+from .label_source import ArrayLabels, LabelSource, RollingRows
 from .reference_objects import (
     BOTTOM,
     CENTER_X,
@@ -38,6 +38,9 @@ from .window_grid import WindowGrid
 
 STRIP_PIXELS = 64_000_000
 """Pixels of a row of windows held at a time; wider maps are described in several column blocks."""
+
+KNOWN_CUTS = 200_000
+"""Cuts remembered from strip to strip; then all are forgotten, which bounds memory."""
 
 PENDING_PIXELS = 256_000_000
 """Pixels of all rows of windows waiting for or in work; bounds memory when several threads work."""
@@ -93,14 +96,23 @@ def describe_windows(
 
 def _strips(source: LabelSource, grid: WindowGrid, all_rows: np.ndarray, strip_pixels: int) -> Iterator["_Strip"]:
     for columns in _column_blocks(grid, strip_pixels):
+        cuts: Dict[tuple, list] = {}
         first, width = int(columns[0]), int(columns[-1]) + grid.size - int(columns[0])
-        buffer = RollingRows(source, first, width, grid.size)
+        rows_of = _row_reader(source, first, width, grid.size)
         inside = (all_rows[:, RIGHT] > first) & (all_rows[:, LEFT] < first + width)
         in_block = shift_rows(all_rows[inside], -first, 0)
         for row in grid.rows:
             near = in_block[(in_block[:, BOTTOM] > row) & (in_block[:, TOP] < row + grid.size)]
-            labels = buffer.strip(int(row)).copy()
-            yield _Strip(labels, shift_rows(near, 0, -int(row)), first, int(row), columns - first)
+            yield _Strip(rows_of(int(row)), shift_rows(near, 0, -int(row)), first, int(row), columns - first, cuts)
+
+
+def _row_reader(source: LabelSource, column: int, width: int, height: int) -> Callable[[int], np.ndarray]:
+    """The function row → (height, width) labels from there on, for rows that only grow."""
+    if isinstance(source, ArrayLabels):
+        return lambda row: source.read(column, row, width, height)
+    rolling = RollingRows(source, column, width, height)
+    # Threads work on strips while the rows roll on.
+    return lambda row: rolling.strip(row).copy()
 
 
 def _column_blocks(grid: WindowGrid, strip_pixels: int) -> List[np.ndarray]:
@@ -113,11 +125,21 @@ def _column_blocks(grid: WindowGrid, strip_pixels: int) -> List[np.ndarray]:
 class _Strip:
     """One row of windows: its labels and the regions near it, in the strip's own pixel coordinates."""
 
-    def __init__(self, labels: np.ndarray, near: np.ndarray, column: int, row: int, columns: np.ndarray) -> None:
+    def __init__(
+        self,
+        labels: np.ndarray,
+        near: np.ndarray,
+        column: int,
+        row: int,
+        columns: np.ndarray,
+        known_cuts: Dict[tuple, list],
+    ) -> None:
         """``labels``: (size, W) uint8; ``near``: region rows of the map that reach into the strip.
 
-        ``column``, ``row``: the strip's first pixel; ``columns``: (M,) the windows' first columns in the strip.
+        ``column``, ``row``: the strip's first pixel; ``columns``: (M,) the windows' first columns in the strip;
+        ``known_cuts``: shared by the strips of a column block, kept up to date.
         """
+        self._known_cuts = known_cuts
         self.labels = labels
         self._near = near
         self._origin = column, row
@@ -184,15 +206,37 @@ class _Strip:
         """
         found = []
         for value in np.unique(crossing[:, CLASS]).tolist():
-            for left, top, right, bottom in _patches(crossing[crossing[:, CLASS] == value], frame, side):
-                mask = class_mask(self.labels[top:bottom, left:right], value)
-                for contour in outer_contours(mask):
-                    row = contour_row(contour, value, minimum_area)
-                    if row is None:
-                        continue
-                    row = shift_row(row, left, top)
-                    if row[side] == frame[side - LEFT] and all(row[other] != frame[other - LEFT] for other in done):
-                        found.append(row)
+            for patch in _patches(crossing[crossing[:, CLASS] == value], frame, side):
+                if side in (LEFT, RIGHT) and patch[1] > 0 and patch[3] < len(self.labels):
+                    found += self._cut_in_many_strips(value, patch, frame, side, done, minimum_area)
+                else:
+                    found += self._cut_in_patch(value, patch, frame, side, done, minimum_area)
+        return found
+
+    def _cut_in_many_strips(self, value: float, patch: tuple, frame: tuple, side: int, done, minimum_area) -> list:
+        """What a vertical line cuts well inside the strip, it cuts in the strips above and below just the same."""
+        row = self._origin[1]
+        left, top, right, bottom = patch
+        key = side, value, left, top + row, right, bottom + row, frame[0], frame[2], LEFT in done
+        known = self._known_cuts.get(key)
+        if known is None:
+            if len(self._known_cuts) >= KNOWN_CUTS:
+                self._known_cuts.clear()
+            cut = self._cut_in_patch(value, patch, frame, side, done, minimum_area)
+            known = [shift_row(found, 0, row) for found in cut]
+            self._known_cuts[key] = known
+        return [shift_row(found, 0, -row) for found in known]
+
+    def _cut_in_patch(self, value: float, patch: tuple, frame: tuple, side: int, done, minimum_area) -> list:
+        left, top, right, bottom = patch
+        found = []
+        for contour in outer_contours(class_mask(self.labels[top:bottom, left:right], value)):
+            row = contour_row(contour, value, minimum_area)
+            if row is None:
+                continue
+            row = shift_row(row, left, top)
+            if row[side] == frame[side - LEFT] and all(row[other] != frame[other - LEFT] for other in done):
+                found.append(row)
         return found
 
 
@@ -215,12 +259,10 @@ def _patches(crossing: np.ndarray, frame: Tuple[int, int, int, int], side: int) 
     Regions whose extents along the side's line overlap share a patch, so that the patches' extents along the line
     are apart and no region shows up in two of them.
     """
-    bounds = np.clip(crossing[:, LEFT:BOTTOM + 1], (frame[0], frame[1]) * 2, (frame[2], frame[3]) * 2).astype(
-        np.int64
-    )
+    bounds = np.minimum(np.maximum(crossing[:, LEFT:BOTTOM + 1], (frame[0], frame[1]) * 2), (frame[2], frame[3]) * 2)
     vertical = side in (LEFT, RIGHT)
     along = 1 if vertical else 0
-    bounds = bounds[np.argsort(bounds[:, along], kind="stable")].tolist()
+    bounds = bounds[np.argsort(bounds[:, along], kind="stable")].astype(np.int64).tolist()
     patch = None
     for left, top, right, bottom in bounds:
         if patch is not None and (top if vertical else left) <= patch[along + 2]:

@@ -468,6 +468,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Datenbank wird gelesen</translation>
   </message>
   <message>
+   <source>Reading the label map</source>
+   <translation>Klassenkarte wird gelesen</translation>
+  </message>
+  <message>
    <source>Ready to localize.</source>
    <translation>Bereit zum Lokalisieren.</translation>
   </message>

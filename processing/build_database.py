@@ -114,7 +114,7 @@ class BuildDatabase(SemRefAlgorithm):
         from ..core.build import DatabaseBuilder
         from .exchange.files import written_beside
         from .exchange.geopackage import DatabaseWriter
-        from .exchange.rasters import GdalLabels, map_frame
+        from .exchange.rasters import GdalLabels, HeldLabels, map_frame
         from .exchange.reference_systems import longitudes_latitudes
         from .exchange.styles import database_styles
 
@@ -123,10 +123,13 @@ class BuildDatabase(SemRefAlgorithm):
         frame = map_frame(labels, self._layer)
         table = self._table(parameters, context, feedback, labels)
         settings = self._settings(parameters, context)
+        held = HeldLabels(labels)
         builder = DatabaseBuilder(labels, frame, table, settings, plugin_version())
         self._say_rounding(builder, frame, settings, feedback)
         with written_beside(output) as temporary:
-            follow(builder.steps(), feedback, 0, 75)
+            follow(held.steps(), feedback, 0, 10)
+            builder.read_from(held.source)
+            follow(builder.steps(), feedback, 10, 75)
             follow(builder.compare_windows(), feedback, 75, 85)
             database = builder.database
             degrees = longitudes_latitudes(database.windows.centers, self._layer.crs, context.transformContext())

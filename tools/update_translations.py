@@ -15,7 +15,12 @@ from xml.etree import ElementTree
 ROOT = Path(__file__).resolve().parent.parent
 CONTEXT = "SemRef"
 ROOMS = ("processing", "ui")
-STEP_FILES = ("core/build.py", "processing/exchange/burning.py", "processing/exchange/geopackage.py")
+STEP_FILES = (
+    "core/build.py",
+    "processing/exchange/burning.py",
+    "processing/exchange/geopackage.py",
+    "processing/exchange/rasters.py",
+)
 """Where steps are yielded: their texts are translated by whoever shows them."""
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
-from osgeo import gdal, ogr, osr
+from osgeo import gdal, gdal_array, ogr, osr
 
 from ...core.class_table import class_table_from_csv
 from ...core.database import FORMAT_VERSION, BuildParameters, MapReferences, ReferenceDatabase, Windows
@@ -159,15 +159,14 @@ class DatabaseWriter:
 
     def _write_overview(self, srs: osr.SpatialReference) -> None:
         parameters, overview = self._database.parameters, self._overview
-        height, width = overview.shape
-        memory = gdal.GetDriverByName("MEM").Create("", width, height, 1, gdal.GDT_Byte)
+        # Shares the array's memory, as GDAL's drivers copy from datasets only.
+        memory = gdal_array.OpenArray(overview)
         x0, pixel, _, y0, _, _ = parameters.geotransform
         pixel *= parameters.overview_factor
         memory.SetGeoTransform((x0, pixel, 0.0, y0, 0.0, -pixel))
         memory.SetProjection(srs.ExportToWkt())
         band = memory.GetRasterBand(1)
         set_class_colors(band, self._database.class_table)
-        band.WriteArray(overview)
         options = ["APPEND_SUBDATASET=YES", f"RASTER_TABLE={OVERVIEW}", "TILE_FORMAT=PNG"]
         written = gdal.GetDriverByName("GPKG").CreateCopy(self._path, memory, options=options)
         if written is None:

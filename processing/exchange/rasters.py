@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from dataclasses import dataclass
-from typing import Callable, Dict, List, Optional, Tuple
+from typing import Callable, Dict, Iterator, List, Optional, Tuple
 
 import numpy as np
 from osgeo import gdal
@@ -20,6 +20,7 @@ from ...core.class_table import ClassTable, LandCoverClass, class_table_from_csv
 from ...core.color_labels import decode_by_hsv, decode_by_nearest_color
 from ...core.errors import ClassTableError, LabelMapError
 from ...core.label_counts import count_labels
+from ...core.label_source import ArrayLabels, LabelSource
 from ..compat import is_metric, wkt_for_gdal
 from .reference_systems import describe_crs
 
@@ -30,6 +31,9 @@ LABEL_MAP_OPTIONS = ("TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_T
 
 MAXIMUM_IMAGE_PIXELS = 400_000_000
 """A query image is held in memory; larger ones are refused."""
+
+HELD_PIXELS = 400_000_000
+"""A label map up to this size is held in memory while a database is built; a larger one is read piece by piece."""
 
 _COUNTED_AT_ONCE = 8_000_000
 
@@ -105,6 +109,29 @@ class GdalLabels:
             found = int(block.max() if block.max() > 255 else block.min())
             raise LabelMapError(f"{self._path} has the value {found}; a label map holds class values from 0 to 255.")
         return block.astype(np.uint8)
+
+
+class HeldLabels:
+    """A label map read into memory, which saves decoding it twice; iterate ``steps()``, then take ``source``.
+
+    Maps of more than HELD_PIXELS stay on disk: ``source`` is then the label map itself.
+    """
+
+    def __init__(self, labels: GdalLabels) -> None:
+        self._labels = labels
+        self.source: LabelSource = labels
+
+    def steps(self) -> Iterator[Tuple[str, float]]:
+        height, width = self._labels.shape_hw
+        if height * width > HELD_PIXELS:
+            return
+        held = np.empty((height, width), np.uint8)
+        rows = max(1, _COUNTED_AT_ONCE // width)
+        for first in range(0, height, rows):
+            last = min(first + rows, height)
+            held[first:last] = self._labels.read(0, first, width, last - first)
+            yield "Reading the label map", last / height
+        self.source = ArrayLabels(held)
 
 
 @dataclass(frozen=True)

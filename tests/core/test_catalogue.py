@@ -189,8 +189,7 @@ def test_band_heights_are_multiples_of_what_is_asked(band_rows, multiple, rows):
 
 
 def test_what_is_traced_is_equal_across_the_blocks_it_is_read_in(monkeypatch):
-    monkeypatch.setattr(border_following, "_BLOCK", 16)
-    monkeypatch.setattr(border_following, "_BLOCKS_KEPT", 3)
+    monkeypatch.setattr(border_following, "_REACH", 5)
     for labels in (snakes(4), spiral(), one_region()):
         assert_equal_to_the_whole(catalogue(labels, 11, 0), labels)
 
