@@ -179,7 +179,10 @@ def _solve(
         _add(query, found, verify(verifier, telling, pose))
         if len(tried) == VERIFIED:
             break
-    if not any(_agrees(evidence) for evidence in found):
+    strongest = max(found, key=lambda evidence: evidence.log_odds)
+    if strongest.log_odds > 0:
+        _add(query, found, verify_tilted(verifier, telling, strongest.pose, 0j))
+    if not _agrees(strongest):
         for number in range(min(TILTED_VERIFIED, len(seeds.centers))):
             pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
             _add(query, found, verify_tilted(verifier, telling, pose, complex(seeds.focuses[number])))
