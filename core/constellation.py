@@ -56,8 +56,8 @@ REPEAT_REACH = 0.5
 most this share of their extent long."""
 
 TILTED_NOISE = 1.6
-TILTED_SHARE = 0.4
-TILTED_VERIFIED = 4
+TILTED_SHARE = 0.6
+TILTED_VERIFIED = 3
 TILTED_MARGIN = 6.0
 """A tilted camera is tried, from so many seeds, unless some pose of a level one has less noise than this factor and
 matches this share of the objects; it must win by this many log odds."""
@@ -181,7 +181,8 @@ def _solve(
             break
     strongest = max(found, key=lambda evidence: evidence.log_odds)
     if strongest.log_odds > 0:
-        _add(query, found, verify_tilted(verifier, telling, strongest.pose, 0j))
+        focus = complex(telling.points[strongest.matched].mean()) if len(strongest.matched) else 0j
+        _add(query, found, verify_tilted(verifier, telling, strongest.pose, focus))
     if not _agrees(strongest):
         for number in range(min(TILTED_VERIFIED, len(seeds.centers))):
             pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
