@@ -25,7 +25,7 @@ MARGIN_SHARE = 0.2
 LARGEST_ERROR = 0.02
 """A fix must have a 95 % ellipse within this share of the image's diagonal."""
 
-EVEN_LOG_ODDS = 8.0
+EVEN_LOG_ODDS = 4.0
 LOG_ODDS_UNIT = 3.0
 """Confidence is a logistic function of the smallest margin: one half at EVEN_LOG_ODDS. Calibrated on
 Liechtenstein 2021, northern half."""
