@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import List, Optional, Tuple
 
 import numpy as np
@@ -88,7 +88,8 @@ class ConstellationResult:
     place: best pose, also where it is not good enough (None where there is none); alternatives: other places almost
     as good; mirror_log_odds: of the mirrored image; uncertainty: of ``place``; references: objects used;
     missing: objects of the map that should be seen and aren't; capped: common triangles were left out;
-    confidence: probability that ``place`` is right; matches: (m, 2) objects of the image (of those used) and the map.
+    confidence: probability that ``place`` is right; matches: (m, 2) objects of the image and of the
+    map that agree.
     """
 
     status: str
@@ -127,7 +128,9 @@ def localize(
         found, capped = _solve(verifier, query, triangles, prior, cap)
         if found and found[0].log_odds >= MINIMUM_LOG_ODDS:
             found = _with_repeats(verifier, query, found)
-            decoys, _ = _solve(verifier, query.mirrored(), mirrored(triangles), prior, cap)
+            # A mirrored image has no heading that could be known.
+            blind = None if prior is None else replace(prior, heading_deg=None)
+            decoys, _ = _solve(verifier, query.mirrored(), mirrored(triangles), blind, cap)
             return _decide(query, found, decoys, index, count, capped)
     return _decide(query, found, [], index, count, capped)
 
@@ -162,9 +165,9 @@ def _solve(
     if not len(seeds.centers):
         return [], seeds.capped
     gates = [gate * query.diagonal for gate in ROUGH_GATES]
-    rough = telling_objects(query, ROUGH_OBJECTS)
+    rough = query.select(telling_objects(query, ROUGH_OBJECTS))
     centers, turns, scores = rough_scores(verifier, rough, seeds.centers, seeds.turns, gates)
-    telling = telling_objects(query, LARGEST_OBJECTS)
+    telling = query.select(telling_objects(query, LARGEST_OBJECTS))
     found: List[Evidence] = []
     tried: List[Pose] = []
     best = 0.0
@@ -206,7 +209,7 @@ def _add(query: Query, found: List[Evidence], evidence: Evidence) -> None:
 
 def _with_repeats(verifier: Verifier, query: Query, found: List[Evidence]) -> List[Evidence]:
     """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
-    best, telling = found[0], telling_objects(query, LARGEST_OBJECTS)
+    best, telling = found[0], query.select(telling_objects(query, LARGEST_OBJECTS))
     all_found = list(found)
     for step in repeats(verifier, query, best):
         moved = verify(verifier, telling, Pose(best.pose.center + step, best.pose.turn))
@@ -278,7 +281,7 @@ def _decide(
         best.missing,
         capped,
         confidence(best.log_odds, max([mirror, *(other.log_odds for other in found[1:])])),
-        np.column_stack([best.matched, best.objects]),
+        np.column_stack([telling_objects(query, LARGEST_OBJECTS)[best.matched], best.objects]),
     )
 
 
@@ -302,7 +305,7 @@ def _place(index: ConstellationIndex, evidence: Evidence) -> Place:
 def _uncertainty(index: ConstellationIndex, query: Query, evidence: Evidence) -> Optional[PoseUncertainty]:
     if len(evidence.matched) < 3:
         return None
-    points = telling_objects(query, LARGEST_OBJECTS).points[evidence.matched]
+    points = query.points[telling_objects(query, LARGEST_OBJECTS)[evidence.matched]]
     on_map = index.points[evidence.objects]
     if not evidence.pose.is_level:
         return tilted_uncertainty(points, on_map, evidence.deviations, evidence.pose, query.diagonal)

@@ -4,7 +4,8 @@
 
 Reads ../shared/data/osm_liechtenstein_2021 (or SEMREF_DATA), rasterises it at 1 m with gdal_rasterize into a temporary
 folder. Thresholds were calibrated with --half north; the figures to quote are those of --half south.
-One core is used; times are processor times, so that other programs don't count. Rates come with counts and Wilson 95 % intervals.
+One core is used; times are processor times, so that other programs don't count.
+Rates come with counts and Wilson 95 % intervals.
 """
 
 from __future__ import annotations
