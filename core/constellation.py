@@ -62,6 +62,9 @@ TILTED_MARGIN = 6.0
 """A tilted camera is tried, from so many seeds, unless some pose of a level one has less noise than this factor and
 matches this share of the objects; it must win by this many log odds."""
 
+FEW_OBJECTS = 40
+"""Up to so many objects a pose is verified from its seed as well as from its rough fit."""
+
 SAME_TILTED_PLACE = 0.04
 """A level and a tilted pose whose objects lie nearer than this share of the diagonal are the same place."""
 
@@ -180,6 +183,10 @@ def _solve(
         best = max(best, float(scores[number]))
         tried.append(pose)
         _add(query, found, verify(verifier, telling, pose))
+        if len(telling.points) <= FEW_OBJECTS:
+            # The rough fit of few objects may have settled on wrong matches.
+            seed = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
+            _add(query, found, verify(verifier, telling, seed))
         if len(tried) == VERIFIED:
             break
     strongest = max(found, key=lambda evidence: evidence.log_odds)
