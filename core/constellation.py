@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import List, Optional, Tuple
 
 import numpy as np
@@ -25,7 +25,7 @@ MARGIN_SHARE = 0.2
 LARGEST_ERROR = 0.02
 """A fix must have a 95 % ellipse within this share of the image's diagonal."""
 
-EVEN_LOG_ODDS = 8.0
+EVEN_LOG_ODDS = 4.0
 LOG_ODDS_UNIT = 3.0
 """Confidence is a logistic function of the smallest margin: one half at EVEN_LOG_ODDS. Calibrated on
 Liechtenstein 2021, northern half."""
@@ -56,11 +56,14 @@ REPEAT_REACH = 0.5
 most this share of their extent long."""
 
 TILTED_NOISE = 1.6
-TILTED_SHARE = 0.4
-TILTED_VERIFIED = 4
+TILTED_SHARE = 0.6
+TILTED_VERIFIED = 3
 TILTED_MARGIN = 6.0
 """A tilted camera is tried, from so many seeds, unless some pose of a level one has less noise than this factor and
 matches this share of the objects; it must win by this many log odds."""
+
+FEW_OBJECTS = 40
+"""Up to so many objects a pose is verified from its seed as well as from its rough fit."""
 
 SAME_TILTED_PLACE = 0.04
 """A level and a tilted pose whose objects lie nearer than this share of the diagonal are the same place."""
@@ -88,7 +91,8 @@ class ConstellationResult:
     place: best pose, also where it is not good enough (None where there is none); alternatives: other places almost
     as good; mirror_log_odds: of the mirrored image; uncertainty: of ``place``; references: objects used;
     missing: objects of the map that should be seen and aren't; capped: common triangles were left out;
-    confidence: probability that ``place`` is right; matches: (m, 2) objects of the image (of those used) and the map.
+    confidence: probability that ``place`` is right; matches: (m, 2) objects of the image and of the
+    map that agree.
     """
 
     status: str
@@ -127,7 +131,9 @@ def localize(
         found, capped = _solve(verifier, query, triangles, prior, cap)
         if found and found[0].log_odds >= MINIMUM_LOG_ODDS:
             found = _with_repeats(verifier, query, found)
-            decoys, _ = _solve(verifier, query.mirrored(), mirrored(triangles), prior, cap)
+            # A mirrored image has no heading that could be known.
+            blind = None if prior is None else replace(prior, heading_deg=None)
+            decoys, _ = _solve(verifier, query.mirrored(), mirrored(triangles), blind, cap)
             return _decide(query, found, decoys, index, count, capped)
     return _decide(query, found, [], index, count, capped)
 
@@ -162,9 +168,9 @@ def _solve(
     if not len(seeds.centers):
         return [], seeds.capped
     gates = [gate * query.diagonal for gate in ROUGH_GATES]
-    rough = telling_objects(query, ROUGH_OBJECTS)
+    rough = query.select(telling_objects(query, ROUGH_OBJECTS))
     centers, turns, scores = rough_scores(verifier, rough, seeds.centers, seeds.turns, gates)
-    telling = telling_objects(query, LARGEST_OBJECTS)
+    telling = query.select(telling_objects(query, LARGEST_OBJECTS))
     found: List[Evidence] = []
     tried: List[Pose] = []
     best = 0.0
@@ -177,9 +183,17 @@ def _solve(
         best = max(best, float(scores[number]))
         tried.append(pose)
         _add(query, found, verify(verifier, telling, pose))
+        if len(telling.points) <= FEW_OBJECTS:
+            # The rough fit of few objects may have settled on wrong matches.
+            seed = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
+            _add(query, found, verify(verifier, telling, seed))
         if len(tried) == VERIFIED:
             break
-    if not any(_agrees(evidence) for evidence in found):
+    strongest = max(found, key=lambda evidence: evidence.log_odds)
+    if strongest.log_odds > 0:
+        focus = complex(telling.points[strongest.matched].mean()) if len(strongest.matched) else 0j
+        _add(query, found, verify_tilted(verifier, telling, strongest.pose, focus))
+    if not _agrees(strongest):
         for number in range(min(TILTED_VERIFIED, len(seeds.centers))):
             pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
             _add(query, found, verify_tilted(verifier, telling, pose, complex(seeds.focuses[number])))
@@ -202,7 +216,7 @@ def _add(query: Query, found: List[Evidence], evidence: Evidence) -> None:
 
 def _with_repeats(verifier: Verifier, query: Query, found: List[Evidence]) -> List[Evidence]:
     """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
-    best, telling = found[0], telling_objects(query, LARGEST_OBJECTS)
+    best, telling = found[0], query.select(telling_objects(query, LARGEST_OBJECTS))
     all_found = list(found)
     for step in repeats(verifier, query, best):
         moved = verify(verifier, telling, Pose(best.pose.center + step, best.pose.turn))
@@ -274,7 +288,7 @@ def _decide(
         best.missing,
         capped,
         confidence(best.log_odds, max([mirror, *(other.log_odds for other in found[1:])])),
-        np.column_stack([best.matched, best.objects]),
+        np.column_stack([telling_objects(query, LARGEST_OBJECTS)[best.matched], best.objects]),
     )
 
 
@@ -298,7 +312,7 @@ def _place(index: ConstellationIndex, evidence: Evidence) -> Place:
 def _uncertainty(index: ConstellationIndex, query: Query, evidence: Evidence) -> Optional[PoseUncertainty]:
     if len(evidence.matched) < 3:
         return None
-    points = telling_objects(query, LARGEST_OBJECTS).points[evidence.matched]
+    points = query.points[telling_objects(query, LARGEST_OBJECTS)[evidence.matched]]
     on_map = index.points[evidence.objects]
     if not evidence.pose.is_level:
         return tilted_uncertainty(points, on_map, evidence.deviations, evidence.pose, query.diagonal)

@@ -133,15 +133,14 @@ def rough_scores(verifier: Verifier, query: Query, centers, turns, gates) -> tup
     return centers, turns, scores
 
 
-def telling_objects(query: Query, count: int) -> Query:
-    """The largest whole objects of known class."""
+def telling_objects(query: Query, count: int) -> np.ndarray:
+    """Ascending places of the largest whole objects of known class, at most ``count``."""
     usable = np.flatnonzero(query.whole & (query.ranks >= 0))
-    largest = np.sort(usable[np.argsort(-query.log_areas[usable], kind="stable")[:count]])
-    return query.select(largest)
+    return np.sort(usable[np.argsort(-query.log_areas[usable], kind="stable")[:count]])
 
 
 def verify(verifier: Verifier, query: Query, pose: Pose) -> Evidence:
-    """Refines the pose of a level camera by match and fit, then weighs it. query: of ``telling_objects``."""
+    """Refines the pose of a level camera by match and fit, then weighs it. query: its ``telling_objects``."""
     return _refined(verifier, query, pose, 2.0)
 
 

@@ -202,6 +202,22 @@ def test_the_same_image_gets_the_same_answer(ground):
     assert one.place == other.place and one.uncertainty == other.uncertainty
 
 
+def test_matches_name_objects_of_the_image_and_of_the_map(ground):
+    view = seen_from(1500, 1300, 0.0)
+    objects = ground.see(view)
+    matches = solve(ground, objects).matches
+    assert len(matches) >= 20
+    seen = objects.centers_xy[matches[:, 0]] + (view.column - SIZE / 2, view.row - SIZE / 2)
+    np.testing.assert_allclose(seen, ground.objects.centers_xy[matches[:, 1]], atol=0.6)
+
+
+def test_a_tilted_camera_is_located(ground):
+    for direction in (0.0, 130.0):
+        view = dataclasses.replace(seen_from(1500, 1300, 70.0), tilt_deg=10.0, tilt_direction_deg=direction)
+        result = solve(ground, ground.see(view))
+        assert result.status == FIX and error(result, view) < 0.02 * SIZE
+
+
 def test_objects_at_the_border_do_no_harm(ground):
     objects = ground.see(seen_from(1500, 1300, 120.0))
     moved = objects.centers_xy + np.where(objects.touches_edge[:, None], 9.0, 0.0)
