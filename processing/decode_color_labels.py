@@ -71,7 +71,8 @@ class DecodeColorLabels(SemRefAlgorithm):
     def work(self, parameters, context, feedback):
         from ..core.color_labels import decode_by_hsv, decode_by_nearest_color
         from .exchange.files import written_beside
-        from .exchange.rasters import LabelMapFile, open_raster, read_bgr, read_class_table
+        from .exchange.label_map_file import LabelMapFile
+        from .exchange.rasters import open_raster, read_bgr, read_class_table
         from .exchange.styles import write_label_map_style
 
         table = read_class_table(self.parameterAsFile(parameters, self.CLASS_TABLE, context))

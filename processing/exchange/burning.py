@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from typing import Iterator, List, Tuple
 
 import numpy as np
@@ -10,7 +11,7 @@ from osgeo import gdal, ogr, osr
 from ...core.class_table import ClassTable
 from ...core.label_counts import count_labels
 from .annotation import BurnPolygon
-from .rasters import LabelMapFile
+from .label_map_file import LabelMapFile
 
 STRIP_PIXELS = 16_000_000
 """Pixels burnt and written at a time."""
@@ -44,13 +45,19 @@ class LabelMapBurning:
         """Yields (what is being done, share of the map written 0…1)."""
         width, height = self._size
         rows = max(TILE_ROWS, STRIP_PIXELS // width // TILE_ROWS * TILE_ROWS)
-        with LabelMapFile(self._path, width, height, self._geotransform, self._crs_wkt, self._table) as label_map:
+        file = LabelMapFile(self._path, width, height, self._geotransform, self._crs_wkt, self._table)
+        # One thread compresses a strip while this one burns the next.
+        with file as label_map, ThreadPoolExecutor(1) as writer:
             yield "Burning polygons", 0.0
+            writing = None
             for first in range(0, height, rows):
                 labels = self._burn(first, min(rows, height - first))
                 self.counts += count_labels(labels)
-                label_map.write_rows(first, labels)
+                if writing is not None:
+                    writing.result()
+                writing = writer.submit(label_map.write_rows, first, labels)
                 yield "Burning polygons", (first + len(labels)) / height
+            writing.result()
 
     def _burn(self, first_row: int, rows: int) -> np.ndarray:
         x0, pixel, _, y0, _, _ = self._geotransform

@@ -19,7 +19,8 @@ from osgeo import gdal, gdal_array, ogr, osr
 from ...core.class_table import class_table_from_csv
 from ...core.database import FORMAT_VERSION, BuildParameters, MapReferences, ReferenceDatabase, Windows
 from ...core.errors import DatabaseError
-from .rasters import gdal_failure, set_class_colors
+from .gdal_errors import gdal_failure
+from .label_map_file import set_class_colors
 
 WINDOWS, REFERENCES, OVERVIEW, CLASSES, PARAMETERS, STYLES = (
     "windows", "references", "overview", "classes", "parameters", "layer_styles",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from dataclasses import dataclass
 from typing import Callable, Dict, Iterator, List, Optional, Tuple
 
@@ -22,12 +21,9 @@ from ...core.errors import ClassTableError, LabelMapError
 from ...core.label_counts import count_labels
 from ...core.label_source import ArrayLabels, LabelSource
 from ..compat import is_metric, wkt_for_gdal
+from .gdal_errors import gdal_failure
+from .label_map_file import CLASS_TABLE_ITEM
 from .reference_systems import describe_crs
-
-CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
-"""Metadata item of a label map that holds its class table as CSV."""
-
-LABEL_MAP_OPTIONS = ("TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS")
 
 MAXIMUM_IMAGE_PIXELS = 400_000_000
 """A query image is held in memory; larger ones are refused."""
@@ -42,13 +38,6 @@ _INTEGER_TYPES = {getattr(gdal, f"GDT_{name}") for name in _INTEGER_NAMES if has
 """Integer types that this GDAL has; it got 64 bits with 3.5 and Int8 with 3.7."""
 
 IMAGE_EXTENSIONS = (".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".bmp", ".gif", ".webp", ".vrt", ".img", ".asc")
-
-
-def gdal_failure(error: Optional[Exception] = None) -> str:
-    """What GDAL said last, whether it raised or not."""
-    text = (str(error) if error else "") or gdal.GetLastErrorMsg() or "unknown reason"
-    # GDAL 3.10 appends the earlier messages as sentences of their own.
-    return re.sub(r"\.\s+(?=[A-Z])", "; ", " ".join(text.split())).rstrip(".")
 
 
 def open_raster(path: str, what: str = "raster") -> gdal.Dataset:
@@ -232,83 +221,6 @@ def map_frame(labels: GdalLabels, layer: LabelMapLayer) -> MapFrame:
             f"{layer.path} has pixels of {pixel_x:g} × {-pixel_y:g}; resample it to square pixels first."
         )
     return MapFrame(wkt_for_gdal(layer.crs), tuple(transform))
-
-
-class LabelMapFile:
-    """A label map being written: GeoTIFF, uint8, tiled, DEFLATE, with classes and colours inside.
-
-    A context manager: leaving it closes the file, and raises LabelMapError when GDAL could not write (disk full).
-    """
-
-    def __init__(
-        self,
-        path: str,
-        width: int,
-        height: int,
-        geotransform: Optional[tuple],
-        crs_wkt: str,
-        table: ClassTable,
-    ) -> None:
-        self._path = path
-        options = list(LABEL_MAP_OPTIONS)
-        try:
-            self._dataset = gdal.GetDriverByName("GTiff").Create(path, width, height, 1, gdal.GDT_Byte, options)
-        except RuntimeError as error:
-            raise self._failure(error) from None
-        if self._dataset is None:
-            raise self._failure()
-        if geotransform is not None:
-            self._dataset.SetGeoTransform(geotransform)
-        if crs_wkt:
-            self._dataset.SetProjection(crs_wkt)
-        self._dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
-        set_class_colors(self._dataset.GetRasterBand(1), table)
-
-    def __enter__(self) -> "LabelMapFile":
-        return self
-
-    def __exit__(self, kind, error, traceback) -> None:
-        # Dropping the last reference closes the file, before its folder is removed after an error or a cancel.
-        dataset, self._dataset = self._dataset, None
-        if error is None:
-            self._flush(dataset)
-
-    def write_rows(self, first_row: int, labels_hw: np.ndarray) -> None:
-        try:
-            failed = self._dataset.GetRasterBand(1).WriteArray(labels_hw, 0, first_row)
-        except RuntimeError as error:
-            raise self._failure(error) from None
-        if failed:
-            raise self._failure()
-
-    def _flush(self, dataset: gdal.Dataset) -> None:
-        gdal.ErrorReset()
-        try:
-            dataset.FlushCache()
-        except RuntimeError as error:
-            raise self._failure(error) from None
-        if gdal.GetLastErrorType() >= gdal.CE_Failure:
-            raise self._failure()
-
-    def _failure(self, error: Optional[Exception] = None) -> LabelMapError:
-        return LabelMapError(f"{self._path} can't be written: {gdal_failure(error)}.")
-
-
-def set_class_colors(band: gdal.Band, table: ClassTable) -> None:
-    """Colour table (0 transparent) and category names; GDAL keeps the names of a GeoTIFF in its .aux.xml."""
-    colors = gdal.ColorTable()
-    last = max([c.value for c in table], default=0)
-    names = [""] * (last + 1)
-    colors.SetColorEntry(0, (0, 0, 0, 0))
-    for value in range(1, last + 1):
-        colors.SetColorEntry(value, (0, 0, 0, 255))
-    for c in table:
-        if c.value:
-            colors.SetColorEntry(c.value, (*c.rgb, 255))
-        names[c.value] = c.name
-    names[0] = names[0] or "unlabeled"
-    band.SetRasterColorTable(colors)
-    band.SetRasterCategoryNames(names)
 
 
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:

@@ -132,7 +132,7 @@ def write_labels(
     """
     from osgeo import gdal
 
-    from semref.processing.exchange.rasters import CLASS_TABLE_ITEM
+    from semref.processing.exchange.label_map_file import CLASS_TABLE_ITEM
 
     source = gdal.Open(str(template))
     options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]

@@ -1,0 +1,37 @@
+"""What GDAL fails at, whether it raises or returns None, as the user has set it."""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from typing import Iterator, List
+
+from osgeo import gdal
+
+
+def gdal_failure(error: object = None) -> str:
+    """What GDAL said last, whether it raised or not."""
+    text = (str(error) if error else "") or gdal.GetLastErrorMsg() or "unknown reason"
+    # GDAL 3.10 appends the earlier messages as sentences of their own.
+    return re.sub(r"\.\s+(?=[A-Z])", "; ", " ".join(text.split())).rstrip(".")
+
+
+@contextlib.contextmanager
+def gdal_failures() -> Iterator[List[str]]:
+    """Collects what GDAL fails at in the block and this thread, whether GDAL raises or not.
+
+    Its last error alone would not do: warnings and later calls replace it.
+    """
+    failures: List[str] = []
+
+    def remember(kind: int, number: int, text: str) -> None:
+        if kind >= gdal.CE_Failure:
+            failures.append(text)
+
+    gdal.PushErrorHandler(remember)
+    try:
+        yield failures
+    except RuntimeError as error:
+        failures.append(str(error))
+    finally:
+        gdal.PopErrorHandler()
