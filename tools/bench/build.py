@@ -94,13 +94,16 @@ class Comparison:
         from osgeo import gdal
 
         from semref.core.build import BuildSettings, DatabaseBuilder, MapFrame
-        from semref.processing.exchange.rasters import GdalLabels, read_class_table
+        from semref.processing.exchange.rasters import GdalLabels, HeldLabels, read_class_table
 
         dataset = gdal.Open(str(self._path))
         frame = MapFrame(dataset.GetProjection(), tuple(dataset.GetGeoTransform()))
         table = read_class_table(str(self._area.class_table)).with_references(inputs.REFERENCE_CLASSES)
         settings = BuildSettings(self._area.window_size, self._stride, inputs.MINIMUM_AREA, threads=threads)
-        return DatabaseBuilder(GdalLabels(str(self._path)), frame, table, settings, "bench")
+        held = HeldLabels(GdalLabels(str(self._path)))
+        for _ in held.steps():
+            pass
+        return DatabaseBuilder(held.source, frame, table, settings, "bench")
 
     def _compare(self, grid, vectors: np.ndarray, counts: np.ndarray, reference_count: int) -> None:
         windows = self.database.windows
