@@ -712,7 +712,7 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Fenster {value}</translation>
   </message>
   <message>
-   <source>within {value:.1f} m (95 %)</source>
+   <source>within {value:.2f} m (95 %)</source>
    <translation>auf {value:.1f} m genau (95 %)</translation>
   </message>
   <message>

@@ -308,7 +308,7 @@ def _say(item, feedback) -> None:
         (result.distance, tr("distance {value:.4f}")),
         (result.heading_deg, tr("heading {value:.1f}°")),
         (result.pixel_size_m, tr("pixel size {value:.3g} m")),
-        (result.error_95_m, tr("within {value:.1f} m (95 %)")),
+        (result.error_95_m, tr("within {value:.2f} m (95 %)")),
         (result.confidence, tr("confidence {value:.2f}")),
     )
     texts = [text.format(value=value) for value, text in details if value is not None]

@@ -112,7 +112,7 @@ def _measures(finding: Finding) -> List[str]:
         [(confidence, tr("confidence {value:.2f}")), (finding.distance, tr("distance {value:.3f}"))],
         [(finding.window, tr("window {value}")), (finding.references, tr("{value} landmarks in the image"))],
         [(finding.heading, tr("heading {value:.1f}°")), (finding.pixel_size, tr("pixel size {value:.3g} m"))],
-        [(finding.error_95, tr("within {value:.1f} m (95 %)"))],
+        [(finding.error_95, tr("within {value:.2f} m (95 %)"))],
     ]
     texts = [", ".join(text.format(value=value) for value, text in line if value is not None) for line in lines]
     return [escape(text) for text in texts if text]

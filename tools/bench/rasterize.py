@@ -64,8 +64,8 @@ _ABOUT = """\
 Ratios: median (least–most) of {turns} turns. The algorithm's time is all it does in a QGIS that runs (reading,
 checking and repairing polygons, counting classes, writing class table and colours); `gdal_rasterize`'s is its process
 from start to end: `-tap -tr 1 1 -ot Byte -co TILED=YES -co COMPRESS=DEFLATE -sql "… ORDER BY zorder"`. Our writer
-compresses with all CPUs; given the same, `gdal_rasterize` may write its tiles several times, as time and file size
-tell."""
+compresses one strip while the next is burnt. Given all CPUs, `gdal_rasterize` writes its tiles several times, as time
+and file size tell."""
 
 
 def _gdal_rasterize(program: str, run: inputs.Run, output, more: tuple[str, ...]) -> None:
