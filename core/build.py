@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Iterator, List, Optional, Sequence, Tuple
 
@@ -138,11 +139,21 @@ class DatabaseBuilder:
         height, width = self._source.shape_hw
         # Filled in place: a list of bands would be held twice when it is joined.
         overview = np.empty((-(-height // factor), -(-width // factor)), np.uint8)
-        for n, (first, labels) in enumerate(catalogue.bands(), start=1):
+
+        def reduce(first: int, labels: np.ndarray) -> None:
             pixels.update(np.ascontiguousarray(labels))
             reduced = most_frequent_labels(labels, factor)
             overview[first // factor:first // factor + len(reduced)] = reduced
-            yield 0.9 * n / catalogue.band_count, None
+
+        # One thread hashes and reduces a band while this one looks for objects in the next.
+        with ThreadPoolExecutor(1) as pool:
+            reducing = None
+            for n, (first, labels) in enumerate(catalogue.bands(), start=1):
+                if reducing is not None:
+                    reducing.result()
+                reducing = pool.submit(reduce, first, labels)
+                yield 0.9 * n / catalogue.band_count, None
+            reducing.result()
         self.overview = overview
         for _ in catalogue.crossing():
             yield 0.9, None
