@@ -713,7 +713,7 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   </message>
   <message>
    <source>within {value:.2f} m (95 %)</source>
-   <translation>auf {value:.1f} m genau (95 %)</translation>
+   <translation>auf {value:.2f} m genau (95 %)</translation>
   </message>
   <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
