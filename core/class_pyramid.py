@@ -76,7 +76,7 @@ def class_fractions(labels_hw: np.ndarray, values: Sequence[int], size_wh: Tuple
 
 def class_space(fractions: np.ndarray, values: np.ndarray) -> ClassSpace:
     """The class space of a map from its coarse fractions (h, w, K) uint8. No labelled pixel gives no channels."""
-    pixels = fractions.reshape(-1, len(values))
+    pixels = fractions.reshape(fractions.shape[0] * fractions.shape[1], len(values))
     pixels = pixels[pixels.any(axis=1)].astype(np.float64) / FULL
     if not len(pixels):
         return ClassSpace(values, np.zeros(len(values)), np.zeros((0, len(values)), np.float32))
@@ -101,7 +101,7 @@ def evidence_of(fractions: np.ndarray, space: ClassSpace) -> Tuple[np.ndarray, n
     """
     # projection · (f − usual · Σf) is linear in f: one matrix does it.
     matrix = (space.projection - (space.projection @ space.usual)[:, None]) / FULL
-    flat = fractions.reshape(-1, fractions.shape[2]).astype(np.float32)
+    flat = fractions.reshape(fractions.shape[0] * fractions.shape[1], fractions.shape[2]).astype(np.float32)
     evidence = (flat @ matrix.T.astype(np.float32)).reshape(*fractions.shape[:2], space.channels)
     known = flat.sum(axis=1).reshape(fractions.shape[:2]) / np.float32(FULL)
     return np.ascontiguousarray(evidence), known

@@ -190,9 +190,9 @@ def _displaced_grid(shape_hw, sigma_px: float, rng: np.random.Generator):
 
 
 def _ellipse(diameter_px: float):
-    """Structuring element of that diameter; None when it would do nothing."""
-    size = min(int(round(diameter_px)), LARGEST_KERNEL_PX)
-    return None if size < 2 else cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
+    """Structuring element of about that diameter, odd so that nothing is shifted; None when it would do nothing."""
+    size = min(2 * int(round((diameter_px - 1) / 2)) + 1, LARGEST_KERNEL_PX)
+    return None if size < 3 else cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
 
 
 def _nearest_zero(image_hw: np.ndarray) -> np.ndarray:
