@@ -64,7 +64,9 @@ def test_an_impossible_range_of_pixel_sizes_is_an_error(pyramid, sizes):
         localize(np.ones((5, 5), np.uint8), pyramid, sizes)
 
 
-@pytest.mark.parametrize("heading, pixel, size", [(0, 1, (560, 560)), (101.3, 0.83, (640, 560)), (287, 1.2, (480, 600))])
+@pytest.mark.parametrize(
+    "heading, pixel, size", [(0, 1, (560, 560)), (101.3, 0.83, (640, 560)), (287, 1.2, (480, 600))]
+)
 def test_a_clean_image_is_found_finer_than_an_overview_pixel(labels, pyramid, heading, pixel, size):
     center = 1203.7, 905.2
     result = localize(view(labels, center, heading, pixel, size), pyramid, SIZES)
