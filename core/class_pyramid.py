@@ -99,18 +99,35 @@ def evidence_of(fractions: np.ndarray, space: ClassSpace) -> Tuple[np.ndarray, n
 
     Evidence = projection · (fraction − labelled share × usual fraction), 0 where nothing is labelled.
     """
-    # projection · (f − usual · Σf) is linear in f: one matrix does it.
-    matrix = (space.projection - (space.projection @ space.usual)[:, None]) / FULL
-    flat = fractions.reshape(fractions.shape[0] * fractions.shape[1], fractions.shape[2]).astype(np.float32)
-    evidence = (flat @ matrix.T.astype(np.float32)).reshape(*fractions.shape[:2], space.channels)
-    known = flat.sum(axis=1).reshape(fractions.shape[:2]) / np.float32(FULL)
-    return np.ascontiguousarray(evidence), known
+    # projection · (f − usual · Σf) and Σf are linear in f: one matrix does both.
+    matrix = np.vstack([space.projection - (space.projection @ space.usual)[:, None], np.ones(len(space.usual))])
+    height, width, count = fractions.shape
+    both = fractions.reshape(height * width, count).astype(np.float32) @ (matrix.T / FULL).astype(np.float32)
+    both = both.reshape(height, width, space.channels + 1)
+    return np.ascontiguousarray(both[..., :-1]), np.ascontiguousarray(both[..., -1])
 
 
 def evidence_level(labels_hw: np.ndarray, space: ClassSpace, size_wh: Tuple[int, int]) -> EvidenceLevel:
     """A label raster's evidence on ``size_wh`` coarse pixels; ``pixel`` is in pixels of the raster."""
     evidence, known = evidence_of(class_fractions(labels_hw, space.values, size_wh), space)
     return EvidenceLevel(evidence, known, (labels_hw.shape[1] / size_wh[0], labels_hw.shape[0] / size_wh[1]))
+
+
+def reduced_level(level: EvidenceLevel, size_wh: Tuple[int, int]) -> EvidenceLevel:
+    """The same evidence on fewer, larger pixels (means of areas; evidence is linear in the fractions)."""
+    height, width = level.known.shape
+    if size_wh == (width, height):
+        return level
+    evidence = cv2.resize(level.evidence, size_wh, interpolation=cv2.INTER_AREA)
+    known = cv2.resize(level.known, size_wh, interpolation=cv2.INTER_AREA)
+    pixel = level.pixel[0] * width / size_wh[0], level.pixel[1] * height / size_wh[1]
+    return EvidenceLevel(evidence.reshape(*known.shape, -1), known, pixel)
+
+
+def mirrored_level(level: EvidenceLevel) -> EvidenceLevel:
+    """Left and right exchanged."""
+    flipped = np.ascontiguousarray(level.evidence[:, ::-1])
+    return EvidenceLevel(flipped, np.ascontiguousarray(level.known[:, ::-1]), level.pixel)
 
 
 class MapPyramid:
@@ -140,6 +157,15 @@ class MapPyramid:
             if min(fractions.shape[:2]) < 2:
                 break
             fractions = _halved(fractions)
+        self.energy = self._mean_energy()
+
+    def _mean_energy(self) -> float:
+        """Mean over the labelled map of the squared evidence, summed over channels."""
+        if not self._stored:
+            return 0.0
+        level = self._stored[min(1, len(self._stored) - 1)]
+        known = level.known > 0.5
+        return float((level.evidence[known] ** 2).sum(axis=1).mean()) if known.any() else 0.0
 
     @property
     def size_m(self) -> Tuple[float, float]:

@@ -7,9 +7,9 @@ from typing import List, Optional, Tuple
 
 import numpy as np
 
-from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level
+from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, reduced_level
 from .correlation_refine import Pose, refine
-from .correlation_search import SearchSpace, pyramid_energy, search
+from .correlation_search import SearchSpace, search
 
 COARSE_EDGE = 32
 """Edge of the image (root of its area) at the first look, in coarse pixels; 40 m pixels for 1,280 m."""
@@ -60,12 +60,21 @@ class CorrelationSettings:
     tile_size: int = 256
 
 
-def reduced_image(labels_hw: np.ndarray, pyramid: MapPyramid, edge: int) -> EvidenceLevel:
-    """The image's evidence at about edge × edge pixels (the root of its area), never more than it has."""
-    height, width = labels_hw.shape
+def image_evidence(labels_hw: np.ndarray, pyramid: MapPyramid) -> EvidenceLevel:
+    """The image's evidence at the finest pixels that are used: FINEST_EDGE along an edge, never more than it has."""
+    return evidence_level(labels_hw, pyramid.space, size_for(labels_hw.shape, FINEST_EDGE))
+
+
+def size_for(shape_hw: Tuple[int, int], edge: int) -> Tuple[int, int]:
+    """(width, height) of an image of that shape with ``edge``² pixels, never more than it has."""
+    height, width = shape_hw
     step = max(1.0, np.sqrt(height * width) / edge)
-    size = max(1, int(round(width / step))), max(1, int(round(height / step)))
-    return evidence_level(labels_hw, pyramid.space, size)
+    return max(1, int(round(width / step))), max(1, int(round(height / step)))
+
+
+def reduced_image(image: EvidenceLevel, edge: int) -> EvidenceLevel:
+    """The image at about edge × edge pixels (the root of its area), never more than it has."""
+    return reduced_level(image, size_for(image.known.shape, edge))
 
 
 def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> str:
@@ -75,7 +84,7 @@ def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> str:
     labeled = float(coarse.known.mean())
     if labeled < LEAST_LABELED:
         return f"Only {labeled:.0%} of the image have classes of the map; at least {LEAST_LABELED:.0%} are needed."
-    energy = float(coarse.evidence.var(axis=(0, 1)).sum()) / pyramid_energy(pyramid)
+    energy = float(coarse.evidence.var(axis=(0, 1)).sum()) / pyramid.energy
     if energy < LEAST_ENERGY:
         return "The image shows hardly more than one class; a larger footprint with several classes is needed."
     return ""
@@ -108,7 +117,7 @@ def apart_m(coarse: EvidenceLevel, pixel_sizes_m: Tuple[float, float]) -> float:
 
 
 def best_places(
-    labels_hw: np.ndarray,
+    image: EvidenceLevel,
     pyramid: MapPyramid,
     space: SearchSpace,
     settings: CorrelationSettings,
@@ -117,13 +126,13 @@ def best_places(
     distance_m: float,
 ) -> List[Pose]:
     """The best poses, refined at the decision's pixels, best first, no two at the same place."""
-    coarse = reduced_image(labels_hw, pyramid, COARSE_EDGE)
+    coarse = reduced_image(image, COARSE_EDGE)
     peaks = search(coarse, pyramid, space, settings.tile_size, settings.threads)
     # Neighbouring peaks may lead to different optima: at first, places are told apart at half the distance.
     starts = distinct([Pose(x, y, heading, size, score) for score, x, y, heading, size in peaks], distance_m / 2, count)
     moved = [refine(coarse, pyramid, pose, quiet, 4)[0] for pose in starts]
     moved = distinct(sorted(moved, key=lambda pose: -pose.score), distance_m / 2, settings.finalists)
-    finer = reduced_image(labels_hw, pyramid, DECISION_EDGE)
+    finer = reduced_image(image, DECISION_EDGE)
     finest = [refine(finer, pyramid, pose, quiet, 4)[0] for pose in moved]
     return distinct(sorted(finest, key=lambda pose: -pose.score), distance_m, settings.finalists)
 
@@ -142,15 +151,14 @@ def distinct(poses: List[Pose], distance_m: float, count: int) -> List[Pose]:
     return kept
 
 
-def finest_pose(labels_hw: np.ndarray, pyramid: MapPyramid, pose: Pose, quiet: float) -> Tuple[Pose, np.ndarray]:
+def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> Tuple[Pose, np.ndarray]:
     """The pose refined at finer and finer pixels, to the map's overview pixel at most, and its covariance."""
-    height, width = labels_hw.shape
+    height, width = image.known.shape
     edge, covariance = DECISION_EDGE, np.full((4, 4), np.inf)
-    own_edge = np.sqrt(height * width)
-    last = min(FINEST_EDGE, own_edge, own_edge * pose.pixel_size_m / pyramid.frame[2])
+    ground_m = np.sqrt(height * width * image.pixel[0] * image.pixel[1]) * pose.pixel_size_m
+    last = min(np.sqrt(height * width), ground_m / pyramid.frame[2])
     while True:
-        image = reduced_image(labels_hw, pyramid, edge)
-        moved, spread = refine(image, pyramid, pose, quiet, 4)
+        moved, spread = refine(reduced_image(image, edge), pyramid, pose, quiet, 4)
         if moved.score > 0:
             pose, covariance = replace(moved, score=pose.score), spread
         if edge * 2 > max(last * 1.2, DECISION_EDGE):

@@ -19,6 +19,9 @@ from .correlation_search import LEAST_KNOWN
 LARGEST_STEP = np.array([1.5, 1.5, 0.06, 0.06])
 """Bound of one Gauss–Newton step: coarse pixels, radians, logarithm; beyond it the linearisation holds no more."""
 
+BLOCKS = 10
+"""Blocks along each edge of the image that are taken to err independently (covariance)."""
+
 
 @dataclass(frozen=True)
 class Pose:
@@ -61,7 +64,7 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float, 
     """The best pose of ``steps`` Gauss–Newton steps from ``pose``, with its score, and its (4, 4) covariance.
 
     ``quiet``: energy a pixel added to the map's own in the score. Covariance of (x in image pixels right, y down,
-    heading in radians, ln pixel size) as if all pixels' residuals were independent, which they are not: calibrate it.
+    heading in radians, ln pixel size); to be calibrated.
     """
     best, covariance = pose, np.full((4, 4), np.inf)
     for step in range(steps + 1):
@@ -109,15 +112,31 @@ def _gauss_newton(image: EvidenceLevel, patch: np.ndarray, known: np.ndarray, qu
     # Parameters differ by orders of magnitude: solve in units of one coarse pixel at the image's edge.
     units = np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
     slopes = slopes.astype(np.float64) * units[:, None]
-    normal = slopes @ slopes.T
+    # einsum: BLAS would start threads for this and let them spin.
+    normal = np.einsum("ik,jk->ij", slopes, slopes)
     trace = float(np.trace(normal))
     if trace <= 0:
         return score, None, nowhere
-    inverse = np.linalg.inv(normal + 1e-4 * trace * np.eye(4))
+    # OpenCV's: LAPACK would start threads for a 4 × 4 matrix.
+    inverse = cv2.invert(normal + 1e-4 * trace * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
     limit = LARGEST_STEP * np.array([*image.pixel, 1, 1])
-    move = np.clip(-(inverse @ (slopes @ residual)) * units, -limit, limit)
-    covariance = inverse * float(residual @ residual) / residual.size * np.outer(units, units)
+    move = np.clip(-(inverse @ np.einsum("ik,k->i", slopes, residual)) * units, -limit, limit)
+    covariance = inverse @ _clustered(slopes * residual, patch.shape) @ inverse * np.outer(units, units)
     return score, move, covariance
+
+
+def _clustered(pulls: np.ndarray, shape) -> np.ndarray:
+    """(4, 4) covariance of the sum of all pixels' pulls (4, h·w·C), whose neighbours err together.
+
+    Pulls are summed in BLOCKS × BLOCKS blocks of the image, which are taken as independent (cluster-robust "sandwich"
+    covariance, Liang & Zeger 1986): a patch of a wrong class counts as one error, not as a thousand.
+    """
+    height, width, _ = shape
+    rows, columns = (np.linspace(0, edge, min(BLOCKS, edge), endpoint=False).astype(int) for edge in (height, width))
+    sums = pulls.reshape(4, *shape).sum(axis=3)
+    sums = np.add.reduceat(np.add.reduceat(sums, rows, axis=1), columns, axis=2).reshape(4, -1)
+    sums = sums - sums.mean(axis=1, keepdims=True)
+    return np.einsum("ik,jk->ij", sums, sums)
 
 
 def _difference(planes: np.ndarray, axis: int) -> np.ndarray:

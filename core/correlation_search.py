@@ -94,7 +94,7 @@ def search(
     spectra = [[_spectrum(one.evidence[..., c], tile_size) for c in range(one.evidence.shape[2])] for one in turned]
     mean_mask = np.mean([one.mask for one in turned], axis=0)
     mask_spectrum = _spectrum(mean_mask, tile_size)
-    quiet = QUIET_ENERGY * pyramid_energy(pyramid) * float(mean_mask.sum())
+    quiet = QUIET_ENERGY * pyramid.energy * float(mean_mask.sum())
 
     def one_tile(job) -> List[Tuple[float, ...]]:
         size_m, (left, top, columns, rows) = job
@@ -127,13 +127,6 @@ def search(
         found = [one_tile(job) for job in jobs]
     peaks = np.array([peak for peaks in found for peak in peaks], np.float64).reshape(-1, 5)
     return peaks[np.argsort(-peaks[:, 0], kind="stable")]
-
-
-def pyramid_energy(pyramid: MapPyramid) -> float:
-    """Mean over the labelled map of the squared evidence, summed over channels."""
-    level, _, _ = pyramid.crop(pyramid.frame[2] * 8, (0.0, 0.0, *pyramid.size_m))
-    known = level.known > LEAST_KNOWN
-    return float((level.evidence[known] ** 2).sum(axis=1).mean()) if known.any() else 1.0
 
 
 def _tiles(box_m, pixel_m: float, step: int):

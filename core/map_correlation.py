@@ -13,7 +13,7 @@ from typing import List, Optional, Tuple
 
 import numpy as np
 
-from .class_pyramid import MapPyramid
+from .class_pyramid import MapPyramid, mirrored_level
 from .correlation_decision import FIX, Evidence, confidence_of, decide, position_error_95
 from .correlation_places import (
     COARSE_EDGE,
@@ -22,12 +22,13 @@ from .correlation_places import (
     apart_m,
     best_places,
     finest_pose,
+    image_evidence,
     missing_information,
     reduced_image,
     search_space,
 )
 from .correlation_refine import Pose, axes
-from .correlation_search import QUIET_ENERGY, pyramid_energy
+from .correlation_search import QUIET_ENERGY
 from .errors import LabelMapError
 
 MAP_CORRELATION = "map correlation"
@@ -101,20 +102,20 @@ def localize(
     if not 0 < pixel_sizes_m[0] <= pixel_sizes_m[1]:
         raise ValueError(f"Pixel sizes from {pixel_sizes_m[0]:g} to {pixel_sizes_m[1]:g} m are no range.")
     labels = np.ascontiguousarray(labels_hw)
-    coarse = reduced_image(labels, pyramid, COARSE_EDGE)
+    image = image_evidence(labels, pyramid)
+    coarse = reduced_image(image, COARSE_EDGE)
     missing = missing_information(coarse, pyramid)
     if missing:
         return CorrelationResult("too_little_information", missing)
     space = search_space(pyramid, pixel_sizes_m, prior)
-    mirrored = np.ascontiguousarray(labels[:, ::-1])
-    quiet = QUIET_ENERGY * pyramid_energy(pyramid)
+    quiet = QUIET_ENERGY * pyramid.energy
     distance = apart_m(coarse, pixel_sizes_m)
-    poses = best_places(labels, pyramid, space, settings, settings.candidates, quiet, distance)
+    poses = best_places(image, pyramid, space, settings, settings.candidates, quiet, distance)
     if not poses:
         return CorrelationResult("no_match", "No place of the map has labels under at least half of the image.")
-    decoys = best_places(mirrored, pyramid, space, settings, settings.decoys, quiet, distance)
+    decoys = best_places(mirrored_level(image), pyramid, space, settings, settings.decoys, quiet, distance)
     evidence = Evidence(poses[0].score, poses[1].score if len(poses) > 1 else 0.0, decoys[0].score if decoys else 0.0)
-    pose, covariance = finest_pose(labels, pyramid, poses[0], quiet)
+    pose, covariance = finest_pose(image, pyramid, poses[0], quiet)
     return _result(pyramid, pose, covariance, evidence, poses[1:])
 
 
