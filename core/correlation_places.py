@@ -20,6 +20,10 @@ DECISION_EDGE = 2 * COARSE_EDGE
 FINEST_EDGE = 512
 """The last refinement uses no more pixels than this along an edge: bounds the time on large images."""
 
+COVARIANCE_EDGE = 2 * DECISION_EDGE
+"""Pixels along an edge up to which the covariance is taken: finer ones promise an accuracy that poor labels don't keep
+(measured: error / deviation at 95 % 5.9 at 128 pixels, 13 at 512)."""
+
 TURN_STEP_DEG = 7.2
 """Step of the headings: moves the middle of the image's edges by one coarse pixel either way."""
 
@@ -160,7 +164,8 @@ def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: fl
     while True:
         moved, spread = refine(reduced_image(image, edge), pyramid, pose, quiet, 4)
         if moved.score > 0:
-            pose, covariance = replace(moved, score=pose.score), spread
+            pose = replace(moved, score=pose.score)
+            covariance = spread if edge <= COVARIANCE_EDGE else covariance
         if edge * 2 > max(last * 1.2, DECISION_EDGE):
             return pose, covariance
         edge *= 2

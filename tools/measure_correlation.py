@@ -194,7 +194,9 @@ def wilson(hits: int, count: int) -> str:
     z = 1.96
     middle = (hits + z * z / 2) / (count + z * z)
     half = z / (count + z * z) * np.sqrt(hits * (count - hits) / count + z * z / 4)
-    return f"{hits}/{count} = {100 * hits / count:.1f} % ({100 * (middle - half):.1f}–{100 * (middle + half):.1f})"
+    return (
+        f"{hits}/{count} = {100 * hits / count:.1f} % ({100 * max(0.0, middle - half):.1f}–{100 * (middle + half):.1f})"
+    )
 
 
 def is_right(row: dict) -> bool:
@@ -206,8 +208,8 @@ def print_table(rows: list[dict], title: str) -> None:
     print("| images | right fix | wrong fix | refused | best place right | median error | median heading, scale error "
           "| 95 % radius holds | median s (CPU s) |")  # fmt: skip
     print("|---|---|---|---|---|---|---|---|---|")
-    for key in sorted({(row["kind"], row["noise"], row.get("tile", "")) for row in rows}):
-        group = [row for row in rows if (row["kind"], row["noise"], row.get("tile", "")) == key]
+    for key in sorted({(row["kind"], row["noise"]) for row in rows}):
+        group = [row for row in rows if (row["kind"], row["noise"]) == key]
         fixes = [row for row in group if row["status"] == "fix"]
         right = [row for row in fixes if key[0] == "right" and is_right(row)]
         count = len(group)
@@ -221,7 +223,7 @@ def print_table(rows: list[dict], title: str) -> None:
                 f"{wilson(sum(row['error'] <= row['error_95'] for row in right), len(right))}"
             )
         print(
-            f"| {', '.join(part for part in key if part)} | {wilson(len(right), count)} | "
+            f"| {', '.join(key)} | {wilson(len(right), count)} | "
             f"{wilson(len(fixes) - len(right), count)} | {wilson(count - len(fixes), count)} | {first} | {numbers} | "
             f"{np.median([row['seconds'] for row in group]):.2f} ({np.median([row['cpu'] for row in group]):.2f}) |"
         )
@@ -277,6 +279,7 @@ def main() -> None:
             jobs += [("mirrored", "modest", seed, None)]
         print_table(run(jobs, options.processes, options.rows), f"Liechtenstein, images from the {options.half}")
     elif options.what == "aerial":
+        every = []
         for tile in sorted((DATA / "dubai_aerial").glob("tile*_label.tif")):
             prepare_aerial(tile)
             shape = STATE["labels"].shape
@@ -284,6 +287,8 @@ def main() -> None:
             jobs += [("mirrored", "modest", seed, None) for seed in seeds]
             rows = run(jobs, options.processes, options.rows)
             print_table(rows, f"{tile.stem}, {shape[1]} × {shape[0]} px")
+            every += rows
+        print_table(every, "All tiles")
     else:
         prepare_country(options.half)
         for name, prior in (("whole country", None), ("within 1 km of a prior", 1000.0)):
