@@ -83,8 +83,6 @@ def reduced_image(image: EvidenceLevel, edge: int) -> EvidenceLevel:
 
 def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> str:
     """Why the image can't be found on any map, one sentence; empty when it may."""
-    if not pyramid.space.channels:
-        return "The map has fewer than two classes, so that no place differs from another."
     labeled = float(coarse.known.mean())
     if labeled < LEAST_LABELED:
         return f"Only {labeled:.0%} of the image have classes of the map; at least {LEAST_LABELED:.0%} are needed."

@@ -14,7 +14,7 @@ from typing import List, Optional, Tuple
 import numpy as np
 
 from .class_pyramid import MapPyramid, mirrored_level
-from .correlation_decision import FIX, Evidence, confidence_of, decide, position_error_95
+from .correlation_decision import FIX, NO_MATCH, Evidence, confidence_of, decide, position_error_95
 from .correlation_places import (
     COARSE_EDGE,
     CorrelationSettings,
@@ -32,6 +32,7 @@ from .correlation_search import QUIET_ENERGY
 from .errors import LabelMapError
 
 MAP_CORRELATION = "map correlation"
+TOO_LITTLE_INFORMATION = "too_little_information"
 
 ALTERNATIVE_BAND = 0.1
 """Other places are told when their score is at most this much below the best one's."""
@@ -101,18 +102,20 @@ def localize(
         raise LabelMapError("The image has no pixels.")
     if not 0 < pixel_sizes_m[0] <= pixel_sizes_m[1]:
         raise ValueError(f"Pixel sizes from {pixel_sizes_m[0]:g} to {pixel_sizes_m[1]:g} m are no range.")
-    labels = np.ascontiguousarray(labels_hw)
-    image = image_evidence(labels, pyramid)
+    if not pyramid.space.channels:
+        reason = "The map has fewer than two classes, so that no place differs from another."
+        return CorrelationResult(TOO_LITTLE_INFORMATION, reason)
+    image = image_evidence(np.ascontiguousarray(labels_hw), pyramid)
     coarse = reduced_image(image, COARSE_EDGE)
     missing = missing_information(coarse, pyramid)
     if missing:
-        return CorrelationResult("too_little_information", missing)
+        return CorrelationResult(TOO_LITTLE_INFORMATION, missing)
     space = search_space(pyramid, pixel_sizes_m, prior)
     quiet = QUIET_ENERGY * pyramid.energy
     distance = apart_m(coarse, pixel_sizes_m)
     poses = best_places(image, pyramid, space, settings, settings.candidates, quiet, distance)
     if not poses:
-        return CorrelationResult("no_match", "No place of the map has labels under at least half of the image.")
+        return CorrelationResult(NO_MATCH, "No place of the map has labels under at least half of the image.")
     decoys = best_places(mirrored_level(image), pyramid, space, settings, settings.decoys, quiet, distance)
     evidence = Evidence(poses[0].score, poses[1].score if len(poses) > 1 else 0.0, decoys[0].score if decoys else 0.0)
     pose, covariance = finest_pose(image, pyramid, poses[0], quiet)
