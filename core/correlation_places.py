@@ -37,6 +37,9 @@ LEAST_ENERGY = 0.02
 """Evidence the image has to have about its mean, in units of the map's mean energy a pixel: one class everywhere, or
 nearly, fits every place of that class."""
 
+MOST_COMPARISONS = 4e9
+"""Places × turns × scales of the first look; 300 km² with images of 1,280 m take 6.5e7 and about a second."""
+
 
 @dataclass(frozen=True)
 class Prior:
@@ -109,6 +112,13 @@ def search_space(pyramid: MapPyramid, pixel_sizes_m: Tuple[float, float], prior:
         x, y = prior.position[0] - pyramid.frame[0], pyramid.frame[1] - prior.position[1]
         box = x - prior.radius_m, y - prior.radius_m, x + prior.radius_m, y + prior.radius_m
     return SearchSpace(headings, sizes, box)
+
+
+def comparisons(space: SearchSpace, coarse: EvidenceLevel) -> float:
+    """Places × turns × scales that ``search`` compares."""
+    width, height = space.box_m[2] - space.box_m[0], space.box_m[3] - space.box_m[1]
+    pixels_m2 = coarse.pixel[0] * coarse.pixel[1] * space.pixel_sizes_m**2
+    return float((width * height / pixels_m2).sum() * len(space.headings_deg))
 
 
 def apart_m(coarse: EvidenceLevel, pixel_sizes_m: Tuple[float, float]) -> float:

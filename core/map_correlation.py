@@ -17,10 +17,12 @@ from .class_pyramid import MapPyramid, mirrored_level
 from .correlation_decision import FIX, NO_MATCH, Evidence, confidence_of, decide, position_error_95
 from .correlation_places import (
     COARSE_EDGE,
+    MOST_COMPARISONS,
     CorrelationSettings,
     Prior,
     apart_m,
     best_places,
+    comparisons,
     finest_pose,
     image_evidence,
     missing_information,
@@ -111,6 +113,9 @@ def localize(
     if missing:
         return CorrelationResult(TOO_LITTLE_INFORMATION, missing)
     space = search_space(pyramid, pixel_sizes_m, prior)
+    if comparisons(space, coarse) > MOST_COMPARISONS:
+        reason = "The image shows too little ground to search this whole map for it; give a prior position."
+        return CorrelationResult(TOO_LITTLE_INFORMATION, reason)
     quiet = QUIET_ENERGY * pyramid.energy
     distance = apart_m(coarse, pixel_sizes_m)
     poses = best_places(image, pyramid, space, settings, settings.candidates, quiet, distance)

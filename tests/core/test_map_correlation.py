@@ -111,6 +111,12 @@ def test_an_image_without_labels_has_too_little_information(pyramid):
     assert localize(np.zeros((560, 560), np.uint8), pyramid, SIZES).status == "too_little_information"
 
 
+def test_an_image_of_a_few_metres_asks_for_a_prior_instead_of_taking_minutes(labels, pyramid):
+    result = localize(view(labels, (1300, 1000), 40, 1.0), pyramid, (0.001, 0.002))
+    assert result.status == "too_little_information"
+    assert "prior" in result.reason
+
+
 @pytest.mark.parametrize("value", [0, 3])
 def test_a_map_that_is_alike_everywhere_has_too_little_information(labels, value):
     pyramid = MapPyramid(np.full((300, 300), value, np.uint8), (*ORIGIN, 4.0))
