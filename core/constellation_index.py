@@ -243,7 +243,7 @@ def _all_triangles(points, ranks, log_areas, whole, neighbor_count):
 
 def _chunks(usable: np.ndarray, exists: np.ndarray) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
     for first in range(0, len(usable), BUILD_CHUNK):
-        yield usable[first : first + BUILD_CHUNK], exists[first : first + BUILD_CHUNK]
+        yield usable[first: first + BUILD_CHUNK], exists[first: first + BUILD_CHUNK]
 
 
 _NO_TRIANGLES = (np.empty(0, np.uint32), np.empty(0, np.int32), np.empty((0, len(CELLS)), np.uint8))

@@ -122,7 +122,7 @@ def fit_tilted(image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, po
     """
     columns, right = _tilted_system(image, on_map, deviations, pose, diagonal)
     solution = np.linalg.lstsq(columns, right, rcond=None)[0]
-    center, turn, stretch = (complex(*solution[k : k + 2]) for k in (0, 2, 4))
+    center, turn, stretch = (complex(*solution[k: k + 2]) for k in (0, 2, 4))
     scale = diagonal / 2
     stretch, slope = stretch / turn, complex(*solution[6:8]) / scale
     return Pose(pose.center + pose.turn * scale * center, pose.turn * turn, stretch, slope)

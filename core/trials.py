@@ -203,8 +203,8 @@ def _split(labels: np.ndarray, noise: LabelNoise, rng: np.random.Generator, clas
         for number in np.flatnonzero(rng.random(count) < noise.split):
             if number:
                 left, top, width, height = stats[number, :4]
-                window = np.s_[top : top + height, left : left + width]
-                rows, columns = np.mgrid[top : top + height, left : left + width]
+                window = np.s_[top: top + height, left: left + width]
+                rows, columns = np.mgrid[top: top + height, left: left + width]
                 # Across the longer side of its bounding box.
                 off = columns - centers[number, 0] if width >= height else rows - centers[number, 1]
                 gap = (np.abs(off) <= noise.split_gap_px / 2) & (regions[window] == number)
