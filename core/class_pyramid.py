@@ -194,7 +194,7 @@ class MapPyramid:
             cut = np.s_[top:bottom, left:right]
             part = EvidenceLevel(whole.evidence[cut], whole.known[cut], whole.pixel)
         else:
-            labels = self.labels[top * reduction : bottom * reduction, left * reduction : right * reduction]
+            labels = self.labels[top * reduction: bottom * reduction, left * reduction: right * reduction]
             labels = cv2.copyMakeBorder(
                 labels, 0, -labels.shape[0] % reduction, 0, -labels.shape[1] % reduction, cv2.BORDER_CONSTANT, value=0
             )
