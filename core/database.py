@@ -85,10 +85,14 @@ class BuildParameters:
 
 @dataclass(frozen=True)
 class ReferenceDatabase:
-    """Windows, reference objects, class table and build parameters of one area."""
+    """Windows, reference objects, class table and build parameters of one area.
+
+    overview: (h, w) uint8, the label map reduced, which map correlation searches; None where it was not read.
+    """
 
     windows: Windows
     references: MapReferences
     class_table: ClassTable
     parameters: BuildParameters
     source: Optional[str] = None
+    overview: Optional[np.ndarray] = None

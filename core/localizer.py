@@ -7,11 +7,15 @@ from typing import Optional, Tuple
 
 import numpy as np
 
+from .class_pyramid import MapPyramid
 from .constellation import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, ConstellationResult, Place, localize
 from .constellation_index import ConstellationIndex, build_index
+from .correlation_places import Prior as CorrelationPrior
 from .database import ReferenceDatabase
 from .errors import DatabaseError, LabelMapError
 from .hypotheses import Prior
+from .map_correlation import MAP_CORRELATION, NOMINAL_RANGE, TOO_LITTLE_INFORMATION
+from .map_correlation import localize as correlate
 from .matching import DISTANCE_THRESHOLD, vector_confidence, vector_distances
 from .pose import PoseUncertainty
 from .reference_objects import ReferenceObjects, extract_reference_objects
@@ -28,7 +32,7 @@ AUTOMATIC = "automatic"
 SCALES = (0.4, 2.5)
 """Ground searched that an image may show without a prior, as multiples of a window's edge; the goal is 0.5 to 2."""
 
-METHODS = (AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION)
+METHODS = (AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION, MAP_CORRELATION)
 
 SMALLEST_OBJECT_PX = 9.0
 """Objects of an image below this contour area have neither a shape nor a centre to speak of."""
@@ -106,6 +110,7 @@ class Localizer:
         self._database = database
         windows = database.windows
         self._index: Optional[ConstellationIndex] = None
+        self._pyramid: Optional[MapPyramid] = None
         self._levels = []
         for size in np.unique(windows.sizes[windows.described]):
             index = np.flatnonzero(windows.described & (windows.sizes == size))
@@ -177,6 +182,47 @@ class Localizer:
         objects = extract_reference_objects(labels_hw, self._database.class_table.reference_values, smallest)
         return _localization(localize(objects, width, height, self.index, prior, smallest))
 
+    @property
+    def pyramid(self) -> MapPyramid:
+        """The overview as map correlation searches it; made at the first use. Raises DatabaseError without overview."""
+        if self._pyramid is None:
+            database = self._database
+            if database.overview is None:
+                raise DatabaseError("The database was read without its overview, which map correlation searches.")
+            x0, pixel, _, y0, _, _ = database.parameters.geotransform
+            self._pyramid = MapPyramid(database.overview, (x0, y0, pixel * database.parameters.overview_factor))
+        return self._pyramid
+
+    def localize_by_map_correlation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
+        """By the overlap of class areas, for labels too poor for centres of gravity (DESIGN §3).
+
+        ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size the image is
+        taken to show 0.7 to 1.4 times a window's ground. Takes seconds without a prior on the position.
+        """
+        if not labels_hw.size:
+            raise LabelMapError("The image has no pixels.")
+        prior = prior or Prior()
+        sizes = prior.pixel_size_range or self.pixel_sizes(labels_hw.shape, NOMINAL_RANGE)
+        headings = None
+        if prior.heading_deg is not None and prior.heading_range_deg < 180:
+            headings = prior.heading_deg - prior.heading_range_deg, prior.heading_deg + prior.heading_range_deg
+        place = CorrelationPrior(prior.position, prior.radius, headings) if prior.position else CorrelationPrior(
+            headings_deg=headings
+        )
+        result = correlate(labels_hw, self.pyramid, sizes, place)
+        found = result.status == FIX
+        return Localization(
+            NO_MATCH if result.status == TOO_LITTLE_INFORMATION else result.status,
+            MAP_CORRELATION,
+            0,
+            result.reason,
+            position=(float(result.position[0]), float(result.position[1])) if found else None,
+            heading_deg=float(result.heading_deg) if found else None,
+            pixel_size_m=float(result.pixel_size_m) if found else None,
+            confidence=float(result.confidence),
+            error_95_m=float(result.error_95_m) if found else None,
+        )
+
     def pixel_sizes(self, shape_hw: Tuple[int, int], scales: Tuple[float, float]) -> Tuple[float, float]:
         """Smallest and largest pixel size of images whose shorter edge shows ``scales`` times a window's edge."""
         parameters = self._database.parameters
@@ -196,6 +242,8 @@ class Localizer:
         """By one of METHODS; automatic is the constellation, which says when it does not know."""
         if method == TOPOLOGY_VECTOR:
             return self.localize_by_topology_vector(labels_hw)
+        if method == MAP_CORRELATION:
+            return self.localize_by_map_correlation(labels_hw, prior)
         return self.localize_by_constellation(labels_hw, prior)
 
     def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:

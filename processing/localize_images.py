@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from math import isnan
 from typing import Optional, Tuple
@@ -26,6 +27,9 @@ from .base import LOCALIZATION, SemRefAlgorithm, check_canceled
 from .compat import POINT, POLYGON, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
 from .sinks import Sink
 from .translation import tr
+
+CANCEL_EVERY_S = 0.2
+"""How often a cancel is looked for while an image is being localised."""
 
 ERROR = "error"
 """Status of an image that could not be read; the others come from the localiser."""
@@ -104,12 +108,13 @@ class LocalizeImages(SemRefAlgorithm):
                     tr("Automatic"),
                     tr("Topology vector (He & Wu 2025)"),
                     tr("Constellation"),
-                    tr("Map correlation (not in this version)"),
+                    tr("Map correlation"),
                 ],
                 defaultValue=self.AUTOMATIC,
             ),
             tr(
-                "Automatic takes the most reliable method, in this version the constellation. Topology vector is the "
+                "Automatic takes the most reliable method, in this version the constellation. Map correlation compares "
+                "areas instead of landmarks, for poor labels; it takes seconds an image. Topology vector is the "
                 "published method: the nearest vector of all windows, accepted up to distance 2."
             ),
         )
@@ -150,8 +155,6 @@ class LocalizeImages(SemRefAlgorithm):
         possible, reason = super().checkParameterValues(parameters, context)
         if not possible:
             return False, reason
-        if self.parameterAsEnum(parameters, self.METHOD, context) == self.MAP_CORRELATION:
-            return False, tr("Map correlation is not in this version: choose METHOD 0, 1 or 2.")
         smallest = self.parameterAsDouble(parameters, self.SCALE_MINIMUM, context)
         largest = self.parameterAsDouble(parameters, self.SCALE_MAXIMUM, context)
         if smallest > largest:
@@ -166,7 +169,8 @@ class LocalizeImages(SemRefAlgorithm):
         from .exchange.rasters import image_files
 
         feedback.setProgressText(tr("Reading the database"))
-        database = read_database(self.parameterAsFile(parameters, self.DATABASE, context))
+        correlating = self.parameterAsEnum(parameters, self.METHOD, context) == self.MAP_CORRELATION
+        database = read_database(self.parameterAsFile(parameters, self.DATABASE, context), with_overview=correlating)
         crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
         if not crs.isValid():
             raise DatabaseError(f"{database.source} has no readable parameter crs; build it again.")
@@ -178,7 +182,7 @@ class LocalizeImages(SemRefAlgorithm):
         for n, path in enumerate(paths):
             check_canceled(feedback)
             feedback.setProgressText(os.path.basename(path))
-            localized.append(_localize(path, localize, database.class_table))
+            localized.append(_cancelable(_localize, path, localize, database.class_table, feedback=feedback))
             _say(localized[-1], feedback)
             feedback.setProgress(95 * (n + 1) / len(paths))
         # Sinks are made last: a cancel before leaves nothing behind.
@@ -243,6 +247,18 @@ class LocalizeImages(SemRefAlgorithm):
                 polygon = QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners]])
                 sink.add(polygon, {name: value for name, value in _row(item).items() if name in names})
         return sink.close()
+
+
+def _cancelable(function, *arguments, feedback):
+    """The function's result; a cancel is heeded at once, while the function ends in its own thread."""
+    pool = ThreadPoolExecutor(1)
+    try:
+        running = pool.submit(function, *arguments)
+        while not wait([running], timeout=CANCEL_EVERY_S).done:
+            check_canceled(feedback)
+        return running.result()
+    finally:
+        pool.shutdown(wait=False)
 
 
 def _localize(path, localize, table) -> LocalizedImage:

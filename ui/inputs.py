@@ -106,7 +106,12 @@ class MethodRow(QWidget):
         self.setObjectName("SemRefMethod")
         self.choice = QComboBox()
         # The numbers are METHOD of semref:localizeimages, which is public.
-        for number, name in ((0, tr("Automatic")), (2, tr("Constellation")), (1, tr("Topology vector (published)"))):
+        for number, name in (
+            (0, tr("Automatic")),
+            (2, tr("Constellation")),
+            (3, tr("Map correlation")),
+            (1, tr("Topology vector (published)")),
+        ):
             self.choice.addItem(name, number)
         label = QLabel(tr("Method"))
         label.setBuddy(self.choice)

@@ -19,7 +19,7 @@ from osgeo import gdal, gdal_array, ogr, osr
 from ...core.class_table import class_table_from_csv
 from ...core.database import FORMAT_VERSION, BuildParameters, MapReferences, ReferenceDatabase, Windows
 from ...core.errors import DatabaseError
-from .gdal_errors import gdal_failure
+from .gdal_errors import gdal_failure, gdal_failures
 from .label_map_file import set_class_colors
 
 WINDOWS, REFERENCES, OVERVIEW, CLASSES, PARAMETERS, STYLES = (
@@ -232,7 +232,7 @@ _JSON_TYPES = {"str": str, "int": int, "float": (int, float), "tuple": list}
 """What JSON makes of the types of BuildParameters."""
 
 
-def read_database(path: str) -> ReferenceDatabase:
+def read_database(path: str, with_overview: bool = False) -> ReferenceDatabase:
     """Reads a reference database. Raises DatabaseError for files that are missing, foreign, truncated or too new."""
     if not os.path.isfile(path):
         raise DatabaseError(f"There is no database {path}; build one or choose another file.")
@@ -247,7 +247,19 @@ def read_database(path: str) -> ReferenceDatabase:
         raise DatabaseError(
             f"{path} is damaged or cut short ({error}); build it again or fetch another copy."
         ) from None
-    return ReferenceDatabase(windows, references, table, parameters, path)
+    overview = _read_overview(path) if with_overview else None
+    return ReferenceDatabase(windows, references, table, parameters, path, overview)
+
+
+def _read_overview(path: str) -> np.ndarray:
+    """(h, w) uint8 class values."""
+    with gdal_failures() as failures:
+        dataset = gdal.OpenEx(f"GPKG:{path}:{OVERVIEW}", gdal.OF_RASTER)
+        overview = None if dataset is None else dataset.GetRasterBand(1).ReadAsArray()
+    if overview is None:
+        reason = gdal_failure(failures[0] if failures else None)
+        raise DatabaseError(f"{path} has no overview that can be read ({reason}); build it again.")
+    return overview
 
 
 def _connect(path: str) -> sqlite3.Connection:

@@ -597,10 +597,6 @@ def test_no_images_at_all_are_refused(refused, images):
     assert "IMAGES" in refused(LOCALIZE, IMAGES=images)
 
 
-def test_a_method_that_is_not_in_this_version_is_refused(refused):
-    assert "METHOD 0, 1 or 2" in refused(LOCALIZE, METHOD=3)
-
-
 def test_scales_the_wrong_way_round_are_refused(refused):
     assert "(2)" in refused(LOCALIZE, SCALE_MINIMUM=2, SCALE_MAXIMUM=0.5)
 

@@ -1,0 +1,89 @@
+"""semref:localizeimages with map correlation: areas instead of landmarks."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from osgeo import ogr
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import NORTH, WEST, write_raster
+
+LOCALIZE = "semref:localizeimages"
+NAMES = ["unlabeled", "building", "water", "forest", "field"]
+SIZE = 400
+
+
+def landscape(seed: int) -> np.ndarray:
+    """(1400, 1600) labels in patches of all sizes."""
+    noise = np.random.default_rng(seed).normal(size=(1400, 1600)).astype(np.float32)
+    fields = [cv2.GaussianBlur(noise, (0, 0), sigma) for sigma in (8, 25, 60)]
+    height = sum(field / field.std() for field in fields)
+    return np.digitize(height, np.quantile(height, (0.15, 0.5, 0.8))).astype(np.uint8) + 1
+
+
+LABELS = landscape(3)
+
+
+def view(column: float, row: float, heading: float) -> np.ndarray:
+    angle = np.radians(heading)
+    right, down = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+    steps = np.arange(SIZE) + 0.5 - SIZE / 2
+    xs = column + steps[None, :] * right[0] + steps[:, None] * down[0] - 0.5
+    ys = row + steps[None, :] * right[1] + steps[:, None] * down[1] - 0.5
+    return cv2.remap(LABELS, xs.astype(np.float32), ys.astype(np.float32), cv2.INTER_NEAREST)
+
+
+@pytest.fixture(scope="module")
+def database(run_algorithm, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("area")
+    parameters = {
+        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
+        "REFERENCE_CLASSES": "building;water",
+        "WINDOW_SIZE": SIZE,
+        "STRIDE": SIZE / 2,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+
+
+@pytest.fixture
+def localize(run_algorithm, database, tmp_path):
+    def run(labels, **parameters):
+        path = write_raster(tmp_path / "photo.png", labels, transform=None)
+        scales = {"SCALE_MINIMUM": 0.8, "SCALE_MAXIMUM": 1.25}
+        defaults = {"DATABASE": database, "IMAGES": [str(path)], "METHOD": 3, **scales}
+        output = {"OUTPUT": str(tmp_path / "positions.gpkg")}
+        source = ogr.Open(run_algorithm(LOCALIZE, {**defaults, **output, **parameters})["OUTPUT"])
+        (row,) = [feature.items() for feature in source.GetLayer(0)]
+        return row
+
+    return run
+
+
+@pytest.mark.parametrize(("column", "row", "heading"), [(700, 600, 0), (851.5, 733, 140)])
+def test_an_image_is_found_by_its_areas(localize, column, row, heading):
+    labels = view(column, row, heading)
+    # A tenth of the pixels wrong: no landmark comes out whole.
+    wrong = np.random.default_rng(1).random(labels.shape) < 0.1
+    labels[wrong] = 4
+    found = localize(labels)
+    assert found["status"] == "fix" and found["method"] == "map correlation"
+    assert (found["x"], found["y"]) == pytest.approx((WEST + column, NORTH - row), abs=8)
+    assert (found["heading"] - heading + 180) % 360 - 180 == pytest.approx(0, abs=1)
+    assert found["pixel_size"] == pytest.approx(1, rel=0.02)
+    assert found["error_95"] > 0 and found["window"] is None
+
+
+def test_an_image_of_another_place_gets_a_reason(localize):
+    found = localize(np.ascontiguousarray(landscape(4)[:SIZE, :SIZE]))
+    assert found["status"] in ("no_match", "ambiguous") and found["reason"] and found["x"] is None
+
+
+def test_an_image_of_one_class_gets_a_reason(localize):
+    assert localize(np.full((SIZE, SIZE), 4, np.uint8))["status"] == "no_match"

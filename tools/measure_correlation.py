@@ -1,0 +1,300 @@
+"""Measures map correlation on real maps and prints Markdown tables.
+
+    python tools/measure_correlation.py country [--half north|south] [--trials 100] [--elsewhere 100]
+    python tools/measure_correlation.py aerial [--trials 60]
+    python tools/measure_correlation.py times [--trials 12]
+
+Reads $SEMREF_DATA or ../shared/data. ``country``: Liechtenstein 2021 at 1 m, overview 4 m, images of 1,280 px at 0.8 to
+1.25 m with any heading, labels degraded (core/label_noise.py); the map is the whole country, the images come from one
+half of it (thresholds were fitted on the northern, the southern is the test). False accepts: images from the other half
+on a map of one half only, and mirrored images. ``aerial``: the annotated tiles of dubai_aerial, turned crops off any
+grid. ``--rows FILE`` adds one JSON line a trial, from which ``fit`` proposes the constants of correlation_decision.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import json
+import multiprocessing
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+ROOT = Path(__file__).resolve().parent.parent
+DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
+FOOTPRINT_PX = 1280
+RIGHT_SHARE = 0.02  # of the footprint
+LEAST_LABELED = 0.7  # of an image: the rest lies over the border
+AERIAL_PIXEL_M = 0.5  # assumed; the tiles state none
+STATE = {}
+
+
+def load_package() -> None:
+    spec = importlib.util.spec_from_file_location(
+        "semref", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
+    )
+    package = importlib.util.module_from_spec(spec)
+    sys.modules["semref"] = package
+    spec.loader.exec_module(package)
+
+
+load_package()
+from semref.core.class_pyramid import MapPyramid  # noqa: E402
+from semref.core.label_noise import MODEST, STRONG, degrade_labels  # noqa: E402
+from semref.core.map_correlation import CorrelationSettings, Prior, localize  # noqa: E402
+from semref.core.overview import most_frequent_labels  # noqa: E402
+
+NOISES = {"true labels": None, "modest": MODEST, "strong": STRONG}
+
+
+def read_labels(path: Path) -> np.ndarray:
+    from osgeo import gdal
+
+    return gdal.Open(str(path)).ReadAsArray()
+
+
+def country_labels() -> np.ndarray:
+    """(H, W) uint8: Liechtenstein's classes at 1 m, rasterised in the order of zorder."""
+    shape = DATA / "osm_liechtenstein_2021" / "li_landcover_2021.shp"
+    if not shape.exists():
+        sys.exit(f"measure_correlation: no data at {shape}")
+    with tempfile.TemporaryDirectory() as folder:
+        target = Path(folder) / "labels.tif"
+        select = "SELECT * FROM li_landcover_2021 ORDER BY zorder"
+        command = ["gdal_rasterize", "-q", "-a", "class_id", "-tr", "1", "1", "-ot", "Byte", "-sql", select]
+        subprocess.run([*command, str(shape), str(target)], check=True)
+        return read_labels(target)
+
+
+def cut_image(labels: np.ndarray, center_xy, heading_deg: float, pixel: float, size_wh) -> np.ndarray:
+    """The image a camera over ``center_xy`` (pixels of the map) would see; outside the map is 0."""
+    turn = np.radians(heading_deg)
+    matrix = pixel * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    offset = np.asarray(center_xy) - matrix @ ((np.array(size_wh) - 1) / 2) - 0.5
+    flags = cv2.INTER_NEAREST | cv2.WARP_INVERSE_MAP
+    return cv2.warpAffine(labels, np.column_stack([matrix, offset]), size_wh, flags=flags, borderValue=0)
+
+
+def random_image(labels, rng, rows, size_wh, pixels, least_labeled):
+    """An image from between two rows of the map: labels, centre, heading, pixel size."""
+    while True:
+        center = rng.uniform(0, labels.shape[1]), rng.uniform(*rows)
+        heading, pixel = rng.uniform(0, 360), float(np.exp(rng.uniform(*np.log(pixels))))
+        image = cut_image(labels, center, heading, pixel, size_wh)
+        if (image > 0).mean() >= least_labeled:
+            return image, center, heading, pixel
+
+
+def trial(job) -> dict:
+    """One image localised; a JSON row."""
+    kind, noise_name, seed, prior_m = job
+    rng = np.random.default_rng([seed, len(kind)])
+    labels, size, pixels = STATE["labels"], STATE["size"], STATE["pixels"]
+    rows = STATE["rows"][kind]
+    if size is None:
+        edge = int(rng.choice([384, 512, 640, 768]))
+        size_wh = (edge, edge)
+    else:
+        size_wh = (size, size)
+    source = labels[:, ::-1] if kind == "mirrored" else labels
+    image, center, heading, pixel = random_image(
+        np.ascontiguousarray(source), rng, rows, size_wh, pixels, STATE["least"]
+    )
+    noise = NOISES[noise_name]
+    meters = STATE["meters"]
+    if noise is not None:
+        image = degrade_labels(image, pixel * meters, noise, seed)
+    prior = Prior()
+    if prior_m:
+        away = rng.uniform(-0.7, 0.7, 2) * prior_m
+        prior = Prior((center[0] + away[0], -center[1] + away[1]), prior_m)
+    started, cpu = time.perf_counter(), time.process_time()
+    settings = CorrelationSettings(threads=STATE["threads"])
+    found = localize(image, STATE["pyramids"][kind], STATE["search"], prior, settings)
+    row = {
+        "kind": kind,
+        "noise": noise_name,
+        "seed": seed,
+        "size": size_wh[0],
+        "status": found.status,
+        "score": found.score,
+        "runner_up": found.runner_up,
+        "decoy": found.decoy,
+        "confidence": found.confidence,
+        "seconds": time.perf_counter() - started,
+        "cpu": time.process_time() - cpu,
+        "footprint": size_wh[0] * pixel,
+    }
+    if found.position is not None:
+        row["error"] = float(np.hypot(found.position[0] - center[0], found.position[1] + center[1]))
+        row["heading_error"] = abs((found.heading_deg - heading + 180) % 360 - 180)
+        row["scale_error"] = abs(found.pixel_size_m / pixel - 1)
+        row["error_95"] = found.error_95_m
+        row["deviation"] = float(np.sqrt(max(np.linalg.eigvalsh(np.array(found.covariance_m2)).max(), 0)))
+    return row
+
+
+def prepare_country(half: str) -> None:
+    """Maps of the whole country and of each half; images come from ``half``."""
+    labels = country_labels()
+    middle = labels.shape[0] // 2
+    halves = {"north": (0, middle), "south": (middle, labels.shape[0])}
+    other = {"north": "south", "south": "north"}[half]
+    overview = most_frequent_labels(labels)
+    cut = middle // 4
+    lonely = overview.copy()
+    # Images of the other half never reach over the middle by more than their half diagonal: clear that strip too.
+    strip = 300
+    if half == "north":
+        lonely[cut - strip :] = 0
+    else:
+        lonely[: cut + strip] = 0
+    whole = MapPyramid(overview, (0.0, 0.0, 4.0))
+    STATE.update(
+        labels=labels, size=FOOTPRINT_PX, pixels=(0.8, 1.25), search=(0.7, 1.4), meters=1.0, least=LEAST_LABELED
+    )
+    STATE["rows"] = {"right": halves[half], "elsewhere": halves[other], "mirrored": halves[half]}
+    STATE["pyramids"] = {"right": whole, "elsewhere": MapPyramid(lonely, (0.0, 0.0, 4.0)), "mirrored": whole}
+
+
+def prepare_aerial(tile: Path) -> None:
+    labels = np.ascontiguousarray(read_labels(tile))
+    pyramid = MapPyramid(most_frequent_labels(labels), (0.0, 0.0, 4.0))
+    STATE.update(labels=labels, size=None, pixels=(0.9, 1.1), search=(0.7, 1.4), meters=AERIAL_PIXEL_M, least=0.9)
+    STATE["rows"] = {"right": (0, labels.shape[0]), "mirrored": (0, labels.shape[0])}
+    STATE["pyramids"] = {"right": pyramid, "mirrored": pyramid}
+
+
+def run(jobs, processes: int, rows_file) -> list[dict]:
+    """All trials, in processes that share the prepared maps."""
+    cv2.setNumThreads(1)
+    STATE["threads"] = 1 if processes > 1 else 2
+    if processes > 1:
+        with multiprocessing.get_context("fork").Pool(processes) as pool:
+            rows = pool.map(trial, jobs, chunksize=2)
+    else:
+        rows = [trial(job) for job in jobs]
+    if rows_file:
+        with open(rows_file, "a", encoding="utf-8") as file:
+            file.writelines(json.dumps(row) + "\n" for row in rows)
+    return rows
+
+
+def wilson(hits: int, count: int) -> str:
+    """Rate with its 95 % Wilson interval, in percent."""
+    if not count:
+        return "–"
+    z = 1.96
+    middle = (hits + z * z / 2) / (count + z * z)
+    half = z / (count + z * z) * np.sqrt(hits * (count - hits) / count + z * z / 4)
+    return (
+        f"{hits}/{count} = {100 * hits / count:.1f} % ({100 * max(0.0, middle - half):.1f}–{100 * (middle + half):.1f})"
+    )
+
+
+def is_right(row: dict) -> bool:
+    return row.get("error", np.inf) <= RIGHT_SHARE * row["footprint"]
+
+
+def print_table(rows: list[dict], title: str) -> None:
+    print(f"\n### {title}\n")
+    print("| images | right fix | wrong fix | refused | best place right | median error | median heading, scale error "
+          "| 95 % radius holds | median s (CPU s) |")  # fmt: skip
+    print("|---|---|---|---|---|---|---|---|---|")
+    for key in sorted({(row["kind"], row["noise"]) for row in rows}):
+        group = [row for row in rows if (row["kind"], row["noise"]) == key]
+        fixes = [row for row in group if row["status"] == "fix"]
+        right = [row for row in fixes if key[0] == "right" and is_right(row)]
+        count = len(group)
+        first = wilson(sum(is_right(row) for row in group), count) if key[0] == "right" else "–"
+        numbers = "– | – | –"
+        if right:
+            numbers = (
+                f"{np.median([row['error'] for row in right]):.2f} m | "
+                f"{np.median([row['heading_error'] for row in right]):.2f}°, "
+                f"{100 * np.median([row['scale_error'] for row in right]):.2f} % | "
+                f"{wilson(sum(row['error'] <= row['error_95'] for row in right), len(right))}"
+            )
+        print(
+            f"| {', '.join(key)} | {wilson(len(right), count)} | "
+            f"{wilson(len(fixes) - len(right), count)} | {wilson(count - len(fixes), count)} | {first} | {numbers} | "
+            f"{np.median([row['seconds'] for row in group]):.2f} ({np.median([row['cpu'] for row in group]):.2f}) |"
+        )
+
+
+def print_fit(rows: list[dict]) -> None:
+    """Margins and errors from which the constants of correlation_decision are chosen."""
+    from semref.core.correlation_decision import Evidence
+
+    for row in rows:
+        row["margin"] = Evidence(row["score"], row["runner_up"], row["decoy"]).margin
+    posed = [row for row in rows if "error" in row]
+    wrong = np.array([row["margin"] for row in posed if not (row["kind"] == "right" and is_right(row))])
+    right = np.array([row["margin"] for row in posed if row["kind"] == "right" and is_right(row)])
+    print("wrong margins, highest:", np.round(np.sort(wrong)[::-1][:8], 3), "of", len(wrong))
+    print("right margins, lowest:", np.round(np.sort(right)[:12], 3), "of", len(right))
+    offset, slope = logistic_fit(np.concatenate([wrong, right]), np.repeat([0.0, 1.0], [len(wrong), len(right)]))
+    print(f"confidence curve: offset {offset:.2f}, slope {slope:.1f}")
+    ratios = [row["error"] / row["deviation"] for row in posed if row["kind"] == "right" and is_right(row)]
+    print("error / deviation, quantiles 50 90 95 98 %:", np.round(np.quantile(ratios, [0.5, 0.9, 0.95, 0.98]), 1))
+
+
+def logistic_fit(x: np.ndarray, y: np.ndarray, steps: int = 50):
+    """Offset and slope of the logistic curve, lightly damped so that separable data give a finite slope."""
+    design = np.column_stack([np.ones_like(x), x])
+    weights = np.zeros(2)
+    for _ in range(steps):
+        chance = 1 / (1 + np.exp(-design @ weights))
+        normal = (design * (chance * (1 - chance))[:, None]).T @ design + np.diag([1e-3, 1e-3])
+        weights += np.linalg.solve(normal, design.T @ (y - chance) - 1e-3 * weights)
+    return weights
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=("country", "aerial", "times", "fit"))
+    parser.add_argument("--half", choices=("north", "south"), default="south")
+    parser.add_argument("--trials", type=int, default=100)
+    parser.add_argument("--elsewhere", type=int, default=100)
+    parser.add_argument("--processes", type=int, default=2)
+    parser.add_argument("--seed", type=int, default=1671)
+    parser.add_argument("--rows")
+    options = parser.parse_args()
+    seeds = range(options.seed, options.seed + options.trials)
+    if options.what == "fit":
+        print_fit([json.loads(line) for line in Path(options.rows).read_text("utf-8").splitlines()])
+    elif options.what == "country":
+        prepare_country(options.half)
+        jobs = [("right", noise, seed, None) for noise in ("modest", "strong") for seed in seeds]
+        for seed in range(options.seed, options.seed + options.elsewhere):
+            jobs += [("elsewhere", ("true labels", "modest")[seed % 2], seed, None)]
+        for seed in range(options.seed, options.seed + options.elsewhere // 4):
+            jobs += [("mirrored", "modest", seed, None)]
+        print_table(run(jobs, options.processes, options.rows), f"Liechtenstein, images from the {options.half}")
+    elif options.what == "aerial":
+        every = []
+        for tile in sorted((DATA / "dubai_aerial").glob("tile*_label.tif")):
+            prepare_aerial(tile)
+            shape = STATE["labels"].shape
+            jobs = [("right", noise, seed, None) for noise in NOISES for seed in seeds]
+            jobs += [("mirrored", "modest", seed, None) for seed in seeds]
+            rows = run(jobs, options.processes, options.rows)
+            print_table(rows, f"{tile.stem}, {shape[1]} × {shape[0]} px")
+            every += rows
+        print_table(every, "All tiles")
+    else:
+        prepare_country(options.half)
+        for name, prior in (("whole country", None), ("within 1 km of a prior", 1000.0)):
+            rows = run([("right", "modest", seed, prior) for seed in seeds], 1, options.rows)
+            print_table(rows, f"Times with 2 threads, {name}")
+
+
+if __name__ == "__main__":
+    main()
