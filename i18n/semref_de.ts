@@ -76,8 +76,8 @@
    <translation>Automatisch</translation>
   </message>
   <message>
-   <source>Automatic takes the most reliable method, in this version the constellation. Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
-   <translation>Automatisch nimmt das zuverlässigste Verfahren, in dieser Version die Konstellation. Topologievektor ist das veröffentlichte Verfahren: der nächste Vektor aller Fenster, angenommen bis zum Abstand 2.</translation>
+   <source>Automatic takes the most reliable method, in this version the constellation. Map correlation compares areas instead of landmarks, for poor labels; it takes seconds an image. Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
+   <translation>Automatisch nimmt das zuverlässigste Verfahren, in dieser Version die Konstellation. Kartenkorrelation vergleicht Flächen statt Landmarken, für schlechte Klassenbilder; sie braucht Sekunden je Bild. Topologievektor ist das veröffentlichte Verfahren: der nächste Vektor aller Fenster, angenommen bis zum Abstand 2.</translation>
   </message>
   <message>
    <source>Build reference database</source>
@@ -348,12 +348,8 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Bilder werden lokalisiert</translation>
   </message>
   <message>
-   <source>Map correlation (not in this version)</source>
-   <translation>Kartenkorrelation (nicht in dieser Version)</translation>
-  </message>
-  <message>
-   <source>Map correlation is not in this version: choose METHOD 0, 1 or 2.</source>
-   <translation>Kartenkorrelation gibt es in dieser Version nicht: METHOD 0, 1 oder 2 wählen.</translation>
+   <source>Map correlation</source>
+   <translation>Kartenkorrelation</translation>
   </message>
   <message>
    <source>Method</source>
