@@ -38,6 +38,11 @@ SMALLEST_OBJECT_PX = 9.0
 """Objects of an image below this contour area have neither a shape nor a centre to speak of."""
 
 
+def default_scales(method: str) -> Tuple[float, float]:
+    """Ground searched without a prior, as multiples of a window's edge: what the method was calibrated for."""
+    return NOMINAL_RANGE if method == MAP_CORRELATION else SCALES
+
+
 @dataclass(frozen=True)
 class Localization:
     """What is known of an image's position; None where a method doesn't tell.

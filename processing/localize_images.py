@@ -129,16 +129,16 @@ class LocalizeImages(SemRefAlgorithm):
             tr("Only with an approximate position: places farther away are not searched."),
             advanced=True,
         )
-        self.offer(
-            number(self.SCALE_MINIMUM, tr("Smallest scale"), number.Double, 0.4, minValue=0.01, maxValue=100),
-            tr("Ground that the shorter edge of an image shows, as a multiple of the database’s window size."),
-            advanced=True,
-        )
-        self.offer(
-            number(self.SCALE_MAXIMUM, tr("Largest scale"), number.Double, 2.5, minValue=0.01, maxValue=100),
-            tr("As above; a narrower range is searched faster."),
-            advanced=True,
-        )
+        for key, title in ((self.SCALE_MINIMUM, tr("Smallest scale")), (self.SCALE_MAXIMUM, tr("Largest scale"))):
+            self.offer(
+                number(key, title, number.Double, None, optional=True, minValue=0.01, maxValue=100),
+                tr(
+                    "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. "
+                    "If left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation. A narrow range is "
+                    "searched faster."
+                ),
+                advanced=True,
+            )
         self.offer(
             QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), SOURCE_POINT),
             tr("One point an image: status, position, confidence, distance, window and, without a fix, the reason."),
@@ -155,13 +155,19 @@ class LocalizeImages(SemRefAlgorithm):
         possible, reason = super().checkParameterValues(parameters, context)
         if not possible:
             return False, reason
-        smallest = self.parameterAsDouble(parameters, self.SCALE_MINIMUM, context)
-        largest = self.parameterAsDouble(parameters, self.SCALE_MAXIMUM, context)
+        smallest, largest = self._scales(parameters, context, (0.0, float("inf")))
         if smallest > largest:
             return False, tr("The smallest scale ({smallest:g}) is above the largest ({largest:g}); swap them.").format(
                 smallest=smallest, largest=largest
             )
         return True, ""
+
+    def _scales(self, parameters, context, defaults):
+        """(smallest, largest) as given, else of the defaults."""
+        return tuple(
+            default if parameters.get(key) in (None, "") else self.parameterAsDouble(parameters, key, context)
+            for key, default in zip((self.SCALE_MINIMUM, self.SCALE_MAXIMUM), defaults)
+        )
 
     def work(self, parameters, context, feedback):
         from ..core.localizer import FIX, Localizer
@@ -198,11 +204,11 @@ class LocalizeImages(SemRefAlgorithm):
 
     def _localizing(self, parameters, context, localizer, crs):
         """The function labels → result that the parameters ask for."""
-        from ..core.localizer import METHODS, Prior
+        from ..core.localizer import METHODS, Prior, default_scales
 
         method = METHODS[self.parameterAsEnum(parameters, self.METHOD, context)]
         localizer.check(method)
-        scales = [self.parameterAsDouble(parameters, key, context) for key in (self.SCALE_MINIMUM, self.SCALE_MAXIMUM)]
+        scales = self._scales(parameters, context, default_scales(method))
         position = radius = None
         if parameters.get(self.PRIOR_POINT) not in (None, ""):
             point = self.parameterAsPoint(parameters, self.PRIOR_POINT, context, crs)

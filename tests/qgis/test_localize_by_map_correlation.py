@@ -56,8 +56,7 @@ def database(run_algorithm, tmp_path_factory):
 def localize(run_algorithm, database, tmp_path):
     def run(labels, **parameters):
         path = write_raster(tmp_path / "photo.png", labels, transform=None)
-        scales = {"SCALE_MINIMUM": 0.8, "SCALE_MAXIMUM": 1.25}
-        defaults = {"DATABASE": database, "IMAGES": [str(path)], "METHOD": 3, **scales}
+        defaults = {"DATABASE": database, "IMAGES": [str(path)], "METHOD": 3}
         output = {"OUTPUT": str(tmp_path / "positions.gpkg")}
         source = ogr.Open(run_algorithm(LOCALIZE, {**defaults, **output, **parameters})["OUTPUT"])
         (row,) = [feature.items() for feature in source.GetLayer(0)]
