@@ -261,7 +261,7 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   </message>
   <message>
    <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation. A narrow range is searched faster.</source>
-   <translation type="unfinished" />
+   <translation>Gelände, das die kürzere Kante eines Bildes zeigt, als Vielfaches der Fenstergröße der Datenbank. Ohne Angabe: 0,4 bis 2,5 bei der Konstellation, 0,7 bis 1,4 bei der Kartenkorrelation. Ein enger Bereich wird schneller durchsucht.</translation>
   </message>
   <message>
    <source>HSV ranges</source>
