@@ -19,10 +19,6 @@ def make_field(name: str, kind: str) -> QgsField:
     return QgsField(name, getattr(QVariant, variant_name))
 
 
-def is_number_field(field: QgsField) -> bool:
-    return field.isNumeric()
-
-
 def is_null(value) -> bool:
     """Whether an attribute is NULL: PyQGIS has QVariant NULLs until 3.4x, None after."""
     return value is None or (isinstance(value, QVariant) and value.isNull())
@@ -43,7 +39,6 @@ def is_metric(crs: QgsCoordinateReferenceSystem) -> bool:
 
 POLYGON = Qgis.WkbType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.Polygon
 POINT = Qgis.WkbType.Point if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.Point
-NO_GEOMETRY = Qgis.WkbType.NoGeometry if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.NoGeometry
 POLYGON_GEOMETRY = Qgis.GeometryType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.PolygonGeometry
 
 if Qgis.QGIS_VERSION_INT >= 33600:

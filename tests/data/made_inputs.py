@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Iterable, Optional, Sequence, Tuple
 
+import cv2
 import numpy as np
 from osgeo import gdal, ogr, osr
 
@@ -130,3 +131,16 @@ def scattered_objects(height: int, width: int, count: int, seed: int, background
 def write_text(path: Path, text: str, encoding: str = "utf-8") -> Path:
     path.write_bytes(text.encode(encoding))
     return path
+
+
+def turned_view(
+    labels: np.ndarray, size: int, column: float, row: float, heading: float, scale: float = 1.0
+) -> np.ndarray:
+    """(size, size) labels seen around a point of a map, top towards ``heading`` (° clockwise from north)."""
+    angle = np.radians(heading)
+    right, down = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+    steps = (np.arange(size) + 0.5 - size / 2) * scale
+    # OpenCV counts from the centre of the first pixel.
+    xs = column + steps[None, :] * right[0] + steps[:, None] * down[0] - 0.5
+    ys = row + steps[None, :] * right[1] + steps[:, None] * down[1] - 0.5
+    return cv2.remap(labels, xs.astype(np.float32), ys.astype(np.float32), cv2.INTER_NEAREST)

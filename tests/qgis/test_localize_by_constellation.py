@@ -5,13 +5,12 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-import cv2
 import numpy as np
 import pytest
 from osgeo import ogr
 
 sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import NORTH, WEST, scattered_objects, write_raster
+from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
 
 LOCALIZE = "semref:localizeimages"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -34,14 +33,7 @@ def database(run_algorithm, tmp_path_factory):
 
 
 def view(column: float, row: float, heading: float, scale: float = 1.0, labels=LABELS) -> np.ndarray:
-    """(SIZE, SIZE) labels seen around a point of the map, top towards ``heading`` (° clockwise from north)."""
-    angle = np.radians(heading)
-    right, down = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
-    steps = (np.arange(SIZE) + 0.5 - SIZE / 2) * scale
-    # OpenCV counts from the centre of the first pixel.
-    xs = column + steps[None, :] * right[0] + steps[:, None] * down[0] - 0.5
-    ys = row + steps[None, :] * right[1] + steps[:, None] * down[1] - 0.5
-    return cv2.remap(labels, xs.astype(np.float32), ys.astype(np.float32), cv2.INTER_NEAREST)
+    return turned_view(labels, SIZE, column, row, heading, scale)
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ import pytest
 from osgeo import ogr
 
 sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import NORTH, WEST, write_raster
+from made_inputs import NORTH, WEST, turned_view, write_raster
 
 LOCALIZE = "semref:localizeimages"
 NAMES = ["unlabeled", "building", "water", "forest", "field"]
@@ -30,12 +30,7 @@ LABELS = landscape(3)
 
 
 def view(column: float, row: float, heading: float) -> np.ndarray:
-    angle = np.radians(heading)
-    right, down = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
-    steps = np.arange(SIZE) + 0.5 - SIZE / 2
-    xs = column + steps[None, :] * right[0] + steps[:, None] * down[0] - 0.5
-    ys = row + steps[None, :] * right[1] + steps[:, None] * down[1] - 0.5
-    return cv2.remap(LABELS, xs.astype(np.float32), ys.astype(np.float32), cv2.INTER_NEAREST)
+    return turned_view(LABELS, SIZE, column, row, heading)
 
 
 @pytest.fixture(scope="module")
