@@ -52,6 +52,37 @@ def topology_vectors(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_v
     the first, over the largest (eqs. 3, 4), and ranks. Ties, to a millionth of a pixel or degree, go by
     distance, then angle, then rank.
     """
+    _, distances, angles, ranks = _in_order(offsets_xy, ranks, references_per_vector)
+    kept = distances.shape[1]
+    present = np.isfinite(distances)
+    counts = present.sum(axis=1)
+    place = np.arange(kept)
+    following = np.where(present, (place + 1) % counts[:, None], place)
+    with np.errstate(invalid="ignore"):
+        differences = (np.take_along_axis(angles, following, axis=1) - angles) % 360.0
+    vectors = np.zeros((len(offsets_xy), 3, references_per_vector), np.float32)
+    vectors[:, 0, :kept] = _over_largest(np.where(present, distances, 0.0))
+    vectors[:, 1, :kept] = _over_largest(np.where(present, differences, 0.0))
+    vectors[:, 2, :kept] = np.where(present, ranks, 0.0)
+    return vectors.reshape(len(vectors), 3 * references_per_vector)
+
+
+def vector_objects(
+    centers_xy: np.ndarray,
+    classes: np.ndarray,
+    image_center_xy: Sequence[float],
+    reference_values: Sequence[int],
+    references_per_vector: int = REFERENCES_PER_VECTOR,
+) -> np.ndarray:
+    """(K,) indices of the objects that ``topology_vector`` describes, in the vector's order; arguments as there."""
+    if not len(classes):
+        return np.empty(0, np.int64)
+    offsets = np.asarray(centers_xy, np.float64)[None] - np.asarray(image_center_xy, np.float64)
+    return _in_order(offsets, class_ranks(classes, reference_values)[None], references_per_vector)[0][0]
+
+
+def _in_order(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: int):
+    """Indices (M, K) of the objects kept in the vector's order, with their distances, angles and ranks."""
     kept = min(references_per_vector, offsets_xy.shape[1])
     distances = np.hypot(offsets_xy[..., 0], offsets_xy[..., 1])
     with np.errstate(invalid="ignore"):
@@ -63,26 +94,15 @@ def topology_vectors(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_v
     angles[distances == 0.0] = 0.0
     angles[np.isinf(distances)] = np.inf
 
-    nearest = np.lexsort((ranks, angles, distances), axis=-1)[:, :kept]
-    distances, angles, ranks = (np.take_along_axis(a, nearest, axis=1) for a in (distances, angles, ranks))
-    by_angle = np.lexsort((ranks, distances, angles), axis=-1)
-    distances, angles, ranks = (np.take_along_axis(a, by_angle, axis=1) for a in (distances, angles, ranks))
-
-    present = np.isfinite(distances)
-    counts = present.sum(axis=1)
-    farthest = np.where(present, distances, -1.0).argmax(axis=1)
+    order = np.lexsort((ranks, angles, distances), axis=-1)[:, :kept]
+    by_angle = np.lexsort([np.take_along_axis(a, order, axis=1) for a in (ranks, distances, angles)], axis=-1)
+    order = np.take_along_axis(order, by_angle, axis=1)
+    present = np.isfinite(np.take_along_axis(distances, order, axis=1))
+    farthest = np.where(present, np.take_along_axis(distances, order, axis=1), -1.0).argmax(axis=1)
     place = np.arange(kept)
-    turned = np.where(present, (farthest[:, None] + place) % counts[:, None], place)
-    distances, angles, ranks = (np.take_along_axis(a, turned, axis=1) for a in (distances, angles, ranks))
-
-    following = np.where(present, (place + 1) % counts[:, None], place)
-    with np.errstate(invalid="ignore"):
-        differences = (np.take_along_axis(angles, following, axis=1) - angles) % 360.0
-    vectors = np.zeros((len(offsets_xy), 3, references_per_vector), np.float32)
-    vectors[:, 0, :kept] = _over_largest(np.where(present, distances, 0.0))
-    vectors[:, 1, :kept] = _over_largest(np.where(present, differences, 0.0))
-    vectors[:, 2, :kept] = np.where(present, ranks, 0.0)
-    return vectors.reshape(len(vectors), 3 * references_per_vector)
+    turned = np.where(present, (farthest[:, None] + place) % present.sum(axis=1)[:, None], place)
+    order = np.take_along_axis(order, turned, axis=1)
+    return (order, *(np.take_along_axis(a, order, axis=1) for a in (distances, angles, ranks)))
 
 
 def _over_largest(values: np.ndarray) -> np.ndarray:

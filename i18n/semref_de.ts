@@ -36,6 +36,10 @@
    <translation>Klassenbilder hinzufügen oder Dateien und Verzeichnisse hier ablegen.</translation>
   </message>
   <message>
+   <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
+   <translation>Fügt dem Projekt das Bild als halbdurchsichtigen Layer hinzu, platziert nach seinem gefundenen Standort</translation>
+  </message>
+  <message>
    <source>Adds the positions to the project as a temporary point layer</source>
    <translation>Fügt dem Projekt die Positionen als temporären Punktlayer hinzu</translation>
   </message>
@@ -46,6 +50,14 @@
   <message>
    <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
    <translation>Ein Fehler in SemRef hat die Arbeit abgebrochen; bitte melden, was das Protokoll unter „SemRef“ zeigt.</translation>
+  </message>
+  <message>
+   <source>Angle</source>
+   <translation>Winkel</translation>
+  </message>
+  <message>
+   <source>Angle to the next landmark over the largest angle</source>
+   <translation>Winkel zur nächsten Landmarke, geteilt durch den größten</translation>
   </message>
   <message>
    <source>Annotation</source>
@@ -140,6 +152,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Referenzdatenbank wählen</translation>
   </message>
   <message>
+   <source>Class</source>
+   <translation>Klasse</translation>
+  </message>
+  <message>
    <source>Class field</source>
    <translation>Klassenfeld</translation>
   </message>
@@ -152,8 +168,16 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Klassen, deren Flächen Landmarken sind: Namen oder Werte, getrennt durch „;“, zum Beispiel building;bare_land;water. Ohne Angabe die Klassen mit der Rolle „reference“ in der Klassentabelle der Karte.</translation>
   </message>
   <message>
+   <source>Click on the map to inspect the window there</source>
+   <translation>Auf die Karte klicken, um das Fenster dort zu untersuchen</translation>
+  </message>
+  <message>
    <source>Color label image</source>
    <translation>Farbiges Klassenbild</translation>
+  </message>
+  <message>
+   <source>Compare with the selected image</source>
+   <translation>Mit dem ausgewählten Bild vergleichen</translation>
   </message>
   <message>
    <source>Comparing windows</source>
@@ -192,6 +216,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Abstand</translation>
   </message>
   <message>
+   <source>Distance from the center over the largest distance</source>
+   <translation>Abstand von der Mitte, geteilt durch den größten</translation>
+  </message>
+  <message>
    <source>Distance from window to window; at most the window size.</source>
    <translation>Abstand von Fenster zu Fenster; höchstens die Fenstergröße.</translation>
   </message>
@@ -204,6 +232,18 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Abstandsverhältnisse, Winkeldifferenzen und Klassenränge sowie die verwendeten Klassen.</translation>
   </message>
   <message>
+   <source>Draw on the map where the images are known to be: press at the middle and drag</source>
+   <translation>Auf der Karte zeichnen, wo die Bilder bekanntlich liegen: in der Mitte drücken und ziehen</translation>
+  </message>
+  <message>
+   <source>Draw where to search</source>
+   <translation>Suchgebiet zeichnen</translation>
+  </message>
+  <message>
+   <source>Draws the vector of the image selected in the results over the window’s</source>
+   <translation>Zeichnet den Vektor des in den Ergebnissen ausgewählten Bildes über den des Fensters</translation>
+  </message>
+  <message>
    <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
    <translation>Kantenlänge eines Pixels in Metern. Die kleinste Landmarke sollte etwa 50 Pixel bedecken.</translation>
   </message>
@@ -212,8 +252,16 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Kantenlänge eines Fensters am Boden: ungefähr das, was ein Bild zeigt.</translation>
   </message>
   <message>
+   <source>Error (m)</source>
+   <translation>Fehler (m)</translation>
+  </message>
+  <message>
    <source>Extent</source>
    <translation>Ausdehnung</translation>
+  </message>
+  <message>
+   <source>Fewer than three landmarks: no vector.</source>
+   <translation>Weniger als drei Landmarken: kein Vektor.</translation>
   </message>
   <message>
    <source>Fewer than three landmarks: the image has no topology vector.</source>
@@ -272,6 +320,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>HSV-Bereiche folgen der Veröffentlichung; die nächstliegende Farbe verzeiht Mischfarben an Rändern.</translation>
   </message>
   <message>
+   <source>Heading</source>
+   <translation>Ausrichtung</translation>
+  </message>
+  <message>
+   <source>How far the compared image’s vector differs here</source>
+   <translation>Wie weit der Vektor des verglichenen Bildes hier abweicht</translation>
+  </message>
+  <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
    <translation>Wie viele der Landmarken, die der Mitte am nächsten liegen, ein Vektor enthält.</translation>
   </message>
@@ -286,6 +342,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Images</source>
    <translation>Bilder</translation>
+  </message>
+  <message>
+   <source>Inspect</source>
+   <translation>Untersuchen</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -312,6 +372,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Klassenkarte mit {width} × {height} Pixeln, {share:.1%} mit Klasse: {classes}</translation>
   </message>
   <message>
+   <source>Labels</source>
+   <translation>Klassen</translation>
+  </message>
+  <message>
    <source>Landmarks</source>
    <translation>Landmarken</translation>
   </message>
@@ -322,6 +386,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Largest scale</source>
    <translation>Größter Maßstab</translation>
+  </message>
+  <message>
+   <source>Lay image on map</source>
+   <translation>Bild auf die Karte legen</translation>
   </message>
   <message>
    <source>Levels</source>
@@ -342,6 +410,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Localizing images</source>
    <translation>Bilder werden lokalisiert</translation>
+  </message>
+  <message>
+   <source>Looks like</source>
+   <translation>Sieht aus wie</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -372,12 +444,24 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Nächstliegende Farbe</translation>
   </message>
   <message>
+   <source>Nearest look-alike at distance {value:.3f}</source>
+   <translation>Nächster Doppelgänger im Abstand {value:.3f}</translation>
+  </message>
+  <message>
+   <source>Next window</source>
+   <translation>Nächstes Fenster</translation>
+  </message>
+  <message>
    <source>No match</source>
    <translation>Kein Treffer</translation>
   </message>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
    <translation>In der Ausdehnung liegt kein Polygon: Die Klassenkarte ist leer.</translation>
+  </message>
+  <message>
+   <source>No window of the database lies there.</source>
+   <translation>Dort liegt kein Fenster der Datenbank.</translation>
   </message>
   <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
@@ -416,8 +500,20 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Nur mit einer ungefähren Position: weiter entfernte Orte werden nicht durchsucht.</translation>
   </message>
   <message>
+   <source>Opacity of the labels</source>
+   <translation>Deckkraft der Klassen</translation>
+  </message>
+  <message>
    <source>Overview</source>
    <translation>Übersicht</translation>
+  </message>
+  <message>
+   <source>Pick a window on the map, or give its name.</source>
+   <translation>Ein Fenster auf der Karte wählen oder seinen Namen eingeben.</translation>
+  </message>
+  <message>
+   <source>Pick on map</source>
+   <translation>Auf Karte wählen</translation>
   </message>
   <message>
    <source>Pixel size (m)</source>
@@ -452,8 +548,16 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Radius darum (Karteneinheiten)</translation>
   </message>
   <message>
+   <source>Radius that holds the true position in 95 % of fixes, in meters</source>
+   <translation>Radius, der in 95 % der Fälle die wahre Position enthält, in Metern</translation>
+  </message>
+  <message>
    <source>Rasterize annotation</source>
    <translation>Annotation rastern</translation>
+  </message>
+  <message>
+   <source>Reading an image</source>
+   <translation>Ein Bild wird gelesen</translation>
   </message>
   <message>
    <source>Reading the database</source>
@@ -462,6 +566,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Reading the label map</source>
    <translation>Klassenkarte wird gelesen</translation>
+  </message>
+  <message>
+   <source>Reading…</source>
+   <translation>Wird gelesen …</translation>
   </message>
   <message>
    <source>Ready to localize.</source>
@@ -486,6 +594,18 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Results appear here.</source>
    <translation>Hier erscheinen die Ergebnisse.</translation>
+  </message>
+  <message>
+   <source>Search the whole database</source>
+   <translation>Die ganze Datenbank durchsuchen</translation>
+  </message>
+  <message>
+   <source>Search: the whole database</source>
+   <translation>Suche: die ganze Datenbank</translation>
+  </message>
+  <message>
+   <source>Search: within {radius:.0f} m</source>
+   <translation>Suche: im Umkreis von {radius:.0f} m</translation>
   </message>
   <message>
    <source>Select a result to see its hit on the map.</source>
@@ -564,6 +684,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Verarbeitungsanbieter SemRef ist ausgeschaltet; er lässt sich in den Optionen einschalten.</translation>
   </message>
   <message>
+   <source>The database has no window “{name}”.</source>
+   <translation>Die Datenbank hat kein Fenster „{name}“.</translation>
+  </message>
+  <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
    <translation>Der Datenträger ist beim Schreiben voll geworden ({name}); Platz schaffen oder einen anderen Ort wählen.</translation>
   </message>
@@ -580,8 +704,16 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Klassenkarte enthält keine Klassennamen; ihre Klassen werden nach ihren Werten benannt.</translation>
   </message>
   <message>
+   <source>The lines from the center to the landmarks of the topology vector</source>
+   <translation>Die Linien von der Mitte zu den Landmarken des Topologievektors</translation>
+  </message>
+  <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
+  </message>
+  <message>
+   <source>The selected image appears here.</source>
+   <translation>Hier erscheint das ausgewählte Bild.</translation>
   </message>
   <message>
    <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); swap them.</source>
@@ -628,8 +760,16 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Ungeprüfter Treffer</translation>
   </message>
   <message>
+   <source>Vector</source>
+   <translation>Vektor</translation>
+  </message>
+  <message>
    <source>Where the images are known to be, roughly. It speeds up the search and is never needed.</source>
    <translation>Wo die Bilder ungefähr liegen. Das beschleunigt die Suche und ist nie nötig.</translation>
+  </message>
+  <message>
+   <source>Where the image’s top points to, in degrees clockwise from grid north</source>
+   <translation>Wohin die Oberkante des Bildes zeigt, in Grad im Uhrzeigersinn von Gitternord</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -638,6 +778,14 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Window</source>
    <translation>Fenster</translation>
+  </message>
+  <message>
+   <source>Window before</source>
+   <translation>Voriges Fenster</translation>
+  </message>
+  <message>
+   <source>Window name</source>
+   <translation>Name des Fensters</translation>
   </message>
   <message>
    <source>Window size (map units)</source>
@@ -650,6 +798,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Windows are whole pixels: window size {size:g}, stride {stride:g}.</source>
    <translation>Fenster sind ganze Pixel: Fenstergröße {size:g}, Schrittweite {stride:g}.</translation>
+  </message>
+  <message>
+   <source>Windows elsewhere with the nearest vectors; double-click to inspect one</source>
+   <translation>Fenster anderswo mit den nächsten Vektoren; Doppelklick untersucht eines</translation>
   </message>
   <message>
    <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
@@ -712,8 +864,20 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>{count} Landmarken im mittigen Quadrat von {size} Pixeln.</translation>
   </message>
   <message>
+   <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
+   <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
+  </message>
+  <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>Standort gefunden für {fixes} von {images} Bildern.</translation>
+  </message>
+  <message>
+   <source>{image} can’t be shown on the map.</source>
+   <translation>{image} kann nicht auf der Karte gezeigt werden.</translation>
+  </message>
+  <message>
+   <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
+   <translation>{image}: Abstand {distance:.3f}, Konfidenz {confidence:.2f}</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>

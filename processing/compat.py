@@ -40,6 +40,7 @@ def is_metric(crs: QgsCoordinateReferenceSystem) -> bool:
 POLYGON = Qgis.WkbType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.Polygon
 POINT = Qgis.WkbType.Point if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.Point
 POLYGON_GEOMETRY = Qgis.GeometryType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.PolygonGeometry
+LINE_GEOMETRY = Qgis.GeometryType.Line if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.LineGeometry
 
 if Qgis.QGIS_VERSION_INT >= 33600:
     SOURCE_POLYGON = Qgis.ProcessingSourceType.VectorPolygon

@@ -1,22 +1,28 @@
-"""The dock: choose a database and images, localise them in the background, see each hit on the map."""
+"""The dock: choose a database and images, localise them in the background, see each hit on the map; inspect windows."""
 
 from __future__ import annotations
 
+import os
 from typing import Optional
 
 from qgis.core import QgsProject, QgsVectorLayer
 from qgis.gui import QgsDockWidget
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtWidgets import QFrame, QLabel, QProgressBar, QPushButton, QScrollArea, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QFrame, QLabel, QProgressBar, QPushButton, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
-from ..core.errors import DatabaseError
+from ..core.errors import DatabaseError, LabelMapError
 from ..processing.translation import tr
+from .background import DatabaseShelf, Reader
 from .database_layers import add_database_to_map
+from .drapes import lay_on_map
 from .findings import FIX, Finding, read_findings
 from .highlight import HitHighlight
+from .image_picture import ImagePicture, read_picture
 from .inputs import MARGIN_PX, DatabaseBox, ImageBox, MethodRow
+from .inspect_tab import InspectTab
 from .localization_run import LocalizationRun
 from .messages import Messages
+from .prior_row import PriorRow
 from .results import ResultsBox
 
 
@@ -34,10 +40,16 @@ class SemRefDock(QgsDockWidget):
         self.database = DatabaseBox()
         self.images = ImageBox()
         self.method = MethodRow()
+        self.prior = PriorRow(canvas)
         self.localize_button = QPushButton()
         self.progress = QProgressBar()
         self.state = _ShorteningLabel()
         self.results = ResultsBox()
+        self.inspect = InspectTab(canvas)
+        self.tabs = QTabWidget()
+        self._shelf = DatabaseShelf()
+        self._pictures = Reader(self)
+        self._databases = Reader(self)
         self._lay_out()
         self._connect()
         self._show_idle()
@@ -45,16 +57,28 @@ class SemRefDock(QgsDockWidget):
     def shut_down(self) -> None:
         self.run.abandon()
         self.visibilityChanged.disconnect(self._follow_visibility)
+        self._pictures.forget()
+        self._databases.forget()
+        self.inspect.shut_down()
+        self.prior.shut_down()
         self._highlight.remove()
         self._highlight = self._positions = None
 
     def _lay_out(self) -> None:
+        localize = QWidget()
+        layout = QVBoxLayout(localize)
+        layout.setContentsMargins(0, MARGIN_PX, 0, 0)
+        for widget in (self.images, self.method, self.prior, self.localize_button, self.progress, self.state):
+            layout.addWidget(widget)
+        layout.addWidget(self.results, 1)
+        self.tabs.setDocumentMode(True)
+        self.tabs.addTab(localize, tr("Localize"))
+        self.tabs.addTab(self.inspect, tr("Inspect"))
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
-        for widget in (self.database, self.images, self.method, self.localize_button, self.progress, self.state):
-            layout.addWidget(widget)
-        layout.addWidget(self.results, 1)
+        layout.addWidget(self.database)
+        layout.addWidget(self.tabs, 1)
         area = QScrollArea()
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidgetResizable(True)
@@ -65,12 +89,14 @@ class SemRefDock(QgsDockWidget):
 
     def _connect(self) -> None:
         self.database.changed.connect(self._show_idle)
+        self.database.changed.connect(self._forget_database)
         self.database.addToMapAsked.connect(self._add_database_to_map)
         self.images.changed.connect(self._show_idle)
         self.localize_button.clicked.connect(self._localize_or_cancel)
         self.results.findingSelected.connect(self._show_hit)
         self.results.zoom.toggled.connect(self._zoom_if_asked)
         self.results.keepAsked.connect(self._keep_results)
+        self.results.drapeAsked.connect(self._drape)
         self.run.progressed.connect(self._show_progress)
         self.run.said.connect(self.state.show_text)
         self.run.found.connect(self._show_found)
@@ -78,6 +104,14 @@ class SemRefDock(QgsDockWidget):
         self.run.broke.connect(self._show_bug)
         self.run.canceled.connect(self._show_canceled)
         self.visibilityChanged.connect(self._follow_visibility)
+        self.inspect.databaseWanted.connect(self._read_database)
+        self.inspect.said.connect(self._messages.info)
+        self._pictures.answered.connect(self._show_picture)
+        self._pictures.failed.connect(self._show_no_picture)
+        self._databases.answered.connect(self.inspect.use)
+        self._databases.failed.connect(self._messages.error)
+        for reader in (self._pictures, self._databases):
+            reader.broke.connect(self._messages.bug)
 
     # --- running ---
 
@@ -87,7 +121,7 @@ class SemRefDock(QgsDockWidget):
             self.state.show_text(tr("Canceling…"))
             self.run.cancel()
             return
-        if self.run.start(self.database.path(), self.images.paths(), self.method.method()):
+        if self.run.start(self.database.path(), self.images.paths(), self.method.method(), self.prior.parameters()):
             self._set_running(True)
             self.state.show_text(tr("Starting…"))
 
@@ -95,6 +129,7 @@ class SemRefDock(QgsDockWidget):
         self.database.setEnabled(not running)
         self.images.setEnabled(not running)
         self.method.setEnabled(not running)
+        self.prior.setEnabled(not running)
         self.progress.setVisible(running)
         self.progress.setValue(0)
         self.localize_button.setText(tr("Cancel") if running else tr("Localize"))
@@ -145,6 +180,34 @@ class SemRefDock(QgsDockWidget):
                 tr("The hit lies outside the area of the project’s CRS; choose another one to see it.")
             )
         self._zoom_if_asked()
+        self._read_picture(finding)
+
+    def _read_picture(self, finding: Optional[Finding]) -> None:
+        self._pictures.forget()
+        self.inspect.compare_with("", None)
+        if finding is None:
+            self.results.image.clear(tr("The selected image appears here."))
+            return
+        self.results.image.clear(tr("Reading…"))
+        self._pictures.read(tr("Reading an image"), _picture, self._shelf, self.database.path(), finding.image)
+
+    def _show_picture(self, picture: ImagePicture) -> None:
+        self.results.image.show_picture(picture)
+        self.inspect.compare_with(os.path.basename(picture.path), picture.vector)
+
+    def _show_no_picture(self, sentence: str) -> None:
+        self.results.image.clear(sentence)
+
+    def _read_database(self) -> None:
+        """The inspected database, in the background."""
+        if not self.database.path():
+            self._messages.info(tr("Choose a database."))
+            return
+        self._databases.read(tr("Reading the database"), self._shelf.read, self.database.path())
+
+    def _forget_database(self) -> None:
+        self._databases.forget()
+        self.inspect.use(None)
 
     def _zoom_if_asked(self) -> None:
         if self.results.zoom.isChecked():
@@ -164,6 +227,17 @@ class SemRefDock(QgsDockWidget):
         # A copy: the user may remove the layer and keep the results again.
         QgsProject.instance().addMapLayer(self._positions.clone())
         self._messages.info(tr("The positions are a temporary layer of the project now; export it to keep them."))
+
+    def _drape(self, finding: Finding) -> None:
+        try:
+            lay_on_map(finding, self.database.path())
+        except LabelMapError as error:
+            self._messages.error(str(error))
+
+
+def _picture(shelf: DatabaseShelf, database: str, image: str) -> ImagePicture:
+    """In the background."""
+    return read_picture(image, shelf.read(database))
 
 
 class _ShorteningLabel(QLabel):

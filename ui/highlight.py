@@ -1,14 +1,15 @@
-"""The selected hit on the canvas: outline of its window and a marker at its centre."""
+"""The selected hit on the canvas: the ground it shows, where its top points to, and how sure its position is."""
 
 from __future__ import annotations
 
+from math import cos, radians, sin, sqrt
 from typing import Optional
 
 from qgis.core import QgsCoordinateTransform, QgsCsException, QgsGeometry, QgsPointXY, QgsProject
 from qgis.gui import QgsMapCanvas, QgsRubberBand, QgsVertexMarker
 from qgis.PyQt.QtGui import QColor
 
-from ..processing.compat import POLYGON_GEOMETRY
+from ..processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
 from .findings import Finding
 
 # Red with a white rim stands out on land-cover colours, aerial images, white and black alike.
@@ -21,6 +22,9 @@ _ZOOM_MARGIN = 2.0
 _POINTS_A_SIDE = 16
 """A window's straight sides are curves in another CRS."""
 
+_ARROW_HEAD = 0.12
+"""Length of the heading arrow's barbs, as a share of its shaft."""
+
 
 class HitHighlight:
     """Follows the canvas's CRS. ``remove`` takes it off the canvas for good."""
@@ -28,12 +32,9 @@ class HitHighlight:
     def __init__(self, canvas: QgsMapCanvas) -> None:
         self._canvas = canvas
         self._hit: Optional[Finding] = None
-        self._outline = QgsRubberBand(canvas, POLYGON_GEOMETRY)
-        self._outline.setStrokeColor(_LINE)
-        self._outline.setSecondaryStrokeColor(_RIM)
-        # Unfilled: the map's colours inside the window stay what they are.
-        self._outline.setFillColor(QColor(0, 0, 0, 0))
-        self._outline.setWidth(2)
+        self._outline = _band(canvas, POLYGON_GEOMETRY)
+        self._heading = _band(canvas, LINE_GEOMETRY)
+        self._error = _band(canvas, POLYGON_GEOMETRY)
         self._center = QgsVertexMarker(canvas)
         self._center.setIconType(QgsVertexMarker.IconType.ICON_CIRCLE)
         self._center.setIconSize(11)
@@ -64,32 +65,71 @@ class HitHighlight:
 
     def remove(self) -> None:
         self._canvas.destinationCrsChanged.disconnect(self._place)
-        for item in (self._outline, self._center):
+        for item in (self._outline, self._heading, self._error, self._center):
             self._canvas.scene().removeItem(item)
-        self._outline = self._center = None
+        self._outline = self._heading = self._error = self._center = None
 
     def _place(self) -> bool:
         placed = self._on_canvas() if self._hit is not None and self._visible else None
         self._outline.reset(POLYGON_GEOMETRY)
+        self._heading.reset(LINE_GEOMETRY)
+        self._error.reset(POLYGON_GEOMETRY)
         self._center.setVisible(placed is not None)
         if placed is None:
             return self._hit is None or not self._visible
-        outline, center = placed
-        self._outline.setToGeometry(outline)
+        *shapes, center = placed
+        for band, shape in zip((self._outline, self._heading, self._error), shapes):
+            if not shape.isEmpty():
+                band.setToGeometry(shape)
         self._center.setCenter(center)
         return True
 
     def _on_canvas(self):
-        """(outline, centre) in the canvas's CRS; None where that CRS has no such place."""
-        outline = QgsGeometry() if self._hit.outline is None else self._hit.outline.densifyByCount(_POINTS_A_SIDE)
+        """(outline, heading arrow, error circle, centre) in the canvas's CRS; None where that has no such place."""
+        hit = self._hit
+        outline = QgsGeometry() if hit.outline is None else hit.outline.densifyByCount(_POINTS_A_SIDE)
+        shapes = [outline, _arrow(hit), _error_circle(hit)]
         target = self._canvas.mapSettings().destinationCrs()
-        if not target.isValid() or target == self._hit.crs:
-            return outline, self._hit.center
-        transform = QgsCoordinateTransform(self._hit.crs, target, QgsProject.instance())
+        if not target.isValid() or target == hit.crs:
+            return (*shapes, hit.center)
+        transform = QgsCoordinateTransform(hit.crs, target, QgsProject.instance())
         try:
-            center = transform.transform(self._hit.center)
-            if not outline.isNull():
-                outline.transform(transform)
+            center = transform.transform(hit.center)
+            for shape in shapes:
+                if not shape.isEmpty():
+                    shape.transform(transform)
         except QgsCsException:
             return None
-        return outline, QgsPointXY(center)
+        return (*shapes, QgsPointXY(center))
+
+
+def _band(canvas: QgsMapCanvas, kind) -> QgsRubberBand:
+    band = QgsRubberBand(canvas, kind)
+    band.setStrokeColor(_LINE)
+    band.setSecondaryStrokeColor(_RIM)
+    # Unfilled: the map's colours inside the window stay what they are.
+    band.setFillColor(QColor(0, 0, 0, 0))
+    band.setWidth(2)
+    return band
+
+
+def _arrow(hit: Finding) -> QgsGeometry:
+    """From the centre to where the image's top edge is, on the map; empty where the heading is not known."""
+    if hit.heading is None or hit.outline is None:
+        return QgsGeometry()
+    length, center = sqrt(hit.outline.area()) / 2, hit.center
+    tip = _away(center, hit.heading, length)
+    barbs = [_away(tip, hit.heading + 180 + side, _ARROW_HEAD * length) for side in (-30, 30)]
+    return QgsGeometry.fromMultiPolylineXY([[center, tip], [barbs[0], tip, barbs[1]]])
+
+
+def _away(point: QgsPointXY, heading_deg: float, distance: float) -> QgsPointXY:
+    turn = radians(heading_deg)
+    return QgsPointXY(point.x() + distance * sin(turn), point.y() + distance * cos(turn))
+
+
+def _error_circle(hit: Finding) -> QgsGeometry:
+    """Holds the position in 95 % of fixes; empty where the method tells no error."""
+    if hit.error_95 is None:
+        return QgsGeometry()
+    return QgsGeometry.fromPointXY(hit.center).buffer(hit.error_95, _POINTS_A_SIDE)

@@ -48,8 +48,11 @@ class LocalizationRun(QObject):
     def running(self) -> bool:
         return self._task is not None
 
-    def start(self, database: str, images: List[str], method: int) -> bool:
-        """``method``: METHOD of the algorithm. False when it can't even begin; then ``failed`` has said why."""
+    def start(self, database: str, images: List[str], method: int, prior: dict) -> bool:
+        """``method``: METHOD of the algorithm; ``prior``: its PRIOR_… parameters.
+
+        False when it can't even begin; then ``failed`` has said why.
+        """
         algorithm = QgsApplication.processingRegistry().algorithmById(ALGORITHM)
         if algorithm is None:
             self.failed.emit(tr("The Processing provider SemRef is switched off; switch it on in the options."))
@@ -62,6 +65,7 @@ class LocalizationRun(QObject):
             "DATABASE": database,
             "IMAGES": images,
             "METHOD": method,
+            **prior,
             "OUTPUT": "memory:" + tr("SemRef positions"),
             "FOOTPRINTS": "memory:" + tr("SemRef footprints"),
         }

@@ -7,12 +7,13 @@ from typing import List, Optional
 
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox
-from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtGui import QTextOption
-from qgis.PyQt.QtWidgets import QCheckBox, QFrame, QHBoxLayout, QPushButton, QTextEdit, QVBoxLayout
+from qgis.PyQt.QtWidgets import QCheckBox, QFrame, QHBoxLayout, QPushButton, QSplitter, QTextEdit, QVBoxLayout
 
 from ..processing.translation import tr
 from .findings import Finding, status_text
+from .image_view import ImageView
 from .inputs import MARGIN_PX
 from .results_table import ResultsTable
 
@@ -25,11 +26,13 @@ class ResultsBox(QgsCollapsibleGroupBox):
 
     findingSelected = pyqtSignal(object)
     keepAsked = pyqtSignal()
+    drapeAsked = pyqtSignal(object)
 
     def __init__(self, parent=None) -> None:
         super().__init__(tr("Results"), parent)
         self.setObjectName("SemRefResults")
         self.table = ResultsTable()
+        self.image = ImageView()
         self.details = _Details()
         self.copy_degrees = QPushButton(tr("Copy longitude, latitude"))
         self.copy_map = QPushButton(tr("Copy x, y"))
@@ -37,17 +40,26 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.zoom.setChecked(QgsSettings().value(_ZOOM_SETTING, True, type=bool))
         self.keep = QPushButton(tr("Keep results as layer"))
         self.keep.setToolTip(tr("Adds the positions to the project as a temporary point layer"))
+        self.drape = QPushButton(tr("Lay image on map"))
+        self.drape.setToolTip(tr("Adds the image to the project as a half-transparent layer, placed by its fix"))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
-        layout.addWidget(self.table, 1)
+        parts = QSplitter(Qt.Orientation.Vertical)
+        parts.setChildrenCollapsible(False)
+        parts.addWidget(self.table)
+        parts.addWidget(self.image)
+        parts.setStretchFactor(1, 1)
+        layout.addWidget(parts, 1)
         layout.addWidget(self.details)
         layout.addLayout(_row(self.copy_degrees, self.copy_map))
-        layout.addLayout(_row(self.zoom, self.keep))
+        layout.addLayout(_row(self.drape, self.keep))
+        layout.addWidget(self.zoom)
         self.table.findingSelected.connect(self._select)
         self.zoom.toggled.connect(self._remember_zoom)
         self.keep.clicked.connect(self.keepAsked)
         self.copy_degrees.clicked.connect(self._copy_degrees)
         self.copy_map.clicked.connect(self._copy_map)
+        self.drape.clicked.connect(self._drape)
         self._select(None)
         self.keep.setEnabled(False)
 
@@ -60,10 +72,14 @@ class ResultsBox(QgsCollapsibleGroupBox):
         has_position = finding is not None and finding.center is not None
         for button in (self.copy_degrees, self.copy_map):
             button.setEnabled(has_position)
+        self.drape.setEnabled(has_position and finding.heading is not None)
         self.findingSelected.emit(finding)
 
     def _remember_zoom(self, checked: bool) -> None:
         QgsSettings().setValue(_ZOOM_SETTING, checked)
+
+    def _drape(self) -> None:
+        self.drapeAsked.emit(self.table.selected())
 
     def _copy_degrees(self) -> None:
         finding = self.table.selected()

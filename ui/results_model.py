@@ -10,10 +10,11 @@ from qgis.PyQt.QtCore import QAbstractTableModel, QModelIndex, Qt
 from ..processing.translation import tr
 from .findings import FIX, Finding, status_text
 
-IMAGE, CONFIDENCE, STATUS, WINDOW, DISTANCE = range(5)
-COLUMN_COUNT = 5
+IMAGE, CONFIDENCE, ERROR, HEADING, STATUS, WINDOW, DISTANCE = range(7)
+COLUMN_COUNT = 7
+_DECIMALS = {CONFIDENCE: 2, ERROR: 1, HEADING: 1, DISTANCE: 3}
 SORT_ROLE = Qt.ItemDataRole.UserRole
-NUMBER_COLUMNS = (CONFIDENCE, DISTANCE)
+NUMBER_COLUMNS = (CONFIDENCE, ERROR, HEADING, DISTANCE)
 
 # QGIS draws these for light and dark themes alike.
 _ICONS = {FIX: "/mIconSuccess.svg", "error": "/mIconCritical.svg"}
@@ -45,7 +46,7 @@ class ResultsModel(QAbstractTableModel):
         if orientation != Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return [tr("Image"), tr("Confidence"), tr("Status"), tr("Window"), tr("Distance")][section]
+            return _headers()[section]
         if role == Qt.ItemDataRole.ToolTipRole:
             return _header_help()[section]
         return None
@@ -70,10 +71,18 @@ def _icon(finding: Finding) -> str:
     return _ICONS.get(finding.status, _OTHER_ICON)
 
 
+def _headers() -> List[str]:
+    return [
+        tr("Image"), tr("Confidence"), tr("Error (m)"), tr("Heading"), tr("Status"), tr("Window"), tr("Distance"),
+    ]  # fmt: skip
+
+
 def _header_help() -> List[str]:
     return [
         tr("File name of the image"),
         tr("Probability that the position is right; for the published method, how near the vectors are"),
+        tr("Radius that holds the true position in 95 % of fixes, in meters"),
+        tr("Where the image’s top points to, in degrees clockwise from grid north"),
         tr("Whether a position was found"),
         tr("Name of the matched window: its first column and row on the map"),
         tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none"),
@@ -87,9 +96,14 @@ def _text(finding: Finding, column: int) -> str:
         return status_text(finding)
     if column == WINDOW:
         return finding.window or ""
+    return _number(_figure(finding, column), _DECIMALS[column])
+
+
+def _figure(finding: Finding, column: int) -> Optional[float]:
+    """What a number column shows."""
     if column == CONFIDENCE:
-        return _number(finding.confidence if finding.status == FIX else None, 2)
-    return _number(finding.distance, 3)
+        return finding.confidence if finding.status == FIX else None
+    return {ERROR: finding.error_95, HEADING: finding.heading, DISTANCE: finding.distance}[column]
 
 
 def _number(value: Optional[float], decimals: int) -> str:
@@ -98,6 +112,6 @@ def _number(value: Optional[float], decimals: int) -> str:
 
 def _sort_value(finding: Finding, column: int):
     if column in NUMBER_COLUMNS:
-        value = finding.confidence if column == CONFIDENCE else finding.distance
+        value = _figure(finding, column)
         return -1.0 if value is None else float(value)
     return _text(finding, column).lower()

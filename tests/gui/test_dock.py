@@ -135,7 +135,7 @@ def wait_until(condition, what: str) -> None:
         time.sleep(0.005)
 
 
-AUTOMATIC, TOPOLOGY_VECTOR = 0, 1
+AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION = range(3)
 
 
 def choose_method(dock, method: int) -> None:
@@ -170,7 +170,8 @@ def shown_outline(iface):
 
     bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
     extents = [band.asGeometry().boundingBox() for band in bands if band.numberOfVertices()]
-    return extents[0] if extents else None
+    # The heading's arrow and the error's circle lie inside the outline.
+    return max(extents, key=lambda extent: extent.width()) if extents else None
 
 
 def shown_center(iface):
@@ -213,7 +214,7 @@ def test_an_empty_dock_says_what_to_do(dock, area):
 
 def test_an_image_cut_from_a_window_is_found_there(dock, area):
     localize(dock, area.database, [area.image])
-    assert table(dock) == [["on_window.tif", "1.00", "Unverified match", "150_250", "0.000"]]
+    assert table(dock) == [["on_window.tif", "1.00", "", "", "Unverified match", "150_250", "0.000"]]
     assert dock.state.text() == "1 of 1 images have a fix."
     details = dock.results.details.toPlainText()
     assert "x, y: 400250.00, 5399650.00 (EPSG:25832)" in details
@@ -223,7 +224,9 @@ def test_an_image_cut_from_a_window_is_found_there(dock, area):
 def test_the_automatic_method_tells_heading_pixel_size_and_error(dock, iface, area):
     choose_method(dock, AUTOMATIC)
     localize(dock, area.database, [area.image])
-    assert [row[:3] for row in table(dock)] == [["on_window.tif", "1.00", "Fix"]]
+    ((image, confidence, error, heading, status, window, distance),) = table(dock)
+    assert (image, confidence, status, window, distance) == ("on_window.tif", "1.00", "Fix", "", "")
+    assert 0 <= float(error) < 0.5 and heading in ("0.0", "360.0")
     details = dock.results.details.toPlainText()
     assert "heading" in details and "pixel size 1 m" in details and "(95 %)" in details
     assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=0.5)
@@ -272,7 +275,7 @@ def test_the_canvas_stays_when_zooming_is_switched_off(dock, iface, area):
 def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, iface, area):
     localize(dock, area.database, [area.image, area.unreadable])
     dock.results.table.selectRow(1)
-    assert table(dock)[1] == ["broken.tif", "", "Unreadable", "", ""]
+    assert table(dock)[1] == ["broken.tif", "", "", "", "Unreadable", "", ""]
     assert "broken.tif can't be read" in dock.results.details.toPlainText()
     assert (shown_outline(iface), shown_center(iface)) == (None, None)
     assert not dock.results.copy_map.isEnabled()
@@ -485,3 +488,108 @@ def test_every_status_has_words(qgis_app):
     for status in (localizer.FIX, localizer.AMBIGUOUS, localizer.NO_MATCH, localizer.TOO_FEW_REFERENCES, ERROR):
         assert status_text(SimpleNamespace(status=status, is_verified=True)) != status
     assert "nverified" in status_text(SimpleNamespace(status=FIX, is_verified=False))
+
+
+def rubber_bands(iface, geometry_type: str) -> list:
+    """Geometries of what is drawn on the canvas, 'Polygon' or 'Line'."""
+    from qgis.gui import QgsRubberBand
+
+    bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
+    found = [band.asGeometry() for band in bands if band.numberOfVertices()]
+    return [geometry for geometry in found if geometry_type in type(geometry.constGet()).__name__]
+
+
+def test_the_heading_arrow_points_where_the_top_of_the_image_is(dock, iface, area):
+    choose_method(dock, AUTOMATIC)
+    localize(dock, area.database, [area.image])
+    (arrow,) = rubber_bands(iface, "Line")
+    center, top = cut_extent().center(), cut_extent().yMaximum()
+    assert (arrow.boundingBox().center().x(), arrow.boundingBox().yMaximum()) == pytest.approx(
+        (center.x(), top), abs=0.5
+    )
+
+
+def test_the_selected_image_is_shown_with_its_landmarks_and_its_vector(dock, area):
+    localize(dock, area.database, [area.image])
+    canvas = dock.results.image.canvas
+    wait_until(lambda: canvas.scene().items(), "the image")
+    assert (canvas.sceneRect().width(), canvas.sceneRect().height()) == (WINDOW, WINDOW)
+    dock.results.image.opacity.setValue(30)
+    dock.results.image.star.setChecked(True)
+    assert canvas._labels.opacity() == pytest.approx(0.3)
+    assert canvas._star.isVisible() and len(canvas._star._ends) == 10
+    dock.results.image.landmarks.setChecked(False)
+    assert not canvas._landmarks.isVisible()
+
+
+def test_an_image_that_cannot_be_shown_says_why(dock, area):
+    localize(dock, area.database, [area.unreadable])
+    wait_until(lambda: "can't be read" in dock.results.image.canvas._text, "the reason")
+
+
+def test_a_window_is_inspected_by_name_with_its_vector_and_its_look_alikes(dock, iface, area):
+    dock.database.file.setFilePath(area.database)
+    dock.inspect.name.setText("150_250")
+    dock.inspect.name.returnPressed.emit()
+    wait_until(lambda: dock.inspect.numbers.rowCount(), "the window")
+    assert dock.inspect.numbers.rowCount() == 10
+    assert dock.inspect.numbers.item(0, 1).text() == "1.000"
+    assert dock.inspect.look_alikes.rowCount() > 0
+    extents = [corners(band.boundingBox()) for band in rubber_bands(iface, "Polygon")]
+    assert any(extent == pytest.approx(corners(cut_extent())) for extent in extents)
+    assert iface.canvas.extent().contains(cut_extent())
+
+
+def test_a_click_on_the_map_inspects_the_window_whose_middle_is_nearest(dock, iface, area):
+    from qgis.core import QgsPointXY
+
+    dock.database.file.setFilePath(area.database)
+    dock.inspect.pick.click()
+    assert iface.canvas.mapTool() is dock.inspect.tool
+    middle = cut_extent().center()
+    dock.inspect.tool.picked.emit(QgsPointXY(middle.x() + 9, middle.y() - 9))
+    wait_until(lambda: dock.inspect.name.text(), "the window")
+    assert dock.inspect.name.text() == "150_250"
+
+
+def test_an_unknown_window_name_is_said(dock, iface, area):
+    dock.database.file.setFilePath(area.database)
+    dock.inspect.show_window("1_2")
+    wait_until(lambda: messages(iface), "a message")
+    assert "no window “1_2”" in messages(iface)[0]
+
+
+def test_an_image_is_compared_with_the_window_element_by_element(dock, area):
+    localize(dock, area.database, [area.image])
+    wait_until(dock.inspect.compare.isEnabled, "the image's vector")
+    dock.inspect.show_window("150_250")
+    wait_until(lambda: dock.inspect.numbers.rowCount(), "the window")
+    dock.inspect.compare.click()
+    assert "distance 0.000, confidence 1.00" in dock.inspect.title.text()
+    assert {dock.inspect.numbers.item(row, 3).text() for row in range(10)} == {"0.000"}
+
+
+@pytest.mark.parametrize(("away_m", "fixes"), [(0, 1), (250, 0)])
+def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes):
+    from qgis.core import QgsPointXY
+
+    choose_method(dock, CONSTELLATION)
+    middle = cut_extent().center()
+    middle = QgsPointXY(middle.x() + away_m, middle.y())
+    dock.prior.set_circle(middle, QgsPointXY(middle.x() + 60, middle.y()))
+    assert dock.prior.text.text() == "Search: within 60 m"
+    localize(dock, area.database, [area.image])
+    assert dock.state.text().startswith(f"{fixes} of 1")
+    dock.prior.clear.click()
+    assert dock.prior.parameters() == {}
+
+
+def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area):
+    from qgis.core import QgsProject
+
+    choose_method(dock, AUTOMATIC)
+    localize(dock, area.database, [area.image])
+    dock.results.drape.click()
+    (layer,) = QgsProject.instance().mapLayers().values()
+    assert corners(layer.extent()) == pytest.approx(corners(cut_extent()), abs=1.0)
+    assert layer.opacity() == pytest.approx(0.6)

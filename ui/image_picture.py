@@ -1,0 +1,76 @@
+"""What SemRef sees in one image: its pixels, its labels, its landmarks and the star of its topology vector."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from qgis.PyQt.QtGui import QImage
+
+from ..core.database import ReferenceDatabase
+from ..core.localizer import describe_image
+from ..core.reference_objects import ReferenceObjects, extract_reference_objects
+from ..core.topology_vector import vector_objects
+from ..processing.exchange.rasters import read_label_image
+
+LONGEST_SHOWN_PX = 1600
+"""Larger images are shown reduced: a dock is a few hundred pixels wide."""
+
+
+@dataclass(frozen=True)
+class ImagePicture:
+    """One image, to be shown; positions in its own pixel coordinates (column, row).
+
+    width, height: of the image; labels: its label map in the classes' colours, perhaps reduced;
+    objects: landmarks of the whole image; star: (K, 2) centres of the landmarks of its topology vector, in the
+    vector's order; colors: '#rrggbb' by class value; vector: (3·X,) float32 or None; square: (column, row, edge) of the
+    part that the vector describes.
+    """
+
+    path: str
+    width: int
+    height: int
+    labels: QImage
+    objects: ReferenceObjects
+    star: np.ndarray
+    colors: dict
+    vector: object
+    square: tuple
+
+
+def read_picture(path: str, database: ReferenceDatabase) -> ImagePicture:
+    """Reads and describes a label image as ``database`` describes its windows. Raises SemRefError."""
+    table, parameters = database.class_table, database.parameters
+    labels = read_label_image(path, table)
+    fraction = parameters.minimum_area / parameters.window_size**2
+    described = describe_image(labels, table.reference_values, fraction, parameters.references_per_vector)
+    inside, half = described.objects, described.size / 2
+    kept = vector_objects(
+        inside.centers_xy, inside.classes, (half, half), table.reference_values, parameters.references_per_vector
+    )
+    height, width = labels.shape
+    return ImagePicture(
+        path,
+        width,
+        height,
+        label_picture(labels, {c.value: c.rgb for c in table}),
+        extract_reference_objects(labels, table.reference_values, fraction * described.size**2),
+        inside.centers_xy[kept] + described.first_xy,
+        {c.value: c.color for c in table},
+        described.vector,
+        (*described.first_xy, described.size),
+    )
+
+
+def label_picture(labels_hw: np.ndarray, colors: dict) -> QImage:
+    """A label map in its classes' colours ((r, g, b) by value); unlabelled pixels are transparent."""
+    step = -(-max(labels_hw.shape) // LONGEST_SHOWN_PX)
+    shown = np.ascontiguousarray(labels_hw[::step, ::step])
+    palette = np.zeros((256, 4), np.uint8)
+    for value, color in colors.items():
+        palette[value] = (*color, 255)
+    palette[0] = 0
+    pixels = np.ascontiguousarray(palette[shown])
+    height, width = shown.shape
+    # The copy owns its bytes; an image made from a buffer does not.
+    return QImage(pixels.data, width, height, 4 * width, QImage.Format.Format_RGBA8888).copy()

@@ -1,0 +1,212 @@
+"""The image as SemRef sees it: labels, landmarks, and the star of lines that makes the topology vector."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+from qgis.core import QgsSettings
+from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt
+from qgis.PyQt.QtGui import QColor, QPainter, QPen, QPixmap, QTransform
+from qgis.PyQt.QtWidgets import (
+    QCheckBox,
+    QGraphicsItem,
+    QGraphicsScene,
+    QGraphicsView,
+    QHBoxLayout,
+    QLabel,
+    QSlider,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ..processing.translation import tr
+from .image_picture import ImagePicture
+from .placeholder import paint_placeholder
+
+_LANDMARKS_SETTING = "semref/dock/show_landmarks"
+_STAR_SETTING = "semref/dock/show_star"
+_OPACITY_SETTING = "semref/dock/label_opacity"
+
+_STAR = QColor("#e8344e")
+_RIM = QColor("#ffffff")
+_LANDMARK_PX = 7
+_ZOOM_STEP = 1.25
+_MOST_ZOOM = 40.0
+
+
+class ImageView(QWidget):
+    """A picture that can be zoomed (wheel), moved (drag) and fitted (double click), and what is drawn on it."""
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(parent)
+        self.setObjectName("SemRefImageView")
+        self.canvas = _Canvas()
+        self.opacity = QSlider(Qt.Orientation.Horizontal)
+        self.opacity.setRange(0, 100)
+        self.opacity.setToolTip(tr("Opacity of the labels"))
+        self.opacity.setMinimumWidth(40)
+        self.landmarks = QCheckBox(tr("Landmarks"))
+        self.star = QCheckBox(tr("Vector"))
+        self.star.setToolTip(tr("The lines from the center to the landmarks of the topology vector"))
+        settings = QgsSettings()
+        self.opacity.setValue(settings.value(_OPACITY_SETTING, 100, type=int))
+        self.landmarks.setChecked(settings.value(_LANDMARKS_SETTING, True, type=bool))
+        self.star.setChecked(settings.value(_STAR_SETTING, False, type=bool))
+        row = QHBoxLayout()
+        label = QLabel(tr("Labels"))
+        label.setBuddy(self.opacity)
+        for widget, stretch in ((label, 0), (self.opacity, 1), (self.landmarks, 0), (self.star, 0)):
+            row.addWidget(widget, stretch)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.canvas, 1)
+        layout.addLayout(row)
+        self.opacity.valueChanged.connect(self._apply)
+        self.landmarks.toggled.connect(self._apply)
+        self.star.toggled.connect(self._apply)
+        self.clear("")
+
+    def show_picture(self, picture: ImagePicture) -> None:
+        self.canvas.show_picture(picture)
+        self._apply()
+
+    def clear(self, text: str) -> None:
+        """Shows only a text."""
+        self.canvas.clear(text)
+
+    def _apply(self) -> None:
+        settings = QgsSettings()
+        settings.setValue(_OPACITY_SETTING, self.opacity.value())
+        settings.setValue(_LANDMARKS_SETTING, self.landmarks.isChecked())
+        settings.setValue(_STAR_SETTING, self.star.isChecked())
+        self.canvas.apply(self.opacity.value() / 100, self.landmarks.isChecked(), self.star.isChecked())
+
+
+class _Canvas(QGraphicsView):
+    def __init__(self) -> None:
+        super().__init__()
+        self.setScene(QGraphicsScene(self))
+        self.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self.setDragMode(QGraphicsView.DragMode.ScrollHandDrag)
+        self.setTransformationAnchor(QGraphicsView.ViewportAnchor.AnchorUnderMouse)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._text = ""
+        self._labels: Optional[QGraphicsItem] = None
+        self._landmarks: Optional[QGraphicsItem] = None
+        self._star: Optional[QGraphicsItem] = None
+
+    def show_picture(self, picture: ImagePicture) -> None:
+        scene = self.scene()
+        scene.clear()
+        self._text = ""
+        self._labels = scene.addPixmap(QPixmap.fromImage(picture.labels))
+        scale = picture.width / max(picture.labels.width(), 1), picture.height / max(picture.labels.height(), 1)
+        self._labels.setTransform(QTransform.fromScale(*scale))
+        self._star = _Star(picture)
+        self._landmarks = _Landmarks(picture)
+        scene.addItem(self._star)
+        scene.addItem(self._landmarks)
+        scene.setSceneRect(QRectF(0, 0, picture.width, picture.height))
+        self.fit()
+
+    def clear(self, text: str) -> None:
+        self.scene().clear()
+        self._labels = self._landmarks = self._star = None
+        self._text = text
+        self.viewport().update()
+
+    def apply(self, opacity: float, landmarks: bool, star: bool) -> None:
+        if self._labels is not None:
+            self._labels.setOpacity(opacity)
+            self._landmarks.setVisible(landmarks)
+            self._star.setVisible(star)
+
+    def fit(self) -> None:
+        self.fitInView(self.sceneRect(), Qt.AspectRatioMode.KeepAspectRatio)
+
+    # --- QGraphicsView ---
+
+    def sizeHint(self):
+        return QSize(220, 220)
+
+    def minimumSizeHint(self):
+        return QSize(120, 140)
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        if self._labels is not None:
+            self.fit()
+
+    def mouseDoubleClickEvent(self, event):
+        self.fit()
+
+    def wheelEvent(self, event):
+        if self._labels is None:
+            return
+        factor = _ZOOM_STEP if event.angleDelta().y() > 0 else 1 / _ZOOM_STEP
+        fitted = min(self.width() / self.sceneRect().width(), self.height() / self.sceneRect().height())
+        if fitted / 2 < self.transform().m11() * factor < _MOST_ZOOM:
+            self.scale(factor, factor)
+
+    def paintEvent(self, event):
+        super().paintEvent(event)
+        if self._text:
+            paint_placeholder(self, self._text)
+
+
+class _Landmarks(QGraphicsItem):
+    """Dots in the classes' colours that keep their size whatever the zoom; hollow where the image's edge cuts one."""
+
+    def __init__(self, picture: ImagePicture) -> None:
+        super().__init__()
+        objects = picture.objects
+        self._rect = QRectF(0, 0, picture.width, picture.height)
+        self._dots = [
+            (QPointF(*center), QColor(picture.colors[int(value)]), bool(cut))
+            for center, value, cut in zip(objects.centers_xy.tolist(), objects.classes, objects.touches_edge)
+        ]
+
+    def boundingRect(self):
+        return self._rect
+
+    def paint(self, painter, option, widget=None):
+        transform = painter.worldTransform()
+        painter.resetTransform()
+        for center, color, cut in self._dots:
+            painter.setPen(QPen(_RIM if not cut else color, 1.5))
+            painter.setBrush(Qt.BrushStyle.NoBrush if cut else color)
+            painter.drawEllipse(transform.map(center), _LANDMARK_PX / 2, _LANDMARK_PX / 2)
+        painter.setWorldTransform(transform)
+
+
+class _Star(QGraphicsItem):
+    """Lines from the centre of the described square to the vector's landmarks; the first, farthest one is thicker."""
+
+    def __init__(self, picture: ImagePicture) -> None:
+        super().__init__()
+        column, row, edge = picture.square
+        self._rect = QRectF(0, 0, picture.width, picture.height)
+        self._square = QRectF(column, row, edge, edge)
+        self._center = self._square.center()
+        self._ends = [QPointF(*end) for end in picture.star.tolist()]
+
+    def boundingRect(self):
+        return self._rect
+
+    def paint(self, painter, option, widget=None):
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if self._square != self._rect:
+            painter.setPen(_cosmetic(_STAR, 1, Qt.PenStyle.DashLine))
+            painter.drawRect(self._square)
+        for color, extra in ((_RIM, 2), (_STAR, 0)):
+            for number, end in enumerate(self._ends):
+                painter.setPen(_cosmetic(color, (2.5 if number == 0 else 1.2) + extra))
+                painter.drawLine(self._center, end)
+
+
+def _cosmetic(color: QColor, width: float, style=Qt.PenStyle.SolidLine) -> QPen:
+    """A pen as wide on the screen whatever the zoom."""
+    pen = QPen(color, width, style)
+    pen.setCosmetic(True)
+    return pen
