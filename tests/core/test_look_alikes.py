@@ -11,7 +11,7 @@ from semref.core.topology_vector import topology_vector, vector_objects
 
 @pytest.fixture
 def database():
-    """Five windows of 100 m in a row, 50 m apart; a fourth of them described by vectors of two landmarks' places."""
+    """Five windows of 100 m in a row, 50 m apart, their vectors 0, 0.1, 0.2, 0.9 and 0.4 from the first one's."""
     centers = np.column_stack([np.arange(5) * 50.0 + 50, np.full(5, 50.0)])
     vectors = np.zeros((5, 30), np.float32)
     vectors[:, 0] = (0.0, 0.1, 0.2, 0.9, 0.4)
@@ -26,7 +26,8 @@ def database():
     )
     positions = np.array([[40.0, 50.0], [50.0, 80.0], [90.0, 50.0], [260.0, 50.0]])
     references = MapReferences(positions, np.array([1, 2, 1, 1], np.uint8), np.full(4, 200.0), np.zeros(4, bool))
-    table = ClassTable((LandCoverClass(1, "house", "#ff0000", "reference"), LandCoverClass(2, "water", "#0000ff", "reference")))
+    house = LandCoverClass(1, "house", "#ff0000", "reference")
+    table = ClassTable((house, LandCoverClass(2, "water", "#0000ff", "reference")))
     parameters = BuildParameters(
         "", (0, 1, 0, 100, 0, -1), 300, 100, 1.0, 100.0, 50.0, (1.0,), 10, 100.0, 4, "", "", "test"
     )
