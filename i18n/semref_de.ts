@@ -624,6 +624,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>SemRef-Positionen</translation>
   </message>
   <message>
+   <source>SemRef windows</source>
+   <translation>SemRef-Fenster</translation>
+  </message>
+  <message>
    <source>Show or hide the SemRef dock: find where images were taken</source>
    <translation>SemRef-Bedienfeld ein- oder ausblenden: finden, wo Bilder aufgenommen wurden</translation>
   </message>

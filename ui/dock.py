@@ -64,6 +64,17 @@ class SemRefDock(QgsDockWidget):
         self._highlight.remove()
         self._highlight = self._positions = None
 
+    def read_database(self):
+        """The chosen database, None without one; for background threads. Raises DatabaseError."""
+        path = self.database.chosen
+        return self._shelf.read(path) if path else None
+
+    def inspect_window(self, name: str) -> None:
+        """Shows the window of this name in the second tab."""
+        self.setUserVisible(True)
+        self.tabs.setCurrentWidget(self.inspect)
+        self.inspect.show_window(name)
+
     def _lay_out(self) -> None:
         localize = QWidget()
         layout = QVBoxLayout(localize)

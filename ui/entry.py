@@ -1,4 +1,4 @@
-"""The way in: one button and one menu entry that show and hide the dock."""
+"""The ways in: one button and one menu entry that show and hide the dock, and the locator bar."""
 
 from __future__ import annotations
 
@@ -9,12 +9,13 @@ from qgis.PyQt.QtWidgets import QAction
 from ..processing.base import ICON_PATH
 from ..processing.translation import tr
 from .dock import SemRefDock
+from .window_locator import WindowLocator
 
 MENU = "SemRef"
 
 
 class DockEntry:
-    """Adds dock, button and menu entry; ``remove`` takes them away in reverse order."""
+    """Adds dock, button, menu entry and locator filter; ``remove`` takes them away in reverse order."""
 
     def __init__(self, iface) -> None:
         self._iface = iface
@@ -28,12 +29,16 @@ class DockEntry:
         iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
         self._dock.setUserVisible(False)
         self._dock.setToggleVisibilityAction(self._action)
+        self._locator = WindowLocator(self._dock.read_database, self._dock.inspect_window)
+        iface.registerLocatorFilter(self._locator)
 
     def remove(self) -> None:
+        # QGIS deletes it.
+        self._iface.deregisterLocatorFilter(self._locator)
         self._dock.shut_down()
         self._iface.removeDockWidget(self._dock)
         self._dock.deleteLater()
         self._iface.removePluginMenu(MENU, self._action)
         self._iface.removeToolBarIcon(self._action)
         self._action.deleteLater()
-        self._dock = self._action = None
+        self._dock = self._action = self._locator = None

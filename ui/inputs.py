@@ -21,7 +21,7 @@ _FOLDER_SETTING = "semref/dock/image_folder"
 
 
 class DatabaseBox(QgsCollapsibleGroupBox):
-    """The chosen database, remembered from session to session."""
+    """The chosen database, remembered from session to session; ``chosen`` is its path for other threads."""
 
     changed = pyqtSignal()
     addToMapAsked = pyqtSignal()
@@ -39,6 +39,7 @@ class DatabaseBox(QgsCollapsibleGroupBox):
         layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
         layout.addWidget(self.file)
         layout.addWidget(self.add_to_map)
+        self.chosen = self.path()
         self.file.fileChanged.connect(self._remember)
         self.add_to_map.clicked.connect(self.addToMapAsked)
         self.add_to_map.setEnabled(bool(self.path()))
@@ -47,7 +48,8 @@ class DatabaseBox(QgsCollapsibleGroupBox):
         return self.file.filePath().strip()
 
     def _remember(self) -> None:
-        QgsSettings().setValue(_DATABASE_SETTING, self.path())
+        self.chosen = self.path()
+        QgsSettings().setValue(_DATABASE_SETTING, self.chosen)
         self.add_to_map.setEnabled(bool(self.path()))
         self.changed.emit()
 

@@ -53,6 +53,7 @@ def make_interface():
             self.tool_bar_actions = []
             self.menu_actions = []
             self.options_factories = []
+            self.locator_filters = []
 
         def mainWindow(self):
             return self.window
@@ -99,8 +100,14 @@ def make_interface():
         def unregisterOptionsWidgetFactory(self, factory):
             self.options_factories.remove(factory)
 
+        def registerLocatorFilter(self, locator_filter):
+            self.locator_filters.append(locator_filter)
+
+        def deregisterLocatorFilter(self, locator_filter):
+            self.locator_filters.remove(locator_filter)
+
         def leftovers(self) -> list:
             """What a plugin added and did not take away."""
-            return self.docks + self.tool_bar_actions + self.menu_actions + self.options_factories
+            return self.docks + self.tool_bar_actions + self.menu_actions + self.options_factories + self.locator_filters
 
     return InterfaceStandIn()

@@ -593,3 +593,21 @@ def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area):
     (layer,) = QgsProject.instance().mapLayers().values()
     assert corners(layer.extent()) == pytest.approx(corners(cut_extent()), abs=1.0)
     assert layer.opacity() == pytest.approx(0.6)
+
+
+def test_the_locator_bar_finds_windows_by_name(dock, iface, area):
+    from qgis.core import QgsFeedback, QgsLocatorContext
+
+    (locator,) = iface.locator_filters
+    found = []
+    searching = locator.clone()
+    searching.resultFetched.connect(found.append)
+    searching.fetchResults("150", QgsLocatorContext(), QgsFeedback())
+    assert found == []
+    dock.database.file.setFilePath(area.database)
+    searching.fetchResults("150_2", QgsLocatorContext(), QgsFeedback())
+    assert [result.displayString for result in found] == ["150_200", "150_250"]
+    locator.triggerResult(found[1])
+    wait_until(lambda: dock.inspect.numbers.rowCount(), "the window")
+    assert dock.tabs.currentWidget() is dock.inspect
+    assert dock.inspect.name.text() == "150_250"
