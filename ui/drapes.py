@@ -6,7 +6,6 @@ from qgis.core import QgsProcessingUtils, QgsProject, QgsRasterLayer
 
 from ..core.errors import LabelMapError
 from ..processing.compat import wkt_for_gdal
-from ..processing.exchange.draped import write_draped
 from ..processing.exchange.styles import apply_overview_style
 from ..processing.translation import tr
 from .findings import Finding
@@ -19,6 +18,9 @@ def lay_on_map(finding: Finding, database: str) -> QgsRasterLayer:
 
     Label values get the colours of ``database``. Raises LabelMapError.
     """
+    # Not at the top: the dock has to open, and say so, where OpenCV is missing.
+    from ..processing.exchange.draped import write_draped
+
     target = QgsProcessingUtils.generateTempFilename("image.vrt")
     corners = [(point.x(), point.y()) for point in finding.outline.asPolygon()[0][:4]]
     write_draped(finding.image, target, wkt_for_gdal(finding.crs), corners)

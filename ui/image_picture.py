@@ -8,10 +8,7 @@ import numpy as np
 from qgis.PyQt.QtGui import QImage
 
 from ..core.database import ReferenceDatabase
-from ..core.localizer import describe_image
-from ..core.reference_objects import ReferenceObjects, extract_reference_objects
 from ..core.topology_vector import vector_objects
-from ..processing.exchange.rasters import read_label_image
 
 LONGEST_SHOWN_PX = 1600
 """Larger images are shown reduced: a dock is a few hundred pixels wide."""
@@ -22,7 +19,7 @@ class ImagePicture:
     """One image, to be shown; positions in its own pixel coordinates (column, row).
 
     width, height: of the image; labels: its label map in the classes' colours, perhaps reduced;
-    objects: landmarks of the whole image; star: (K, 2) centres of the landmarks of its topology vector, in the
+    objects: ReferenceObjects of the whole image; star: (K, 2) centres of the landmarks of its topology vector, in the
     vector's order; colors: '#rrggbb' by class value; vector: (3·X,) float32 or None; square: (column, row, edge) of the
     part that the vector describes.
     """
@@ -31,7 +28,7 @@ class ImagePicture:
     width: int
     height: int
     labels: QImage
-    objects: ReferenceObjects
+    objects: object
     star: np.ndarray
     colors: dict
     vector: object
@@ -40,6 +37,11 @@ class ImagePicture:
 
 def read_picture(path: str, database: ReferenceDatabase) -> ImagePicture:
     """Reads and describes a label image as ``database`` describes its windows. Raises SemRefError."""
+    # Not at the top: the dock has to open, and say so, where OpenCV is missing.
+    from ..core.localizer import describe_image
+    from ..core.reference_objects import extract_reference_objects
+    from ..processing.exchange.rasters import read_label_image
+
     table, parameters = database.class_table, database.parameters
     labels = read_label_image(path, table)
     fraction = parameters.minimum_area / parameters.window_size**2

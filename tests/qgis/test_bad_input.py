@@ -697,10 +697,10 @@ def test_a_missing_opencv_is_told_with_how_to_install_it_and_the_algorithms_stay
         assert "opencv-python-headless" in reason and "python3-opencv" in reason
 
 
-def test_the_provider_can_be_made_without_opencv(repository):
+def test_provider_and_dock_can_be_made_without_opencv_shapely_and_onnxruntime(repository):
     code = (
         "import sys, importlib.util\n"
-        "sys.modules['cv2'] = None\n"
+        "sys.modules.update(cv2=None, shapely=None, onnxruntime=None)\n"
         f"spec = importlib.util.spec_from_file_location('semref', {str(repository / '__init__.py')!r},"
         f" submodule_search_locations=[{str(repository)!r}])\n"
         "package = importlib.util.module_from_spec(spec)\n"
@@ -709,6 +709,7 @@ def test_the_provider_can_be_made_without_opencv(repository):
         "from qgis.core import QgsApplication\n"
         "application = QgsApplication([], False)\n"
         "application.initQgis()\n"
+        "import semref.ui.entry\n"
         "from semref.processing.provider import SemRefProvider\n"
         "provider = SemRefProvider()\n"
         "QgsApplication.processingRegistry().addProvider(provider)\n"
