@@ -108,6 +108,7 @@ def make_interface():
 
         def leftovers(self) -> list:
             """What a plugin added and did not take away."""
-            return self.docks + self.tool_bar_actions + self.menu_actions + self.options_factories + self.locator_filters
+            actions = self.tool_bar_actions + self.menu_actions
+            return self.docks + actions + self.options_factories + self.locator_filters
 
     return InterfaceStandIn()
