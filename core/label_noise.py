@@ -91,7 +91,7 @@ def miss_small_objects(
     count, regions, statistics, _ = cv2.connectedComponentsWithStats((labels_hw == value).astype(np.uint8))
     gone = (statistics[:, cv2.CC_STAT_AREA] < area_px) & (rng.random(count) < share)
     gone[0] = False
-    return _filled_from_around(labels_hw, gone[regions], labels_hw != value)
+    return filled_from_around(labels_hw, gone[regions], labels_hw != value)
 
 
 def merge_near_objects(labels_hw: np.ndarray, value: int, gap_px: float) -> np.ndarray:
@@ -125,7 +125,7 @@ def split_long_objects(
         across = at + edges[(longest + 1) % 4]
         ends = [tuple(int(v) for v in np.rint(point)) for point in (at, across)]
         cv2.line(cuts, *ends, 1, max(1, int(round(gap_px))))
-    return _filled_from_around(labels_hw, (cuts & mask) > 0, labels_hw != value)
+    return filled_from_around(labels_hw, (cuts & mask) > 0, labels_hw != value)
 
 
 def lose_thin_parts(labels_hw: np.ndarray, width_px: float) -> np.ndarray:
@@ -137,7 +137,7 @@ def lose_thin_parts(labels_hw: np.ndarray, width_px: float) -> np.ndarray:
     for value in np.unique(labels_hw):
         mask = (labels_hw == value).astype(np.uint8)
         kept |= cv2.morphologyEx(mask, cv2.MORPH_OPEN, kernel, borderType=cv2.BORDER_REPLICATE) > 0
-    return _filled_from_around(labels_hw, ~kept, kept)
+    return filled_from_around(labels_hw, ~kept, kept)
 
 
 def move_edges(labels_hw: np.ndarray, sigma_px: float, rng: np.random.Generator) -> np.ndarray:
@@ -201,7 +201,7 @@ def _nearest_zero(image_hw: np.ndarray) -> np.ndarray:
     return index - 1
 
 
-def _filled_from_around(labels_hw: np.ndarray, lost: np.ndarray, sources: np.ndarray) -> np.ndarray:
+def filled_from_around(labels_hw: np.ndarray, lost: np.ndarray, sources: np.ndarray) -> np.ndarray:
     """``labels_hw`` where ``lost`` pixels have the label of the nearest pixel of ``sources`` (both (H, W) bool)."""
     sources = sources & ~lost
     if not lost.any() or not sources.any():

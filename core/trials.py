@@ -1,16 +1,19 @@
 """Seeded queries with known truth, cut from a label map and spoilt on purpose: what a localiser is measured with.
 
-Two kinds of noise: of objects (``spoil_objects``: missed, invented, misnamed, moved) and of labels (``spoil_labels``:
-ragged edges, merged and split objects). Every function takes its random generator, so a seed repeats a trial.
+Two kinds of noise: of objects (``spoil_objects``: missed, invented, misnamed, moved; ``spoil_label_objects`` draws it
+into labels) and of labels (``spoil_labels``: ragged edges, merged and split objects). Every function takes its random
+generator, so a seed repeats a trial.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import List, Sequence, Tuple
 
 import cv2
 import numpy as np
 
+from .label_noise import filled_from_around
 from .label_source import LabelSource
 from .reference_objects import ReferenceObjects, class_mask
 
@@ -154,6 +157,80 @@ def _misnamed(classes: np.ndarray, known: np.ndarray, share: float, rng: np.rand
     step = rng.integers(1, len(known), len(classes))
     other = known[(np.searchsorted(known, classes) + step) % len(known)]
     return np.where(rng.random(len(classes)) < share, other, classes).astype(np.uint8)
+
+
+PLACES_TRIED = 20
+"""An invented object is left out when so many random places of the image have no room for it."""
+
+
+@dataclass(frozen=True)
+class _Region:
+    """A connected region of one class: its bounding box as slices (rows, columns) and its mask in it."""
+
+    value: int
+    box: Tuple[slice, slice]
+    mask: np.ndarray
+
+
+def spoil_label_objects(
+    labels_hw: np.ndarray,
+    noise: ObjectNoise,
+    rng: np.random.Generator,
+    class_values: Sequence[int],
+    donor_hw: np.ndarray,
+    minimum_area_px: float = 1.0,
+) -> np.ndarray:
+    """(H, W) uint8 labels with objects missed, invented and misnamed, as ``noise`` asks (its jitter and area are for
+    ``spoil_objects``; edges are moved by ``spoil_labels``).
+
+    Objects are the regions of ``class_values`` of at least ``minimum_area_px`` pixels. Missed ones get the nearest
+    label that is of none of these classes; invented ones have shape and class of an object of ``donor_hw`` (labels of
+    another place at the same scale) and lie where they touch no other object.
+    """
+    regions = _regions(labels_hw, class_values, minimum_area_px)
+    missed = rng.random(len(regions)) < noise.missed
+    classes = _misnamed(np.array([r.value for r in regions]), np.unique(class_values), noise.misnamed, rng)
+    count = rng.binomial(len(regions), min(noise.invented, 1.0))
+    spoilt, lost = labels_hw.copy(), np.zeros(labels_hw.shape, bool)
+    for region, is_missed, value in zip(regions, missed, classes):
+        if is_missed:
+            lost[region.box] |= region.mask
+        else:
+            spoilt[region.box][region.mask] = value
+    spoilt = filled_from_around(spoilt, lost, ~np.isin(labels_hw, class_values))
+    _draw_invented(spoilt, _regions(donor_hw, class_values, minimum_area_px), count, rng, class_values)
+    return spoilt
+
+
+def _regions(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float) -> List[_Region]:
+    found = []
+    for value in class_values:
+        _, numbers, stats, _ = cv2.connectedComponentsWithStats(class_mask(labels_hw, value))
+        for number in range(1, len(stats)):
+            left, top, width, height, area = stats[number]
+            if area >= minimum_area_px:
+                box = (slice(top, top + height), slice(left, left + width))
+                found.append(_Region(int(value), box, numbers[box] == number))
+    return found
+
+
+def _draw_invented(
+    labels_hw: np.ndarray, donors: List[_Region], count: int, rng: np.random.Generator, class_values: Sequence[int]
+) -> None:
+    """Draws ``count`` of the donors into ``labels_hw`` itself, each with a margin of a pixel to other objects."""
+    taken = np.isin(labels_hw, class_values)
+    for number in rng.integers(0, len(donors), count if donors else 0):
+        mask = np.pad(donors[number].mask, 1)
+        around = cv2.dilate(mask.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+        rows, columns = (whole - part + 1 for whole, part in zip(labels_hw.shape, mask.shape))
+        if rows < 1 or columns < 1:
+            continue
+        for top, left in zip(rng.integers(0, rows, PLACES_TRIED), rng.integers(0, columns, PLACES_TRIED)):
+            box = np.s_[top:top + mask.shape[0], left:left + mask.shape[1]]
+            if not (taken[box] & around).any():
+                labels_hw[box][mask] = donors[number].value
+                taken[box] |= mask
+                break
 
 
 def spoil_labels(

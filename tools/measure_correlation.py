@@ -50,6 +50,7 @@ from semref.core.class_pyramid import MapPyramid  # noqa: E402
 from semref.core.label_noise import MODEST, STRONG, degrade_labels  # noqa: E402
 from semref.core.map_correlation import CorrelationSettings, Prior, localize  # noqa: E402
 from semref.core.overview import most_frequent_labels  # noqa: E402
+from semref.core.rates import wilson  # noqa: E402
 
 NOISES = {"true labels": None, "modest": MODEST, "strong": STRONG}
 
@@ -187,16 +188,12 @@ def run(jobs, processes: int, rows_file) -> list[dict]:
     return rows
 
 
-def wilson(hits: int, count: int) -> str:
+def rate_text(hits: int, count: int) -> str:
     """Rate with its 95 % Wilson interval, in percent."""
     if not count:
         return "–"
-    z = 1.96
-    middle = (hits + z * z / 2) / (count + z * z)
-    half = z / (count + z * z) * np.sqrt(hits * (count - hits) / count + z * z / 4)
-    return (
-        f"{hits}/{count} = {100 * hits / count:.1f} % ({100 * max(0.0, middle - half):.1f}–{100 * (middle + half):.1f})"
-    )
+    low, high = wilson(hits, count)
+    return f"{hits}/{count} = {100 * hits / count:.1f} % ({100 * low:.1f}–{100 * high:.1f})"
 
 
 def is_right(row: dict) -> bool:
@@ -213,18 +210,19 @@ def print_table(rows: list[dict], title: str) -> None:
         fixes = [row for row in group if row["status"] == "fix"]
         right = [row for row in fixes if key[0] == "right" and is_right(row)]
         count = len(group)
-        first = wilson(sum(is_right(row) for row in group), count) if key[0] == "right" else "–"
+        first = rate_text(sum(is_right(row) for row in group), count) if key[0] == "right" else "–"
         numbers = "– | – | –"
         if right:
             numbers = (
                 f"{np.median([row['error'] for row in right]):.2f} m | "
                 f"{np.median([row['heading_error'] for row in right]):.2f}°, "
                 f"{100 * np.median([row['scale_error'] for row in right]):.2f} % | "
-                f"{wilson(sum(row['error'] <= row['error_95'] for row in right), len(right))}"
+                f"{rate_text(sum(row['error'] <= row['error_95'] for row in right), len(right))}"
             )
         print(
-            f"| {', '.join(key)} | {wilson(len(right), count)} | "
-            f"{wilson(len(fixes) - len(right), count)} | {wilson(count - len(fixes), count)} | {first} | {numbers} | "
+            f"| {', '.join(key)} | {rate_text(len(right), count)} | "
+            f"{rate_text(len(fixes) - len(right), count)} | {rate_text(count - len(fixes), count)} | {first} | "
+            f"{numbers} | "
             f"{np.median([row['seconds'] for row in group]):.2f} ({np.median([row['cpu'] for row in group]):.2f}) |"
         )
 

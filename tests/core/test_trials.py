@@ -5,7 +5,16 @@ import pytest
 
 from semref.core.label_source import ArrayLabels
 from semref.core.reference_objects import ReferenceObjects, extract_reference_objects
-from semref.core.trials import LabelNoise, ObjectNoise, View, cut_view, map_coordinates, spoil_labels, spoil_objects
+from semref.core.trials import (
+    LabelNoise,
+    ObjectNoise,
+    View,
+    cut_view,
+    map_coordinates,
+    spoil_label_objects,
+    spoil_labels,
+    spoil_objects,
+)
 
 
 @pytest.fixture
@@ -114,3 +123,70 @@ def test_ragged_edges_keep_most_of_an_object():
     spoilt = spoil_labels(labels, LabelNoise(ragged_px=1.5), np.random.default_rng(0), (1, 2))
     changed = (spoilt != labels).mean()
     assert 0.01 < changed < 0.2
+
+
+# --- objects drawn into labels ---
+
+
+def count_objects(labels, values=(1, 2)):
+    return len(extract_reference_objects(labels, values, 1))
+
+
+def squares_on_field(size=400):
+    """100 squares of classes 1 and 2 on class 7."""
+    labels = blocks(size)
+    labels[labels == 0] = 7
+    return labels
+
+
+def spoil(noise, seed=0, donor=None):
+    labels = squares_on_field()
+    donor = labels if donor is None else donor
+    return spoil_label_objects(labels, noise, np.random.default_rng(seed), (1, 2), donor)
+
+
+def test_without_noise_labels_stay_as_they_are():
+    np.testing.assert_array_equal(spoil(ObjectNoise()), squares_on_field())
+    nothing = np.zeros((10, 10), np.uint8)
+    noise = ObjectNoise(0.5, 0.5, 0.5)
+    np.testing.assert_array_equal(
+        spoil_label_objects(nothing, noise, np.random.default_rng(0), (1, 2), nothing), nothing
+    )
+
+
+def test_missed_objects_become_what_lies_around_them():
+    labels = spoil(ObjectNoise(missed=0.3))
+    assert set(np.unique(labels)) == {1, 2, 7}
+    assert 55 <= count_objects(labels) <= 85
+    assert (spoil(ObjectNoise(missed=1.0)) == 7).all()
+
+
+def test_invented_objects_look_like_those_of_the_donor_and_touch_no_other():
+    donor = np.full((400, 400), 7, np.uint8)
+    donor[100:105, 100:108] = 2
+    labels = spoil(ObjectNoise(invented=0.3), donor=donor)
+    added = labels != squares_on_field()
+    objects = extract_reference_objects(np.where(added, labels, 0).astype(np.uint8), (1, 2), 1)
+    assert 15 <= len(objects) <= 45 and set(objects.classes) == {2} and set(objects.areas_px) == {28}
+    assert count_objects(labels) == 100 + len(objects)
+
+
+def test_misnamed_objects_keep_their_shape():
+    labels = spoil(ObjectNoise(misnamed=0.2))
+    before = squares_on_field()
+    np.testing.assert_array_equal(labels == 7, before == 7)
+    changed = extract_reference_objects(np.where(labels != before, labels, 0).astype(np.uint8), (1, 2), 1)
+    assert 8 <= len(changed) <= 32
+
+
+def test_objects_smaller_than_the_minimum_are_left_alone():
+    labels = np.full((50, 50), 7, np.uint8)
+    labels[10:13, 10:13] = 1
+    spoilt = spoil_label_objects(labels, ObjectNoise(missed=1.0), np.random.default_rng(0), (1, 2), labels, 10)
+    np.testing.assert_array_equal(spoilt, labels)
+
+
+def test_the_same_seed_gives_the_same_labels():
+    noise = ObjectNoise(0.2, 0.2, 0.1)
+    np.testing.assert_array_equal(spoil(noise, 3), spoil(noise, 3))
+    assert (spoil(noise, 3) != spoil(noise, 4)).any()

@@ -1,0 +1,43 @@
+"""Shares of trials with the interval that their number allows (Wilson 1927)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Iterable, Optional, Tuple
+
+Z_95 = 1.959964
+"""Two-sided 95 % quantile of the normal distribution."""
+
+
+def wilson(successes: int, trials: int) -> Tuple[float, float]:
+    """95 % interval of a rate, (low, high) in 0…1; (0, 1) without trials."""
+    if trials == 0:
+        return 0.0, 1.0
+    rate, square = successes / trials, Z_95**2
+    middle = (rate + square / (2 * trials)) / (1 + square / trials)
+    half = Z_95 * math.sqrt(rate * (1 - rate) / trials + square / (4 * trials**2)) / (1 + square / trials)
+    return max(0.0, middle - half), min(1.0, middle + half)
+
+
+@dataclass(frozen=True)
+class Rate:
+    """Successes out of trials."""
+
+    successes: int
+    trials: int
+
+    @property
+    def share(self) -> Optional[float]:
+        """0…1; None without trials."""
+        return self.successes / self.trials if self.trials else None
+
+    @property
+    def interval(self) -> Tuple[float, float]:
+        return wilson(self.successes, self.trials)
+
+
+def rate_of(successes: Iterable[bool]) -> Rate:
+    """The rate of True among the trials."""
+    found = [bool(success) for success in successes]
+    return Rate(sum(found), len(found))
