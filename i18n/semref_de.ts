@@ -4,8 +4,20 @@
  <context>
   <name>SemRef</name>
   <message>
+   <source>2 % of the ground’s edge</source>
+   <translation>2 % der Geländekante</translation>
+  </message>
+  <message>
    <source>A GeoPackage made by “Build reference database”.</source>
    <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage.</translation>
+  </message>
+  <message>
+   <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
+   <translation>Ein Fix ist richtig, wenn er höchstens so weit daneben liegt, wie unter „Einstellungen“ steht; beim Topologievektor, der nur Fenster kennt, wenn er das Fenster nennt, das der Bildmitte am nächsten liegt. Falsch angenommen sind gespiegelte Bilder der Karte, die einen Fix bekamen: Sie können nie richtig sein. CEP50 und CEP95: Die Hälfte und 95 % der richtigen Fixe liegen höchstens so weit daneben. Ausrichtung und Maßstab: mediane Fehler der richtigen Fixe.</translation>
+  </message>
+  <message>
+   <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
+   <translation>Ein Punkt je Versuch und Verfahren an der wahren Position, mit dem, was gefunden wurde, und wie weit es daneben liegt.</translation>
   </message>
   <message>
    <source>Add a folder of label images</source>
@@ -44,6 +56,10 @@
    <translation>Fügt dem Projekt die Positionen als temporären Punktlayer hinzu</translation>
   </message>
   <message>
+   <source>All that the report shows, for scripts.</source>
+   <translation>Alles, was der Bericht zeigt, für Skripte.</translation>
+  </message>
+  <message>
    <source>Ambiguous</source>
    <translation>Mehrdeutig</translation>
   </message>
@@ -70,6 +86,10 @@
   <message>
    <source>Annotation to reference database</source>
    <translation>Von der Annotation zur Referenzdatenbank</translation>
+  </message>
+  <message>
+   <source>Another number gives other trials, the same number the same.</source>
+   <translation>Eine andere Zahl gibt andere Versuche, dieselbe Zahl dieselben.</translation>
   </message>
   <message>
    <source>Approximate position</source>
@@ -224,6 +244,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Abstand von Fenster zu Fenster; höchstens die Fenstergröße.</translation>
   </message>
   <message>
+   <source>Distance of an image’s center from the nearest window’s, as a share of the stride: 0 to 0 lies on the windows, 0 to 0.5 anywhere.</source>
+   <translation>Abstand der Bildmitte von der des nächsten Fensters als Anteil der Schrittweite: 0 bis 0 liegt auf den Fenstern, 0 bis 0,5 irgendwo.</translation>
+  </message>
+  <message>
    <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
    <translation>Abstand der Topologievektoren; 0 ist volle Übereinstimmung, über 2 gibt es keine</translation>
   </message>
@@ -256,8 +280,28 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Fehler (m)</translation>
   </message>
   <message>
+   <source>Errors</source>
+   <translation>Fehler</translation>
+  </message>
+  <message>
+   <source>Errors and noise</source>
+   <translation>Fehler und Störungen</translation>
+  </message>
+  <message>
+   <source>Evaluate localization</source>
+   <translation>Lokalisierung bewerten</translation>
+  </message>
+  <message>
+   <source>Evaluation of localization</source>
+   <translation>Bewertung der Lokalisierung</translation>
+  </message>
+  <message>
    <source>Extent</source>
    <translation>Ausdehnung</translation>
+  </message>
+  <message>
+   <source>False accept rate</source>
+   <translation>Anteil falsch angenommener Bilder</translation>
   </message>
   <message>
    <source>Fewer than three landmarks: no vector.</source>
@@ -308,6 +352,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>GeoTIFF, 8 Bit pro Pixel, mit Klassentabelle, Farben und Klassennamen.</translation>
   </message>
   <message>
+   <source>Ground that an image shows, as a multiple of the window size.</source>
+   <translation>Gelände, das ein Bild zeigt, als Vielfaches der Fenstergröße.</translation>
+  </message>
+  <message>
    <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation. A narrow range is searched faster.</source>
    <translation>Gelände, das die kürzere Kante eines Bildes zeigt, als Vielfaches der Fenstergröße der Datenbank. Ohne Angabe: 0,4 bis 2,5 bei der Konstellation, 0,7 bis 1,4 bei der Kartenkorrelation. Ein enger Bereich wird schneller durchsucht.</translation>
   </message>
@@ -320,8 +368,20 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>HSV-Bereiche folgen der Veröffentlichung; die nächstliegende Farbe verzeiht Mischfarben an Rändern.</translation>
   </message>
   <message>
+   <source>HTML files (*.html)</source>
+   <translation>HTML-Dateien (*.html)</translation>
+  </message>
+  <message>
    <source>Heading</source>
    <translation>Ausrichtung</translation>
+  </message>
+  <message>
+   <source>Heading of an image’s top, clockwise from grid north.</source>
+   <translation>Ausrichtung der Bildoberkante, im Uhrzeigersinn von Gitternord.</translation>
+  </message>
+  <message>
+   <source>How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the image shows. The topology vector is right when it names the nearest window.</source>
+   <translation>Wie weit ein Fix daneben liegen darf, um als richtig zu gelten. Ohne Angabe 2 % der Kante des Geländes, das das Bild zeigt. Der Topologievektor ist richtig, wenn er das nächste Fenster nennt.</translation>
   </message>
   <message>
    <source>How far the compared image’s vector differs here</source>
@@ -380,6 +440,22 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Landmarken</translation>
   </message>
   <message>
+   <source>Landmarks in the window</source>
+   <translation>Landmarken im Fenster</translation>
+  </message>
+  <message>
+   <source>Landmarks invented (%)</source>
+   <translation>Erfundene Landmarken (%)</translation>
+  </message>
+  <message>
+   <source>Landmarks misnamed (%)</source>
+   <translation>Falsch benannte Landmarken (%)</translation>
+  </message>
+  <message>
+   <source>Landmarks missed (%)</source>
+   <translation>Übersehene Landmarken (%)</translation>
+  </message>
+  <message>
    <source>Landmarks per vector</source>
    <translation>Landmarken je Vektor</translation>
   </message>
@@ -408,6 +484,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Bilder lokalisieren</translation>
   </message>
   <message>
+   <source>Localizing</source>
+   <translation>Lokalisiert</translation>
+  </message>
+  <message>
    <source>Localizing images</source>
    <translation>Bilder werden lokalisiert</translation>
   </message>
@@ -420,8 +500,24 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Kartenkorrelation</translation>
   </message>
   <message>
+   <source>Median error</source>
+   <translation>Medianer Fehler</translation>
+  </message>
+  <message>
    <source>Method</source>
    <translation>Methode</translation>
+  </message>
+  <message>
+   <source>Method: {method}. In brackets and below the numbers: 95 % intervals and counts.</source>
+   <translation>Verfahren: {method}. In Klammern und unter den Zahlen: 95-%-Intervalle und Anzahlen.</translation>
+  </message>
+  <message>
+   <source>Methods</source>
+   <translation>Verfahren</translation>
+  </message>
+  <message>
+   <source>Methods side by side</source>
+   <translation>Verfahren nebeneinander</translation>
   </message>
   <message>
    <source>Minimum area</source>
@@ -430,6 +526,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Minimum area (m²)</source>
    <translation>Mindestfläche (m²)</translation>
+  </message>
+  <message>
+   <source>Mirrored images (%)</source>
+   <translation>Gespiegelte Bilder (%)</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
@@ -476,12 +576,28 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Anzahl der gefundenen Standorte</translation>
   </message>
   <message>
+   <source>Number of images. The report needs about as many again for its grid of noise and 66 for its tables.</source>
+   <translation>Anzahl der Bilder. Der Bericht braucht etwa noch einmal so viele für sein Raster der Störungen und 66 für seine Tabellen.</translation>
+  </message>
+  <message>
    <source>Number of landmarks</source>
    <translation>Anzahl der Landmarken</translation>
   </message>
   <message>
    <source>Number of windows</source>
    <translation>Anzahl der Fenster</translation>
+  </message>
+  <message>
+   <source>Numbers</source>
+   <translation>Zahlen</translation>
+  </message>
+  <message>
+   <source>Offset</source>
+   <translation>Versatz</translation>
+  </message>
+  <message>
+   <source>On the diagonal a confidence means what it says; below it promises too much.</source>
+   <translation>Auf der Diagonale hält die Konfidenz, was sie sagt; darunter verspricht sie zu viel.</translation>
   </message>
   <message>
    <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
@@ -506,6 +622,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Overview</source>
    <translation>Übersicht</translation>
+  </message>
+  <message>
+   <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
+   <translation>Teil der Versuche, die ein gespiegeltes Stück der Karte zeigen. Sie sehen aus wie die Karte, können aber nie richtig sein: Ein Fix für ein solches Bild ist falsch angenommen.</translation>
   </message>
   <message>
    <source>Pick a window on the map, or give its name.</source>
@@ -552,6 +672,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Radius, der in 95 % der Fälle die wahre Position enthält, in Metern</translation>
   </message>
   <message>
+   <source>Ragged edges (map units)</source>
+   <translation>Ausgefranste Kanten (Karteneinheiten)</translation>
+  </message>
+  <message>
    <source>Rasterize annotation</source>
    <translation>Annotation rastern</translation>
   </message>
@@ -584,8 +708,16 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Referenzdatenbank</translation>
   </message>
   <message>
+   <source>Reliability of the confidence</source>
+   <translation>Verlässlichkeit der Konfidenz</translation>
+  </message>
+  <message>
    <source>Remove</source>
    <translation>Entfernen</translation>
+  </message>
+  <message>
+   <source>Report</source>
+   <translation>Bericht</translation>
   </message>
   <message>
    <source>Results</source>
@@ -594,6 +726,42 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Results appear here.</source>
    <translation>Hier erscheinen die Ergebnisse.</translation>
+  </message>
+  <message>
+   <source>Right fixes by distance from the nearest window’s center; bands: 95 % intervals.</source>
+   <translation>Richtige Fixe nach dem Abstand von der Mitte des nächsten Fensters; Bänder: 95-%-Intervalle.</translation>
+  </message>
+  <message>
+   <source>Right fixes by the number of landmarks the database has there.</source>
+   <translation>Richtige Fixe nach der Zahl der Landmarken, die die Datenbank dort hat.</translation>
+  </message>
+  <message>
+   <source>Right fixes of {method}; {count} images a cell, the other ranges as set.</source>
+   <translation>Richtige Fixe von {method}; {count} Bilder je Zelle, die übrigen Bereiche wie eingestellt.</translation>
+  </message>
+  <message>
+   <source>Right within (map units)</source>
+   <translation>Richtig innerhalb von (Karteneinheiten)</translation>
+  </message>
+  <message>
+   <source>Rotation</source>
+   <translation>Drehung</translation>
+  </message>
+  <message>
+   <source>Rotation (Table 5 of He &amp; Wu 2025)</source>
+   <translation>Drehung (Tabelle 5 von He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Rotation (°)</source>
+   <translation>Drehung (°)</translation>
+  </message>
+  <message>
+   <source>Scale</source>
+   <translation>Maßstab</translation>
+  </message>
+  <message>
+   <source>Scale (Table 4 of He &amp; Wu 2025)</source>
+   <translation>Maßstab (Tabelle 4 von He &amp; Wu 2025)</translation>
   </message>
   <message>
    <source>Search the whole database</source>
@@ -606,6 +774,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Search: within {radius:.0f} m</source>
    <translation>Suche: im Umkreis von {radius:.0f} m</translation>
+  </message>
+  <message>
+   <source>Seed</source>
+   <translation>Startzahl</translation>
   </message>
   <message>
    <source>Select a result to see its hit on the map.</source>
@@ -626,6 +798,30 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>SemRef windows</source>
    <translation>SemRef-Fenster</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <translation>Einstellung</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <translation>Einstellungen</translation>
+  </message>
+  <message>
+   <source>Share of landmarks that are added, shaped like landmarks of other places of the map.</source>
+   <translation>Anteil der Landmarken, die hinzugefügt werden, geformt wie Landmarken anderer Stellen der Karte.</translation>
+  </message>
+  <message>
+   <source>Share of the landmarks that are taken away.</source>
+   <translation>Anteil der Landmarken, die weggenommen werden.</translation>
+  </message>
+  <message>
+   <source>Share of the landmarks that get another class.</source>
+   <translation>Anteil der Landmarken, die eine andere Klasse bekommen.</translation>
+  </message>
+  <message>
+   <source>Share of the map’s images with a fix at most so far off, right or wrong.</source>
+   <translation>Anteil der Bilder der Karte mit einem Fix, der höchstens so weit daneben liegt, richtig oder falsch.</translation>
   </message>
   <message>
    <source>Show or hide the SemRef dock: find where images were taken</source>
@@ -664,6 +860,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Kleinster Maßstab</translation>
   </message>
   <message>
+   <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
+   <translation>Standardabweichung der Verschiebung von Kanten, gleichartig über acht Pixel.</translation>
+  </message>
+  <message>
    <source>Starting…</source>
    <translation>Wird gestartet…</translation>
   </message>
@@ -674,6 +874,26 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Stride (map units)</source>
    <translation>Schrittweite (Karteneinheiten)</translation>
+  </message>
+  <message>
+   <source>Success against offset</source>
+   <translation>Erfolg nach Versatz</translation>
+  </message>
+  <message>
+   <source>Success by landmarks</source>
+   <translation>Erfolg nach Landmarken</translation>
+  </message>
+  <message>
+   <source>Success rate</source>
+   <translation>Erfolgsquote</translation>
+  </message>
+  <message>
+   <source>Success under noise</source>
+   <translation>Erfolg unter Störungen</translation>
+  </message>
+  <message>
+   <source>Tables and charts in one file to read and print.</source>
+   <translation>Tabellen und Diagramme in einer Datei zum Lesen und Drucken.</translation>
   </message>
   <message>
    <source>Target CRS</source>
@@ -712,8 +932,16 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Linien von der Mitte zu den Landmarken des Topologievektors</translation>
   </message>
   <message>
+   <source>The map that images are cut from: the database’s own or another of the same ground, in the database’s CRS and with its classes; the pixel size may differ.</source>
+   <translation>Die Karte, aus der Bilder geschnitten werden: die der Datenbank oder eine andere desselben Geländes, im KBS der Datenbank und mit ihren Klassen; die Pixelgröße darf eine andere sein.</translation>
+  </message>
+  <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
+  </message>
+  <message>
+   <source>The same windows, turned about their centers.</source>
+   <translation>Dieselben Fenster, um ihre Mitte gedreht.</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>
@@ -748,6 +976,26 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Topologievektor (veröffentlicht)</translation>
   </message>
   <message>
+   <source>Trials</source>
+   <translation>Versuche</translation>
+  </message>
+  <message>
+   <source>Trials lie around windows that have at least so many landmarks; 20 leaves open country out.</source>
+   <translation>Versuche liegen um Fenster, die mindestens so viele Landmarken haben; 20 lässt freies Land aus.</translation>
+  </message>
+  <message>
+   <source>Tried on the same images, side by side. The outputs’ rates and the grid of noise are those of the first of automatic, constellation, map correlation, topology vector that is chosen.</source>
+   <translation>An denselben Bildern nebeneinander versucht. Die ausgegebenen Quoten und das Raster der Störungen gelten für das erste gewählte aus Automatisch, Konstellation, Kartenkorrelation, Topologievektor.</translation>
+  </message>
+  <message>
+   <source>Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off the windows and spoiled, then localized with one method or several.
+
+The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer: on its own map a database always does better.</source>
+   <translation>Erprobt eine Referenzdatenbank: Bilder mit bekannter Wahrheit werden aus einer Klassenkarte geschnitten, gedreht, skaliert, von den Fenstern weg verschoben und gestört und dann mit einem oder mehreren Verfahren lokalisiert.
+
+Der Bericht vergleicht die Verfahren, mit den beiden Tabellen von He &amp; Wu 2025, Erfolg nach Versatz und Störungen, Fehlern, falsch angenommenen Bildern und dem Wert der Konfidenz. Gleiche Startzahl, gleiches Ergebnis. Für eine ehrliche Antwort nehmen Sie eine Klassenkarte von einem anderen Datum als dem der Datenbank: Auf der eigenen Karte schneidet eine Datenbank immer besser ab.</translation>
+  </message>
+  <message>
    <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
 
 Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is black.</source>
@@ -764,8 +1012,24 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Ungeprüfter Treffer</translation>
   </message>
   <message>
+   <source>Value</source>
+   <translation>Wert</translation>
+  </message>
+  <message>
    <source>Vector</source>
    <translation>Vektor</translation>
+  </message>
+  <message>
+   <source>What became of the images of the map:</source>
+   <translation>Was aus den Bildern der Karte wurde:</translation>
+  </message>
+  <message>
+   <source>What the confidence is worth</source>
+   <translation>Was die Konfidenz wert ist</translation>
+  </message>
+  <message>
+   <source>Where it succeeds</source>
+   <translation>Wo es gelingt</translation>
   </message>
   <message>
    <source>Where the images are known to be, roughly. It speeds up the search and is never needed.</source>
@@ -808,6 +1072,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Fenster anderswo mit den nächsten Vektoren; Doppelklick untersucht eines</translation>
   </message>
   <message>
+   <source>Windows seen from 2 to 0.5 times their size, without noise. The method of the paper compares vectors: a distance above 2 is no match.</source>
+   <translation>Fenster, vom 2- bis zum 0,5-Fachen ihrer Größe gesehen, ohne Störungen. Das Verfahren des Aufsatzes vergleicht Vektoren: Ein Abstand über 2 ist kein Treffer.</translation>
+  </message>
+  <message>
    <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
    <translation>Ohne Datenbank: wie viele der Landmarken, die der Mitte am nächsten liegen, der Vektor enthält.</translation>
   </message>
@@ -832,8 +1100,20 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Auf Treffer zoomen</translation>
   </message>
   <message>
+   <source>confidence</source>
+   <translation>Konfidenz</translation>
+  </message>
+  <message>
+   <source>confidence told</source>
+   <translation>genannte Konfidenz</translation>
+  </message>
+  <message>
    <source>confidence {value:.2f}</source>
    <translation>Konfidenz {value:.2f}</translation>
+  </message>
+  <message>
+   <source>distance</source>
+   <translation>Abstand</translation>
   </message>
   <message>
    <source>distance {value:.3f}</source>
@@ -844,12 +1124,72 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Abstand {value:.4f}</translation>
   </message>
   <message>
+   <source>error</source>
+   <translation>Fehler</translation>
+  </message>
+  <message>
+   <source>error, m</source>
+   <translation>Fehler, m</translation>
+  </message>
+  <message>
+   <source>false accepts</source>
+   <translation>falsch angenommen</translation>
+  </message>
+  <message>
+   <source>heading</source>
+   <translation>Ausrichtung</translation>
+  </message>
+  <message>
    <source>heading {value:.1f}°</source>
    <translation>Ausrichtung {value:.1f}°</translation>
   </message>
   <message>
+   <source>images with a fix</source>
+   <translation>Bilder mit einem Fix</translation>
+  </message>
+  <message>
+   <source>in the 95 % ellipse</source>
+   <translation>in der 95-%-Ellipse</translation>
+  </message>
+  <message>
+   <source>landmarks in the window</source>
+   <translation>Landmarken im Fenster</translation>
+  </message>
+  <message>
+   <source>landmarks invented</source>
+   <translation>erfundene Landmarken</translation>
+  </message>
+  <message>
+   <source>landmarks missed</source>
+   <translation>übersehene Landmarken</translation>
+  </message>
+  <message>
+   <source>median error</source>
+   <translation>medianer Fehler</translation>
+  </message>
+  <message>
+   <source>of right fixes</source>
+   <translation>der richtigen Fixe</translation>
+  </message>
+  <message>
+   <source>offset from the nearest window, share of the stride</source>
+   <translation>Versatz zum nächsten Fenster, Anteil der Schrittweite</translation>
+  </message>
+  <message>
    <source>pixel size {value:.3g} m</source>
    <translation>Pixelgröße {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>right among the fixes</source>
+   <translation>richtig unter den Fixen</translation>
+  </message>
+  <message>
+   <source>right fixes</source>
+   <translation>richtige Fixe</translation>
+  </message>
+  <message>
+   <source>scale</source>
+   <translation>Maßstab</translation>
   </message>
   <message>
    <source>the output</source>
@@ -864,12 +1204,24 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>auf {value:.2f} m genau (95 %)</translation>
   </message>
   <message>
+   <source>wrong fixes</source>
+   <translation>falsche Fixe</translation>
+  </message>
+  <message>
+   <source>{count} images to localize.</source>
+   <translation>{count} Bilder zu lokalisieren.</translation>
+  </message>
+  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} Landmarken im mittigen Quadrat von {size} Pixeln.</translation>
   </message>
   <message>
    <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
    <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
+  </message>
+  <message>
+   <source>{database}, images cut from {labels}</source>
+   <translation>{database}, Bilder geschnitten aus {labels}</translation>
   </message>
   <message>
    <source>{fixes} of {images} images have a fix.</source>
@@ -888,12 +1240,20 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>{lacking} Fenster ({share:.0%}) zeigen weniger als drei Landmarken und haben keinen Vektor.</translation>
   </message>
   <message>
+   <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
+   <translation>{method}: richtig {right}, falsch {wrong}, falsch angenommen {accepts}, medianer Fehler {error}</translation>
+  </message>
+  <message>
    <source>{name} can’t be written; choose a place where you may write.</source>
    <translation>{name} lässt sich nicht schreiben; einen Ort mit Schreibrecht wählen.</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
    <translation>{path} ist keine SemRef-Referenzdatenbank; eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
+  </message>
+  <message>
+   <source>{seconds:.0f} s.</source>
+   <translation>{seconds:.0f} s.</translation>
   </message>
   <message>
    <source>{share:.1%} of the pixels match no class.</source>

@@ -5,8 +5,9 @@ from __future__ import annotations
 import contextlib
 import errno
 import importlib.util
+from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
-from typing import Any, Dict, Generator, List, Tuple
+from typing import Any, Callable, Dict, Generator, List, Tuple
 
 from qgis.core import (
     QgsProcessingAlgorithm,
@@ -22,6 +23,9 @@ from .translation import tr
 ICON_PATH = Path(__file__).resolve().parent.parent / "resources" / "icon.svg"
 
 ANNOTATION, REFERENCE_DATABASE, LOCALIZATION = "annotation", "referencedatabase", "localization"
+
+CANCEL_EVERY_S = 0.2
+"""How often a cancel is looked for during work that can't be interrupted."""
 
 _PACKAGES = {"numpy": "numpy", "cv2": "opencv-python-headless"}
 
@@ -143,6 +147,18 @@ def _disk_sentence(error: OSError) -> str:
 def check_canceled(feedback: QgsProcessingFeedback) -> None:
     if feedback.isCanceled():
         raise Canceled
+
+
+def cancelable(function: Callable, *arguments, feedback: QgsProcessingFeedback):
+    """The function's result; a cancel is heeded at once, while the function ends in its own thread."""
+    pool = ThreadPoolExecutor(1)
+    try:
+        running = pool.submit(function, *arguments)
+        while not wait([running], timeout=CANCEL_EVERY_S).done:
+            check_canceled(feedback)
+        return running.result()
+    finally:
+        pool.shutdown(wait=False)
 
 
 def follow(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from math import isnan
 from typing import Optional, Tuple
@@ -23,13 +22,10 @@ from qgis.core import (
 
 from ..core.class_table import LIST_SEPARATOR
 from ..core.errors import DatabaseError, ParameterError, SemRefError
-from .base import LOCALIZATION, SemRefAlgorithm, check_canceled
+from .base import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
 from .compat import POINT, POLYGON, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
 from .sinks import Sink
 from .translation import tr
-
-CANCEL_EVERY_S = 0.2
-"""How often a cancel is looked for while an image is being localised."""
 
 ERROR = "error"
 """Status of an image that could not be read; the others come from the localiser."""
@@ -188,7 +184,7 @@ class LocalizeImages(SemRefAlgorithm):
         for n, path in enumerate(paths):
             check_canceled(feedback)
             feedback.setProgressText(os.path.basename(path))
-            localized.append(_cancelable(_localize, path, localize, database.class_table, feedback=feedback))
+            localized.append(cancelable(_localize, path, localize, database.class_table, feedback=feedback))
             _say(localized[-1], feedback)
             feedback.setProgress(95 * (n + 1) / len(paths))
         # Sinks are made last: a cancel before leaves nothing behind.
@@ -253,18 +249,6 @@ class LocalizeImages(SemRefAlgorithm):
                 polygon = QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners]])
                 sink.add(polygon, {name: value for name, value in _row(item).items() if name in names})
         return sink.close()
-
-
-def _cancelable(function, *arguments, feedback):
-    """The function's result; a cancel is heeded at once, while the function ends in its own thread."""
-    pool = ThreadPoolExecutor(1)
-    try:
-        running = pool.submit(function, *arguments)
-        while not wait([running], timeout=CANCEL_EVERY_S).done:
-            check_canceled(feedback)
-        return running.result()
-    finally:
-        pool.shutdown(wait=False)
 
 
 def _localize(path, localize, table) -> LocalizedImage:

@@ -11,6 +11,7 @@ from .base import ICON_PATH, REFERENCE_DATABASE
 from .build_database import BuildDatabase
 from .decode_color_labels import DecodeColorLabels
 from .describe_image import DescribeImage
+from .evaluate_localization import EvaluateLocalization
 from .localize_images import LocalizeImages
 from .rasterize_annotation import RasterizeAnnotation
 from .translation import tr
@@ -18,7 +19,14 @@ from .translation import tr
 MODELS = Path(__file__).resolve().parent.parent / "models"
 """Ready-made models (.model3) that are offered beside the algorithms."""
 
-ALGORITHMS = (RasterizeAnnotation, DecodeColorLabels, BuildDatabase, DescribeImage, LocalizeImages)
+ALGORITHMS = (
+    RasterizeAnnotation,
+    DecodeColorLabels,
+    BuildDatabase,
+    DescribeImage,
+    LocalizeImages,
+    EvaluateLocalization,
+)
 
 
 class ShippedModel(QgsProcessingModelAlgorithm):

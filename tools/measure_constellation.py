@@ -53,8 +53,10 @@ from semref.core import trials  # noqa: E402
 from semref.core.constellation import FIX, localize  # noqa: E402
 from semref.core.constellation_index import build_index  # noqa: E402
 from semref.core.database import MapReferences  # noqa: E402
+from semref.core.evaluation import ellipse_ratio  # noqa: E402
 from semref.core.hypotheses import Prior  # noqa: E402
 from semref.core.label_source import ArrayLabels  # noqa: E402
+from semref.core.rates import wilson  # noqa: E402
 from semref.core.reference_objects import ReferenceObjects, extract_reference_objects  # noqa: E402
 
 GOAL = trials.ObjectNoise(missed=0.2, invented=0.2, misnamed=0.05, jitter_px=1.5, area=0.1)
@@ -231,14 +233,8 @@ def trial(area: Area, row: Row, index, rng: np.random.Generator, sample) -> Outc
     outcome.heading_deg = abs((found.place.heading_deg - view.heading_deg + 180) % 360 - 180)
     outcome.scale = abs(found.place.pixel_size_m / view.scale - 1)
     if found.uncertainty is not None:
-        outcome.ratio = ellipse_ratio(off, found.uncertainty)
+        outcome.ratio = ellipse_ratio(off.real, off.imag, found.uncertainty)
     return outcome
-
-
-def ellipse_ratio(off: complex, uncertainty) -> float:
-    """Length of an error in units of the 95 % ellipse in its direction; at most 1 inside."""
-    along = off * np.exp(-1j * np.radians(90 - uncertainty.orientation_deg))
-    return float(np.hypot(along.real / uncertainty.semi_major, along.imag / uncertainty.semi_minor))
 
 
 def lattice(rng: np.random.Generator) -> ReferenceObjects:
@@ -275,16 +271,6 @@ def sample_objects(labels: np.ndarray, rng: np.random.Generator) -> ReferenceObj
     height, width = labels.shape
     view = trials.random_view(rng, (700, 700, width - 700, height - 700), (IMAGE_PX, IMAGE_PX), (0.8, 1.25))
     return extract_reference_objects(trials.cut_view(ArrayLabels(labels), view), CLASSES, 16)
-
-
-def wilson(count: int, total: int, z: float = 1.96) -> tuple[float, float]:
-    """Wilson's 95 % interval of a rate."""
-    if not total:
-        return 0.0, 1.0
-    rate, share = count / total, z * z / total
-    middle = (rate + share / 2) / (1 + share)
-    half = z / (1 + share) * np.sqrt(rate * (1 - rate) / total + share / (4 * total))
-    return max(middle - half, 0.0), min(middle + half, 1.0)
 
 
 def rate_text(count: int, total: int) -> str:

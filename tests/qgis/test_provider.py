@@ -32,6 +32,12 @@ PARAMETERS = {
         "DATABASE IMAGES METHOD OUTPUT [FOOTPRINTS]",
         "OUTPUT FOOTPRINTS FIX_COUNT",
     ),
+    "evaluatelocalization": (
+        "localization",
+        "DATABASE LABELS METHODS TRIALS [SCALE] [ROTATION] [OFFSET] [MISSED] [INVENTED] [MISNAMED] [RAGGED] SEED "
+        "OUTPUT [REPORT] [JSON]",
+        "OUTPUT REPORT JSON SUCCESS_RATE MEDIAN_ERROR FALSE_ACCEPT_RATE",
+    ),
 }
 """Group, parameters (optional ones in brackets) and outputs of each algorithm."""
 

@@ -1,0 +1,248 @@
+"""Charts as inline SVG, drawn in the colours of the page's style: lines with bands, bars, heat maps, reliability.
+
+Series differ in colour, dash and marker, so they can be told apart by everyone and in black and white.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from html import escape
+from typing import List, Optional, Sequence, Tuple
+
+WIDTH, HEIGHT = 480, 300
+LEFT, RIGHT, TOP, BOTTOM = 64, 24, 14, 44
+LEGEND_ROW = 20
+SERIES = 4
+"""Series that have a colour of their own; more repeat them."""
+
+DASHES = ("", "6 3", "2 3", "9 3 2 3")
+CIVIDIS = ("#00204d", "#31446b", "#666970", "#958f78", "#cbba69", "#ffea46")
+"""Evenly perceived steps from dark to light that the colour-blind see alike (Nuñez et al. 2018)."""
+
+
+@dataclass(frozen=True)
+class Series:
+    """A named line or row of bars: y of each x, with the interval (low, high) of each y if it is known.
+
+    marked: whether the points get markers; stepped: y stays until the next x.
+    """
+
+    name: str
+    x: Sequence[float]
+    y: Sequence[float]
+    low: Optional[Sequence[float]] = None
+    high: Optional[Sequence[float]] = None
+    marked: bool = True
+    stepped: bool = False
+
+
+@dataclass(frozen=True)
+class Axis:
+    """title; limits (smallest, largest); ticks with their texts; logarithmic or not."""
+
+    title: str
+    limits: Tuple[float, float]
+    ticks: Sequence[Tuple[float, str]]
+    logarithmic: bool = False
+
+    def place(self, value: float) -> float:
+        """0…1 along the axis; values beyond it at its end."""
+        low, high = self.limits
+        if self.logarithmic:
+            low, high, value = math.log(low), math.log(high), math.log(max(value, 1e-300))
+        return min(max((value - low) / (high - low), 0.0), 1.0)
+
+
+def percent_axis(title: str) -> Axis:
+    """From 0 to 100 %."""
+    return Axis(title, (0.0, 1.0), [(n / 4, f"{25 * n} %") for n in range(5)])
+
+
+def linear_axis(title: str, low: float, high: float, steps: int = 5) -> Axis:
+    """Even ticks from low to high."""
+    ticks = [low + (high - low) * n / steps for n in range(steps + 1)]
+    return Axis(title, (low, high), [(tick, f"{tick:.3g}") for tick in ticks])
+
+
+def logarithmic_axis(title: str, smallest: float, largest: float) -> Axis:
+    """Whole decades around smallest and largest, both above 0."""
+    first, last = math.floor(math.log10(smallest)), math.ceil(math.log10(largest))
+    last = max(last, first + 1)
+    ticks = [(10.0**n, f"{10.0 ** n:,g}") for n in range(first, last + 1)]
+    return Axis(title, (10.0**first, 10.0**last), ticks, True)
+
+
+def line_chart(series: Sequence[Series], x_axis: Axis, y_axis: Axis, name: str, diagonal: bool = False) -> str:
+    """Lines with their intervals as bands; ``diagonal`` draws the line on which both axes agree."""
+    frame = _Frame(x_axis, y_axis, len(series))
+    parts = frame.axes()
+    if diagonal:
+        (x0, y0), (x1, y1) = frame.point(x_axis.limits[0], y_axis.limits[0]), frame.point(*_ends(x_axis, y_axis))
+        parts.append(f'<path d="M{x0:.1f} {y0:.1f}L{x1:.1f} {y1:.1f}" {_stroke("var(--soft)", "4 4", 1)}/>')
+    for number, one in enumerate(series):
+        parts += _line(frame, one, number)
+    return frame.svg(parts + _legend(frame, [one.name for one in series]), name)
+
+
+def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_axis: Axis, name: str) -> str:
+    """Bars side by side in named groups, with whiskers; a series' x are the numbers of its groups, from 0."""
+    x_axis = Axis(x_title, (0.0, max(float(len(groups)), 1.0)), [(n + 0.5, text) for n, text in enumerate(groups)])
+    frame = _Frame(x_axis, y_axis, len(series))
+    parts = frame.axes(x_grid=False)
+    width = 0.76 / max(len(series), 1)
+    for number, one in enumerate(series):
+        for at, (group, y) in enumerate(zip(one.x, one.y)):
+            left = group + 0.12 + number * width
+            (x0, top), (x1, floor) = frame.point(left, y), frame.point(left + width * 0.9, y_axis.limits[0])
+            parts.append(
+                f'<rect x="{x0:.1f}" y="{top:.1f}" width="{x1 - x0:.1f}" height="{max(floor - top, 0.5):.1f}" '
+                f'style="fill:{_color(number)}"/>'
+            )
+            if one.low is not None:
+                middle = (x0 + x1) / 2
+                ends = [frame.point(left, value)[1] for value in (one.low[at], one.high[at])]
+                parts.append(f'<path d="M{middle:.1f} {ends[0]:.1f}V{ends[1]:.1f}" {_stroke("var(--text)", "", 1)}/>')
+    return frame.svg(parts + _legend(frame, [one.name for one in series], lines=False), name)
+
+
+def heat_map(
+    values: Sequence[Sequence[Optional[float]]],
+    texts: Sequence[Sequence[str]],
+    row_names: Sequence[str],
+    column_names: Sequence[str],
+    y_title: str,
+    x_title: str,
+    name: str,
+) -> str:
+    """Cells coloured from 0 (dark) to 1 (light) with their texts; the first row lies at the bottom."""
+    x_axis = Axis(x_title, (0, len(column_names)), [(n + 0.5, text) for n, text in enumerate(column_names)])
+    y_axis = Axis(y_title, (0, len(row_names)), [(n + 0.5, text) for n, text in enumerate(row_names)])
+    frame = _Frame(x_axis, y_axis, 0)
+    parts = frame.axes(x_grid=False, y_grid=False)
+    for row, (line, line_texts) in enumerate(zip(values, texts)):
+        for column, (value, text) in enumerate(zip(line, line_texts)):
+            (x0, y1), (x1, y0) = frame.point(column, row), frame.point(column + 1, row + 1)
+            fill, ink = ("none", "var(--text)") if value is None else ramp(value)
+            parts.append(
+                f'<rect x="{x0 + 1:.1f}" y="{y0 + 1:.1f}" width="{x1 - x0 - 2:.1f}" height="{y1 - y0 - 2:.1f}" '
+                f'style="fill:{fill}"/><text x="{(x0 + x1) / 2:.1f}" y="{(y0 + y1) / 2 + 4:.1f}" '
+                f'text-anchor="middle" style="fill:{ink}">{escape(text)}</text>'
+            )
+    return frame.svg(parts, name)
+
+
+def reliability_diagram(series: Sequence[Series], x_title: str, y_title: str, name: str) -> str:
+    """Share that was right against the confidence that was told; on the diagonal both agree."""
+    return line_chart(series, percent_axis(x_title), percent_axis(y_title), name, diagonal=True)
+
+
+def ramp(value: float) -> Tuple[str, str]:
+    """(colour of a cell, colour of the text on it) for a value of 0…1."""
+    place = min(max(value, 0.0), 1.0) * (len(CIVIDIS) - 1)
+    first = min(int(place), len(CIVIDIS) - 2)
+    low, high = (_channels(CIVIDIS[n]) for n in (first, first + 1))
+    mixed = [round(a + (b - a) * (place - first)) for a, b in zip(low, high)]
+    brightness = 0.299 * mixed[0] + 0.587 * mixed[1] + 0.114 * mixed[2]
+    return "#" + "".join(f"{channel:02x}" for channel in mixed), "#000000" if brightness > 130 else "#ffffff"
+
+
+def _channels(color: str) -> List[int]:
+    return [int(color[n:n + 2], 16) for n in (1, 3, 5)]
+
+
+class _Frame:
+    """Where values lie in a chart with axes; ``entries``: rows of the legend above it."""
+
+    def __init__(self, x_axis: Axis, y_axis: Axis, entries: int) -> None:
+        self.x_axis, self.y_axis = x_axis, y_axis
+        self.top = TOP + (LEGEND_ROW * math.ceil(entries / 2) if entries else 0)
+        self.bottom = self.top + HEIGHT - TOP - BOTTOM
+        self.height = self.bottom + BOTTOM
+
+    def point(self, x: float, y: float) -> Tuple[float, float]:
+        return (
+            LEFT + self.x_axis.place(x) * (WIDTH - LEFT - RIGHT),
+            self.bottom - self.y_axis.place(y) * (self.bottom - self.top),
+        )
+
+    def axes(self, x_grid: bool = True, y_grid: bool = True) -> List[str]:
+        parts = []
+        for value, text in self.y_axis.ticks:
+            _, y = self.point(self.x_axis.limits[0], value)
+            if y_grid:
+                parts.append(f'<path d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}" {_stroke("var(--line)", "", 1)}/>')
+            parts.append(f'<text class="soft" x="{LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">{escape(text)}</text>')
+        for value, text in self.x_axis.ticks:
+            x, _ = self.point(value, self.y_axis.limits[0])
+            if x_grid:
+                parts.append(f'<path d="M{x:.1f} {self.top}V{self.bottom}" {_stroke("var(--line)", "", 1)}/>')
+            parts.append(
+                f'<text class="soft" x="{x:.1f}" y="{self.bottom + 16}" text-anchor="middle">{escape(text)}</text>'
+            )
+        middle = (LEFT + WIDTH - RIGHT) / 2
+        title = escape(self.x_axis.title)
+        parts.append(f'<text x="{middle}" y="{self.height - 8}" text-anchor="middle">{title}</text>')
+        across = (self.top + self.bottom) / 2
+        parts.append(
+            f'<text transform="translate(12 {across:.1f}) rotate(-90)" text-anchor="middle">'
+            f"{escape(self.y_axis.title)}</text>"
+        )
+        return parts
+
+    def svg(self, parts: Sequence[str], name: str) -> str:
+        return (
+            f'<svg viewBox="0 0 {WIDTH} {self.height}" role="img" aria-label="{escape(name)}" '
+            f'xmlns="http://www.w3.org/2000/svg">\n<title>{escape(name)}</title>\n' + "\n".join(parts) + "\n</svg>"
+        )
+
+
+def _ends(x_axis: Axis, y_axis: Axis) -> Tuple[float, float]:
+    return x_axis.limits[1], y_axis.limits[1]
+
+
+def _color(number: int) -> str:
+    return f"var(--s{number % SERIES})"
+
+
+def _stroke(color: str, dash: str, width: float) -> str:
+    dashes = f";stroke-dasharray:{dash.replace(' ', ',')}" if dash else ""
+    return f'style="fill:none;stroke:{color};stroke-width:{width}{dashes}"'
+
+
+def _line(frame: _Frame, one: Series, number: int) -> List[str]:
+    points = [frame.point(x, y) for x, y in zip(one.x, one.y)]
+    if not points:
+        return []
+    parts = []
+    if one.low is not None:
+        outline = [frame.point(x, y) for x, y in zip(one.x, one.high)]
+        outline += [frame.point(x, y) for x, y in zip(one.x, one.low)][::-1]
+        path = "L".join(f"{x:.1f} {y:.1f}" for x, y in outline)
+        parts.append(f'<path d="M{path}Z" style="fill:{_color(number)};opacity:0.16"/>')
+    join = (lambda x, y: f"H{x:.1f}V{y:.1f}") if one.stepped else (lambda x, y: f"L{x:.1f} {y:.1f}")
+    path = f"M{points[0][0]:.1f} {points[0][1]:.1f}" + "".join(join(x, y) for x, y in points[1:])
+    parts.append(f'<path d="{path}" {_stroke(_color(number), DASHES[number % SERIES], 2)}/>')
+    return parts + ([_marker(x, y, number) for x, y in points] if one.marked else [])
+
+
+def _marker(x: float, y: float, number: int) -> str:
+    """Disc, square, triangle, diamond, by the series' number."""
+    if number % SERIES == 0:
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.6" style="fill:{_color(number)}"/>'
+    corners = {1: "-3.4-3.4h6.8v6.8h-6.8z", 2: "0-4.6l4.3 7.6h-8.6z", 3: "0-4.8l4.8 4.8l-4.8 4.8l-4.8-4.8z"}
+    return f'<path d="M{x:.1f} {y:.1f}m{corners[number % SERIES]}" style="fill:{_color(number)}"/>'
+
+
+def _legend(frame: _Frame, names: Sequence[str], lines: bool = True) -> List[str]:
+    """Two entries a row, above the chart."""
+    parts = []
+    for number, name in enumerate(names):
+        x, y = LEFT + (WIDTH - LEFT - RIGHT) / 2 * (number % 2), TOP + LEGEND_ROW * (number // 2) - 2
+        if lines:
+            parts.append(f'<path d="M{x:.1f} {y}h24" {_stroke(_color(number), DASHES[number % SERIES], 2)}/>')
+            parts.append(_marker(x + 12, y, number))
+        else:
+            parts.append(f'<rect x="{x + 6:.1f}" y="{y - 6}" width="12" height="12" style="fill:{_color(number)}"/>')
+        parts.append(f'<text x="{x + 30:.1f}" y="{y + 4}">{escape(name)}</text>')
+    return parts

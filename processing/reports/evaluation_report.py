@@ -1,0 +1,228 @@
+"""The report of an evaluation: the paper's two tables, success, errors, false accepts and reliability."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Dict, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from ...core.evaluation import NOISE_LEVELS, ROTATION, SCALING, Outcome
+from ...core.evaluation_summary import (
+    MethodSummary,
+    RateAt,
+    error_curve,
+    noise_rates,
+    of_method,
+    reliability,
+    success_by_landmarks,
+    success_by_offset,
+    summarize,
+)
+from ..translation import tr
+from . import charts, page
+from .charts import Series
+
+
+@dataclass(frozen=True)
+class EvaluationReport:
+    """What the report is made from. methods: as evaluated, the most important first, with their titles; settings:
+    (what, value) as they are shown."""
+
+    database: str
+    labels: str
+    outcomes: Sequence[Outcome]
+    methods: Dict[str, str]
+    settings: Sequence[Tuple[str, str]]
+
+    def html(self) -> str:
+        """The whole page."""
+        summaries = [summarize(self.outcomes, method) for method in self.methods]
+        return page.page(
+            tr("Evaluation of localization"),
+            tr("{database}, images cut from {labels}").format(database=self.database, labels=self.labels),
+            self._key_figures(summaries[0]),
+            page.section(tr("Methods side by side"), self._methods_table(summaries), page.paragraph(_how_judged())),
+            page.section(
+                tr("Where it succeeds"),
+                page.columns(
+                    self._rates_chart(
+                        success_by_offset,
+                        charts.linear_axis(tr("offset from the nearest window, share of the stride"), 0.0, 0.5),
+                        tr("Success against offset"),
+                        tr("Right fixes by distance from the nearest window’s center; bands: 95 % intervals."),
+                    ),
+                    self._landmarks_chart(),
+                ),
+            ),
+            page.section(tr("Errors and noise"), page.columns(self._error_chart(), self._noise_map())),
+            page.section(
+                tr("What the confidence is worth"), page.columns(self._reliability_chart(), self._statuses(summaries))
+            ),
+            page.section(
+                tr("Scale (Table 4 of He & Wu 2025)"),
+                page.paragraph(
+                    tr("Windows seen from 2 to 0.5 times their size, without noise. The method of the paper compares "
+                       "vectors: a distance above 2 is no match.")
+                ),
+                self._paper_table(SCALING, tr("Scale"), lambda query: f"{query.scale:.2f}"),
+            ),
+            page.section(
+                tr("Rotation (Table 5 of He & Wu 2025)"),
+                page.paragraph(tr("The same windows, turned about their centers.")),
+                self._paper_table(ROTATION, tr("Rotation"), lambda query: f"{query.heading_deg:.0f}°"),
+            ),
+            page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], self.settings)),
+        )
+
+    def _key_figures(self, first: MethodSummary) -> str:
+        note = page.interval_text
+        found = [
+            (page.percent(first.right.share), tr("right fixes"), note(first.right)),
+            (page.percent(first.wrong.share), tr("wrong fixes"), note(first.wrong)),
+            (page.percent(first.false_accepts.share), tr("false accepts"), note(first.false_accepts)),
+            (page.number(first.median_error, "m"), tr("median error"), tr("of right fixes")),
+        ]
+        title = tr("Method: {method}. In brackets and below the numbers: 95 % intervals and counts.")
+        return page.key_figures(found) + page.paragraph(title.format(method=self.methods[first.method]))
+
+    def _methods_table(self, summaries: Sequence[MethodSummary]) -> str:
+        header = [
+            tr("Method"), tr("right fixes"), tr("wrong fixes"), tr("false accepts"), "CEP50",
+            "CEP95", tr("heading"), tr("scale"), tr("in the 95 % ellipse"),
+        ]  # fmt: skip
+        rows = [
+            [
+                self.methods[s.method],
+                page.rate_text(s.right),
+                page.rate_text(s.wrong),
+                page.rate_text(s.false_accepts),
+                page.number(s.median_error, "m"),
+                page.number(s.error_95, "m"),
+                page.number(s.heading_error_deg, "°", 2),
+                page.percent(s.scale_error, 2),
+                page.rate_text(s.covered),
+            ]
+            for s in summaries
+        ]
+        return page.table(header, rows)
+
+    def _rates_chart(self, rates_of, x_axis, name: str, caption: str) -> str:
+        series = [_series(title, rates_of(self.outcomes, method)) for method, title in self.methods.items()]
+        return page.figure(charts.line_chart(series, x_axis, charts.percent_axis(tr("right fixes")), name), caption)
+
+    def _landmarks_chart(self) -> str:
+        found = {method: success_by_landmarks(self.outcomes, method) for method in self.methods}
+        bins = sorted({(one.low, one.high) for rates in found.values() for one in rates})
+        groups = [f"{low:.0f}–{high - 1:.0f}" if np.isfinite(high) else f"≥ {low:.0f}" for low, high in bins]
+        series = [
+            _series(self.methods[method], rates, [bins.index((one.low, one.high)) for one in rates])
+            for method, rates in found.items()
+        ]
+        y_axis = charts.percent_axis(tr("right fixes"))
+        chart = charts.bar_chart(groups, series, tr("landmarks in the window"), y_axis, tr("Success by landmarks"))
+        return page.figure(chart, tr("Right fixes by the number of landmarks the database has there."))
+
+    def _error_chart(self) -> str:
+        curves = {method: error_curve(self.outcomes, method) for method in self.methods}
+        errors = np.concatenate([errors for errors, _ in curves.values()])
+        errors = np.maximum(errors, 0.01) if len(errors) else np.array([0.1, 10.0])
+        series = [
+            Series(title, *_thinned(*curves[method]), marked=False, stepped=True)
+            for method, title in self.methods.items()
+        ]
+        x_axis = charts.logarithmic_axis(tr("error, m"), errors.min(), errors.max())
+        chart = charts.line_chart(series, x_axis, charts.percent_axis(tr("images with a fix")), tr("Errors"))
+        return page.figure(chart, tr("Share of the map’s images with a fix at most so far off, right or wrong."))
+
+    def _noise_map(self) -> str:
+        rates = noise_rates(self.outcomes)
+        names = [f"{level:.0f} %" for level in NOISE_LEVELS]
+        shares = [[rate.share for rate in row] for row in rates]
+        texts = [[page.percent(rate.share, 0) for rate in row] for row in rates]
+        chart = charts.heat_map(
+            shares, texts, names, names, tr("landmarks missed"), tr("landmarks invented"), tr("Success under noise")
+        )
+        caption = tr("Right fixes of {method}; {count} images a cell, the other ranges as set.")
+        method = next(iter(self.methods.values()))
+        return page.figure(chart, caption.format(method=method, count=rates[0][0].trials))
+
+    def _reliability_chart(self) -> str:
+        series = [_series(title, reliability(self.outcomes, method)) for method, title in self.methods.items()]
+        chart = charts.reliability_diagram(
+            series, tr("confidence told"), tr("right among the fixes"), tr("Reliability of the confidence")
+        )
+        caption = tr("On the diagonal a confidence means what it says; below it promises too much.")
+        return page.figure(chart, caption)
+
+    def _statuses(self, summaries: Sequence[MethodSummary]) -> str:
+        names = sorted({status for s in summaries for status in s.statuses})
+        rows = [[name, *(str(s.statuses.get(name, 0)) for s in summaries)] for name in names]
+        titles = [self.methods[s.method] for s in summaries]
+        return page.paragraph(tr("What became of the images of the map:")) + page.table(
+            [tr("Status"), *titles], rows, range(1, len(titles) + 1)
+        )
+
+    def _paper_table(self, part: str, title: str, value_of) -> str:
+        """One row a scale or rotation and window; per method what was found, how far off or how distant, confidence."""
+        by_method = [of_method(self.outcomes, method, part) for method in self.methods]
+        header, numbers = [title, tr("Window")], []
+        for name, outcomes in zip(self.methods.values(), by_method):
+            added = [tr("error"), *([tr("distance")] if _has_distances(outcomes) else []), tr("confidence")]
+            numbers += range(len(header) + 1, len(header) + 1 + len(added))
+            header += [name, *added]
+        order = {id(o): n for n, o in enumerate(by_method[0])}
+        rows = [
+            [value_of(same[0].query), same[0].query.window, *self._found(same, by_method)]
+            for same in sorted(zip(*by_method), key=lambda same: (_turn_order(same[0].query), order[id(same[0])]))
+        ]
+        return page.table(header, rows, numbers)
+
+    def _found(self, same: Sequence[Outcome], by_method: Sequence[Sequence[Outcome]]) -> List[str]:
+        cells = []
+        for one, outcomes in zip(same, by_method):
+            result = one.result
+            found = page.Marked(f"{'✓' if one.right else '✗'} {one.window}", one.right) if one.is_fix else result.status
+            distance = [_fixed(result.distance, 3)] if _has_distances(outcomes) else []
+            confidence = _fixed(result.confidence if one.is_fix else None, 2)
+            cells += [found, page.number(one.error, "m"), *distance, confidence]
+        return cells
+
+
+def _how_judged() -> str:
+    return tr(
+        "A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, "
+        "when it names the window nearest to the image’s center. False accepts are mirrored images of the map that "
+        "were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so "
+        "far off. Heading and scale: median errors of right fixes."
+    )
+
+
+def _has_distances(outcomes: Sequence[Outcome]) -> bool:
+    """Whether the method compares vectors."""
+    return any(one.result.distance is not None for one in outcomes)
+
+
+def _fixed(value: Optional[float], decimals: int) -> str:
+    return page.NOTHING if value is None else f"{value:.{decimals}f}"
+
+
+def _turn_order(query) -> Tuple[float, float]:
+    """Rows go down in scale and up in angle, as in the paper."""
+    return -query.scale, query.heading_deg
+
+
+def _series(title: str, rates: Sequence[RateAt], x: Sequence[float] = ()) -> Series:
+    return Series(
+        title,
+        x or [one.at for one in rates],
+        [one.rate.share for one in rates],
+        [one.rate.interval[0] for one in rates],
+        [one.rate.interval[1] for one in rates],
+    )
+
+
+def _thinned(x: np.ndarray, y: np.ndarray, most: int = 400) -> Tuple[np.ndarray, np.ndarray]:
+    """At most so many of the points, the first and the last among them: keeps reports small."""
+    index = np.unique(np.linspace(0, len(x) - 1, min(len(x), most)).round().astype(int)) if len(x) else []
+    return np.maximum(x[index], 0.01) if len(x) else x, y[index] if len(x) else y

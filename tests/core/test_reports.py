@@ -1,0 +1,116 @@
+"""Reports: one file that needs nothing else, with every text escaped and every value where it belongs."""
+
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+from semref.core.rates import Rate
+from semref.processing.reports import charts, page
+from semref.processing.reports.charts import Series
+
+HOSTILE = 'a <b> & "c"</script>'
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def drawn(svg):
+    return ElementTree.fromstring(svg)
+
+
+def texts(svg):
+    return [element.text for element in drawn(svg).iter(f"{SVG}text")]
+
+
+def rectangles(svg):
+    return [{k: float(e.get(k)) for k in ("x", "y", "width", "height")} for e in drawn(svg).iter(f"{SVG}rect")]
+
+
+LINE = Series(HOSTILE, [0.0, 0.25, 0.5], [0.0, 1.0, 0.5], [0.0, 0.9, 0.4], [0.1, 1.0, 0.6])
+X, Y = charts.linear_axis(HOSTILE, 0.0, 0.5), charts.percent_axis("right")
+
+
+def every_chart():
+    return [
+        charts.line_chart([LINE], X, Y, HOSTILE),
+        charts.line_chart([Series("s", [1, 10], [0.2, 0.4], stepped=True)], charts.logarithmic_axis("m", 1, 9), Y, "e"),
+        charts.bar_chart([HOSTILE, "b"], [Series("a", [0, 1], [0.5, 1.0], [0.4, 0.9], [0.6, 1.0])], "n", Y, "bars"),
+        charts.heat_map([[0.0, None]], [["0 %", "–"]], [HOSTILE], ["0", "1"], "y", "x", "map"),
+        charts.reliability_diagram([LINE], "told", "right", "reliability"),
+    ]
+
+
+def test_charts_without_data_are_drawn_empty():
+    assert drawn(charts.line_chart([], X, Y, "empty")) is not None
+    assert drawn(charts.line_chart([Series("a", [], [], [], [])], X, Y, "empty")) is not None
+    assert drawn(charts.bar_chart([], [], "x", Y, "empty")) is not None
+
+
+@pytest.mark.parametrize("svg", every_chart())
+def test_charts_are_whole_xml_with_a_name_and_stay_inside(svg):
+    root = drawn(svg)
+    _, _, width, height = (float(value) for value in root.get("viewBox").split())
+    assert root.get("aria-label") == root.find(f"{SVG}title").text
+    for element in root.iter(f"{SVG}path"):
+        for x, y in re.findall(r"[ML](-?[\d.]+) (-?[\d.]+)", element.get("d")):
+            assert 0 <= float(x) <= width and 0 <= float(y) <= height
+
+
+def test_the_first_row_of_a_heat_map_lies_at_the_bottom_and_its_first_column_at_the_left():
+    svg = charts.heat_map([[0.0, 0.1], [0.9, 1.0]], [["a", "b"], ["c", "d"]], ["1", "2"], ["1", "2"], "y", "x", "map")
+    a, b, c, d = rectangles(svg)
+    assert a["x"] == c["x"] < b["x"] == d["x"] and a["y"] == b["y"] > c["y"] == d["y"]
+    assert charts.CIVIDIS[0] in svg and charts.CIVIDIS[-1] in svg
+
+
+def test_the_ramp_gets_lighter_evenly_and_its_text_stays_readable():
+    def light(color):
+        return sum(w * int(color[n : n + 2], 16) for w, n in ((0.299, 1), (0.587, 3), (0.114, 5)))
+
+    steps = [light(charts.ramp(n / 20)[0]) for n in range(21)]
+    assert all(a < b for a, b in zip(steps, steps[1:]))
+    assert all(abs(light(fill) - light(ink)) > 100 for fill, ink in (charts.ramp(n / 20) for n in range(21)))
+
+
+def test_bars_are_as_high_as_their_values():
+    svg = charts.bar_chart(["a", "b"], [Series("s", [0, 1], [0.25, 1.0])], "n", Y, "bars")
+    low, high = [bar["height"] for bar in rectangles(svg)[:2]]
+    assert high == pytest.approx(4 * low, rel=0.01)
+
+
+def test_a_logarithmic_axis_has_whole_decades():
+    axis = charts.logarithmic_axis("m", 0.03, 2000)
+    assert axis.limits == (0.01, 10000)
+    assert [text for _, text in axis.ticks] == ["0.01", "0.1", "1", "10", "100", "1,000", "10,000"]
+    assert (axis.place(0.0), axis.place(0.01), axis.place(10.0), axis.place(1e9)) == (0, 0, pytest.approx(0.5), 1)
+
+
+def test_a_page_needs_no_network_and_no_script():
+    html = page.page("title", "subtitle", *every_chart())
+    assert html.startswith("<!DOCTYPE html>")
+    assert not re.search(r"<script|<link|@import|url\(|\bsrc=|\bhref=", html)
+
+
+def test_texts_are_escaped_wherever_they_stand():
+    html = page.page(
+        HOSTILE,
+        HOSTILE,
+        page.section(HOSTILE, page.paragraph(HOSTILE), page.table([HOSTILE], [[HOSTILE]])),
+        page.key_figures([(HOSTILE, HOSTILE, HOSTILE)]),
+        page.figure("", HOSTILE),
+        *every_chart(),
+    )
+    assert "<b> &" not in html and "</script>" not in html and "&lt;b&gt; &amp;" in html
+
+
+def test_a_table_aligns_numbers_and_marks_good_and_bad():
+    html = page.table(["a", "b"], [[page.Marked("yes", True), "1"], [page.Marked("no", False), "2"]], [1])
+    assert html.count('class="number"') == 3
+    assert '<td class="good">yes</td>' in html and '<td class="bad">no</td>' in html
+
+
+def test_numbers_are_told_with_unit_and_what_is_unknown_with_a_dash():
+    assert page.number(0.08869, "m") == "0.0887\u00a0m"
+    assert (page.number(12345.6), page.number(2.04, "°", 2), page.number(None, "m")) == ("12,346", "2°", "–")
+    assert (page.percent(0.125), page.percent(None)) == ("12.5\u00a0%", "–")
+    assert page.rate_text(Rate(95, 100)) == "95.0\u00a0% (88.8–97.8\u00a0%, 95/100)"
+    assert page.rate_text(Rate(0, 0)) == "–"

@@ -1,0 +1,255 @@
+"""semref:evaluatelocalization: outputs that agree with each other, the same for the same seed, and plain refusals."""
+
+from __future__ import annotations
+
+import json
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import ogr
+from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import METRIC_CRS, NORTH, WEST, scattered_objects, write_raster
+
+EVALUATE = "semref:evaluatelocalization"
+SIZE, STRIDE = 160, 40
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+LABELS = scattered_objects(420, 480, 260, seed=21)
+CLEAN = {"MISSED": "0,0", "INVENTED": "0,0", "MISNAMED": "0,0", "RAGGED": "0,0"}
+BOTH = [0, 1]
+
+
+@pytest.fixture(scope="module")
+def inputs(run_algorithm, tmp_path_factory):
+    """Parameters LABELS and DATABASE of a made area."""
+    folder = tmp_path_factory.mktemp("area")
+    labels = str(write_raster(folder / "labels.tif", LABELS, names=NAMES))
+    build = {
+        "LABELS": labels,
+        "REFERENCE_CLASSES": "building;water;bare_land",
+        "WINDOW_SIZE": SIZE,
+        "STRIDE": STRIDE,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    run_algorithm("semref:builddatabase", build)
+    return {"LABELS": labels, "DATABASE": build["DATABASE"]}
+
+
+@pytest.fixture
+def evaluate(run_algorithm, inputs, tmp_path, feedback):
+    """`evaluate(**parameters)` gives (features of OUTPUT as dicts with their point, results)."""
+
+    def run(**parameters):
+        defaults = {"TRIALS": 12, "METHODS": BOTH, "OUTPUT": str(tmp_path / "trials.gpkg"), "REPORT": None}
+        results = run_algorithm(EVALUATE, {**inputs, **defaults, **parameters}, feedback)
+        return rows(results["OUTPUT"]), results
+
+    return run
+
+
+def rows(path) -> list:
+    source = ogr.Open(path)
+    return [{**feature.items(), "point": feature.GetGeometryRef().GetPoint_2D()} for feature in source.GetLayer(0)]
+
+
+def of(found, method, kind="map"):
+    return [row for row in found if (row["method"], row["kind"]) == (method, kind)]
+
+
+# --- trials ---
+
+
+def test_every_trial_has_a_point_a_method_where_its_image_was_cut(evaluate):
+    found, _ = evaluate()
+    for method in ("automatic", "topology vector"):
+        assert (len(of(found, method)), len(of(found, method, "mirrored"))) == (9, 3)
+        assert sorted(row["trial"] for row in of(found, method)) == list(range(9))
+    for row in found:
+        assert row["point"] == (row["true_x"], row["true_y"])
+        assert WEST < row["true_x"] < WEST + 480 and NORTH - 420 < row["true_y"] < NORTH
+
+
+def test_one_trial_is_of_the_map(evaluate):
+    found, results = evaluate(TRIALS=1, METHODS=[2])
+    assert [(row["kind"], row["method"]) for row in found] == [("map", "constellation")]
+    assert results["FALSE_ACCEPT_RATE"] is None and "JSON" not in results and "REPORT" not in results
+
+
+def test_the_rates_are_those_of_the_points(evaluate):
+    found, results = evaluate(TRIALS=16)
+    tried, mirrored = of(found, "automatic"), of(found, "automatic", "mirrored")
+    right = [row for row in tried if row["right"]]
+    assert results["SUCCESS_RATE"] == len(right) / len(tried) > 0
+    assert results["MEDIAN_ERROR"] == pytest.approx(np.median([row["error"] for row in right]))
+    assert results["FALSE_ACCEPT_RATE"] == sum(row["status"] == "fix" for row in mirrored) / len(mirrored)
+    for row in found:
+        if row["error"] is not None:
+            assert row["error"] == pytest.approx(np.hypot(row["x"] - row["true_x"], row["y"] - row["true_y"]))
+
+
+def test_both_methods_find_clean_windows_and_only_one_what_lies_between(evaluate):
+    on_windows = {"OFFSET": "0,0", "SCALE": "1,1", "ROTATION": "0,0", "MIRRORED": 0}
+    found, _ = evaluate(**CLEAN, **on_windows, TRIALS=6)
+    assert all(row["right"] and row["error"] < 1 for row in found) and len(found) == 12
+    found, _ = evaluate(**CLEAN, **{**on_windows, "OFFSET": "0.4,0.5"}, TRIALS=8)
+    shares = [np.mean([row["right"] for row in of(found, m)]) for m in ("automatic", "topology vector")]
+    assert shares[0] > 0.9 and shares[1] < 0.5
+
+
+def test_ranges_come_back_in_the_points(evaluate):
+    ranges = {"SCALE": [1.1, 1.2], "ROTATION": "30,40", "MISSED": "10,15", "OFFSET": "0.2,0.3"}
+    found, _ = evaluate(**ranges, METHODS="1")
+    for row in found:
+        assert 1.1 <= row["scale"] <= 1.2 and 30 <= row["heading"] <= 40
+        assert 10 <= row["missed"] <= 15 and 0.2 <= row["offset"] <= 0.3 and row["invented"] == 20
+
+
+def test_a_map_with_other_pixels_will_do(evaluate, tmp_path):
+    fine = np.kron(LABELS, np.ones((2, 2), np.uint8))
+    path = write_raster(tmp_path / "fine.tif", fine, names=NAMES, transform=(WEST, 0.5, 0.0, NORTH, 0.0, -0.5))
+    found, results = evaluate(LABELS=str(path), **CLEAN, MIRRORED=0, TRIALS=6)
+    assert results["SUCCESS_RATE"] > 0.7
+    assert all(row["scale_error"] < 0.02 for row in found if row["method"] == "automatic" and row["right"])
+
+
+# --- report and numbers ---
+
+
+@pytest.fixture(scope="module")
+def reported(run_algorithm, inputs, tmp_path_factory):
+    """(report, numbers, results) of one run."""
+    folder = tmp_path_factory.mktemp("report")
+    outputs = {"OUTPUT": str(folder / "t.gpkg"), "REPORT": str(folder / "r.html"), "JSON": str(folder / "n.json")}
+    results = run_algorithm(EVALUATE, {**inputs, **outputs, "TRIALS": 8, "METHODS": BOTH})
+    report, numbers = (Path(results[key]).read_text(encoding="utf-8") for key in ("REPORT", "JSON"))
+    return report, json.loads(numbers), results
+
+
+def test_the_report_has_the_papers_tables_and_needs_nothing_else(reported):
+    report, _, _ = reported
+    for title in ("Table 4", "Table 5", "False accepts", "Reliability", "Success against offset", "landmarks invented"):
+        assert title in report
+    assert report.count("<svg") == 5
+    for name in ("http://", "https://", "<script", "src="):
+        assert name not in report.replace('xmlns="http://www.w3.org/2000/svg"', "")
+    table_4, table_5 = report.split("Table 4")[1].split("Table 5")
+    assert [table_4.count("<tr>"), table_5.split("Settings</h2>")[0].count("<tr>")] == [1 + 30, 1 + 36]
+
+
+def test_the_numbers_agree_with_the_outputs_and_hold_the_tables(reported):
+    _, numbers, results = reported
+    summary = numbers["methods"]["automatic"]
+    assert list(numbers["methods"]) == ["automatic", "topology vector"]
+    assert summary["right"]["share"] == results["SUCCESS_RATE"]
+    assert summary["false_accepts"]["share"] == results["FALSE_ACCEPT_RATE"]
+    assert (len(numbers["trials"]), len(numbers["scaling"]), len(numbers["rotation"])) == (16, 60, 72)
+    assert [[cell["trials"] for cell in row] for row in numbers["noise"]["missed_by_invented"]] == [[2] * 4] * 4
+    assert numbers["settings"]["TRIALS"] == 8 and numbers["settings"]["SCALE"] == [0.8, 1.25]
+
+
+def test_a_window_of_the_paper_is_found_at_distance_0_unscaled_and_unturned(reported):
+    _, numbers, _ = reported
+    unchanged = [row for row in numbers["scaling"] if row["scale"] == 1 and row["method"] == "topology vector"]
+    unchanged += [row for row in numbers["rotation"] if row["heading"] == 0 and row["method"] == "topology vector"]
+    assert len(unchanged) == 6
+    for row in unchanged:
+        assert row["right"] == 1 and row["distance"] == pytest.approx(0, abs=1e-6) and row["confidence"] == 1
+
+
+def test_the_same_seed_gives_the_same_files_and_another_one_others(evaluate, tmp_path):
+    texts = []
+    for n, seed in enumerate((3, 3, 4)):
+        _, results = evaluate(
+            TRIALS=3, SEED=seed, METHODS=[1], REPORT=str(tmp_path / f"{n}.html"), JSON=str(tmp_path / f"{n}.json")
+        )
+        texts.append([Path(results[key]).read_bytes() for key in ("REPORT", "JSON")])
+    assert texts[0] == texts[1] and texts[0][0] != texts[2][0] and texts[0][1] != texts[2][1]
+
+
+# --- what goes wrong ---
+
+
+def refused(evaluate, **parameters):
+    with pytest.raises(QgsProcessingException) as caught:
+        evaluate(**parameters)
+    return str(caught.value)
+
+
+def test_a_map_in_another_crs_is_refused_with_both(evaluate, tmp_path):
+    path = write_raster(tmp_path / "other.tif", LABELS, names=NAMES, crs=METRIC_CRS + 1)
+    message = refused(evaluate, LABELS=str(path))
+    assert "EPSG:32633" in message and "EPSG:32632" in message and "warp" in message
+
+
+def test_a_map_with_other_classes_is_refused(evaluate, tmp_path):
+    path = write_raster(tmp_path / "other.tif", LABELS, names=["unlabeled", "building", "road", "bare_land", "field"])
+    message = refused(evaluate, LABELS=str(path))
+    assert "“road”" in message and "“water”" in message
+
+
+def test_a_map_of_elsewhere_is_refused(evaluate, tmp_path):
+    path = write_raster(tmp_path / "far.tif", LABELS, names=NAMES, transform=(WEST + 5000, 1.0, 0.0, NORTH, 0.0, -1.0))
+    assert "No window" in refused(evaluate, LABELS=str(path))
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{"SCALE": "1.2,0.8"}, {"MISSED": "0,120"}, {"OFFSET": "0,0.7"}, {"RAGGED": "a,b"}, {"MINIMUM_REFERENCES": 999}],
+)
+def test_wrong_values_are_told_by_their_key(evaluate, wrong):
+    assert next(iter(wrong)) in refused(evaluate, **wrong)
+
+
+def test_no_method_is_refused(evaluate):
+    assert "METHODS" in refused(evaluate, METHODS=[])
+
+
+class CancelAt(QgsProcessingFeedback):
+    """Cancels itself at ``percent`` of the progress and remembers when."""
+
+    def __init__(self, percent):
+        super().__init__(False)
+        self.canceled_at = None
+        self.progressChanged.connect(lambda progress: self._stop() if progress >= percent else None)
+
+    def _stop(self):
+        self.canceled_at = self.canceled_at or time.monotonic()
+        self.cancel()
+
+
+@pytest.mark.parametrize("percent", [1, 50, 95])
+def test_cancel_stops_at_once_and_leaves_nothing(inputs, tmp_path, percent):
+    feedback = CancelAt(percent)
+    parameters = {
+        **inputs,
+        "TRIALS": 10,
+        "METHODS": [1],
+        "OUTPUT": str(tmp_path / "trials.gpkg"),
+        "REPORT": str(tmp_path / "report.html"),
+        "JSON": str(tmp_path / "numbers.json"),
+    }
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById(EVALUATE)
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        algorithm.run(parameters, QgsProcessingContext(), feedback, {}, False)
+    assert time.monotonic() - feedback.canceled_at < 1.0
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_cancel_during_one_image_is_heeded_before_it_ends(inputs, tmp_path, monkeypatch):
+    from semref.core.evaluation import Evaluation
+
+    monkeypatch.setattr(Evaluation, "run", lambda self, query, methods: time.sleep(3))
+    feedback = QgsProcessingFeedback(False)
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById(EVALUATE)
+    parameters = {**inputs, "METHODS": [1], "OUTPUT": str(tmp_path / "trials.gpkg")}
+    threading.Timer(0.5, feedback.cancel).start()
+    started = time.monotonic()
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        algorithm.run(parameters, QgsProcessingContext(), feedback, {}, False)
+    assert time.monotonic() - started < 1.7
