@@ -12,6 +12,7 @@ from .build_database import BuildDatabase
 from .decode_color_labels import DecodeColorLabels
 from .describe_image import DescribeImage
 from .evaluate_localization import EvaluateLocalization
+from .export_training_tiles import ExportTrainingTiles
 from .localize_images import LocalizeImages
 from .rasterize_annotation import RasterizeAnnotation
 from .translation import tr
@@ -22,6 +23,7 @@ MODELS = Path(__file__).resolve().parent.parent / "models"
 ALGORITHMS = (
     RasterizeAnnotation,
     DecodeColorLabels,
+    ExportTrainingTiles,
     BuildDatabase,
     DescribeImage,
     LocalizeImages,

@@ -2,10 +2,11 @@
 
     python tools/make_sample.py OUTPUT_FOLDER [--seed 1671] [--pixel-size 1.0]
 
-OUTPUT_FOLDER then holds landcover.shp, classes.csv, images/*.png, truth.csv and sample.json.
-truth.csv gives every picture's centre: `column`, `row` in pixels of the map ((0.5, 0.5) is the centre of its first
-pixel) and `x`, `y` in map units; `rotation_deg` is the heading of the picture's top in degrees clockwise from grid
-north; `scale` is map pixels per picture pixel; `window` names the window it is centred on, if any.
+OUTPUT_FOLDER then holds landcover.shp, classes.csv, images/*.png, truth.csv, orthophoto.tif (a rendered photo of the
+whole area), photos/*.jpg, photos.csv and sample.json.
+truth.csv and photos.csv give every picture's centre: `column`, `row` in pixels of the map ((0.5, 0.5) is the centre of
+its first pixel) and `x`, `y` in map units; `rotation_deg` is the heading of the picture's top in degrees clockwise from
+grid north; `scale` is map pixels per picture pixel; `window` names the window it is centred on, if any.
 The same seed gives the same files. A folder made by an earlier run is replaced; any other folder is left alone.
 """
 
@@ -101,6 +102,7 @@ def write_all(folder: Path, seed: int, pixel_size: float) -> str:
     views = pictures.plan_views(labels.shape, seed)
     writers.write_pictures(labels, views, folder / "images")
     writers.write_truth(landscape, pixel_size, views, folder / "truth.csv")
+    write_photos(folder, landscape, pixel_size, seed)
     marker = {
         "made_by": MAKER,
         "seed": seed,
@@ -113,6 +115,18 @@ def write_all(folder: Path, seed: int, pixel_size: float) -> str:
     }
     (folder / MARKER).write_text(json.dumps(marker, indent=2) + "\n", encoding="utf-8")
     return summary(landscape, labels, views)
+
+
+def write_photos(folder: Path, landscape, pixel_size: float, seed: int) -> None:
+    """orthophoto.tif, photos/*.jpg and photos.csv."""
+    from sample import photo, pictures, writers
+
+    picture = photo.render(landscape, writers.grid_of(landscape, pixel_size), pixel_size)
+    writers.write_orthophoto(landscape, pixel_size, picture, folder / "orthophoto.tif")
+    views = pictures.plan_photos(picture.shape[:2], seed)
+    (folder / "photos").mkdir()
+    writers.write_photos(picture, views, seed, folder / "photos")
+    writers.write_truth(landscape, pixel_size, views, folder / "photos.csv")
 
 
 def summary(landscape, labels_hw, views) -> str:

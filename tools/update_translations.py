@@ -20,6 +20,7 @@ STEP_FILES = (
     "processing/exchange/burning.py",
     "processing/exchange/geopackage.py",
     "processing/exchange/rasters.py",
+    "processing/exchange/training_tiles.py",
 )
 """Where steps are yielded: their texts are translated by whoever shows them."""
 

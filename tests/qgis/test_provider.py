@@ -17,6 +17,11 @@ PARAMETERS = {
         "OUTPUT CLASS_COUNT LABELED_FRACTION",
     ),
     "decodecolorlabels": ("annotation", "INPUT CLASS_TABLE METHOD OUTPUT", "OUTPUT"),
+    "exporttrainingtiles": (
+        "annotation",
+        "IMAGE LABELS TILE_SIZE STRIDE [VALIDATION_FRACTION] [CLASS_TABLE] OUTPUT",
+        "OUTPUT TILE_COUNT",
+    ),
     "builddatabase": (
         "referencedatabase",
         "LABELS [REFERENCE_CLASSES] WINDOW_SIZE STRIDE [LEVELS] REFERENCES_PER_VECTOR MINIMUM_AREA DATABASE",

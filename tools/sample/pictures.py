@@ -20,6 +20,7 @@ ON_WINDOW_COUNT, OFF_GRID_COUNT = 8, 8
 COLOR_HEADINGS_DEG = (0, 60, 150, 240)
 COLOR_ON_WINDOW_COUNT, COLOR_OFF_GRID_COUNT = 3, 1
 OFF_GRID_SCALES = (0.8, 1.25)
+PHOTO_COUNT = 12
 
 
 @dataclass(frozen=True)
@@ -85,19 +86,25 @@ def plan_views(shape_hw: tuple[int, int], seed: int) -> tuple[View, ...]:
     return tuple(views + _off_grid(rng, shape_hw, COLOR_OFF_GRID_COUNT, "color_off_grid", in_color=True))
 
 
+def plan_photos(shape_hw: tuple[int, int], seed: int, count: int = PHOTO_COUNT) -> tuple[View, ...]:
+    """Where photos are taken: any place, heading and scale; more of them begin with the same ones."""
+    rng = np.random.default_rng([seed, 101])
+    return tuple(_off_grid(rng, shape_hw, count, "photo", suffix="jpg"))
+
+
 def _on(at: tuple[int, int], kind: str, stem: str, **settings) -> View:
     half = WINDOW_PX / 2
     return View(f"{stem}.png", kind, at[0] + half, at[1] + half, window=_text(at), **settings)
 
 
-def _off_grid(rng: np.random.Generator, shape_hw, count: int, kind: str, **settings) -> list[View]:
+def _off_grid(rng: np.random.Generator, shape_hw, count: int, kind: str, suffix="png", **settings) -> list[View]:
     """Views at any place, heading and scale whose corners stay on the map."""
     views = []
     margin = WINDOW_PX / 2 * np.sqrt(2) * max(OFF_GRID_SCALES) + 2
     for number in range(1, count + 1):
         column, row = np.round(rng.uniform(margin, np.subtract(shape_hw[::-1], margin)), 2)
         heading, scale = round(rng.uniform(0, 360), 1), round(rng.uniform(*OFF_GRID_SCALES), 3)
-        views.append(View(f"{kind}_{number:02d}.png", kind, float(column), float(row), heading, scale, **settings))
+        views.append(View(f"{kind}_{number:02d}.{suffix}", kind, float(column), float(row), heading, scale, **settings))
     return views
 
 

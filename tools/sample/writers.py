@@ -10,11 +10,12 @@ import cv2
 import numpy as np
 from osgeo import gdal, ogr, osr
 
-from . import pictures
+from . import photo, pictures
 from .classes import CLASSES
 from .landscape import Landscape
 
 LAYER = "landcover"
+JPEG_QUALITY = 85
 BURNED_FIELD = "class_id"
 DBF_DATE = "2025-05-09"  # a fixed day: the format stores one, and the same seed is to give the same file
 
@@ -119,6 +120,30 @@ def write_pictures(labels_hw: np.ndarray, views, folder: Path) -> None:
             picture = pictures.colored(picture)[:, :, ::-1]  # OpenCV writes BGR
         if not cv2.imwrite(str(folder / view.name), picture, [cv2.IMWRITE_PNG_COMPRESSION, 7]):
             raise SampleError(f"The picture {folder / view.name} could not be written, is the disk full?")
+
+
+def write_orthophoto(landscape: Landscape, pixel_size: float, photo_hw3: np.ndarray, path: Path) -> None:
+    """The whole photo as a georeferenced GeoTIFF, compressed as JPEG."""
+    west, north, width, height = grid_of(landscape, pixel_size)
+    options = ["COMPRESS=JPEG", "PHOTOMETRIC=YCBCR", f"JPEG_QUALITY={JPEG_QUALITY}", "TILED=YES"]
+    dataset = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 3, gdal.GDT_Byte, options)
+    if dataset is None:
+        raise SampleError(f"The orthophoto {path} could not be created: {gdal.GetLastErrorMsg()}")
+    reference = osr.SpatialReference()
+    reference.ImportFromEPSG(landscape.epsg)
+    dataset.SetProjection(reference.ExportToWkt())
+    dataset.SetGeoTransform((west, pixel_size, 0, north, 0, -pixel_size))
+    rows = np.ascontiguousarray(np.moveaxis(photo_hw3, 2, 0))
+    if dataset.WriteRaster(0, 0, width, height, rows.tobytes(), band_list=[1, 2, 3]) != 0:
+        raise SampleError(f"The orthophoto {path} could not be written, is the disk full? {gdal.GetLastErrorMsg()}")
+
+
+def write_photos(photo_hw3: np.ndarray, views, seed: int, folder: Path) -> None:
+    """One JPEG a view, without georeference, as a camera would have taken it."""
+    for view in views:
+        taken = photo.shoot(photo_hw3, view, seed)
+        if not cv2.imwrite(str(folder / view.name), taken[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY]):
+            raise SampleError(f"The photo {folder / view.name} could not be written, is the disk full?")
 
 
 def write_truth(landscape: Landscape, pixel_size: float, views, path: Path) -> None:

@@ -1,0 +1,269 @@
+"""Training tiles on disk: image and label tiles, class table and manifest in one folder (docs/training.md)."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Dict, Iterator, List, Optional, Tuple
+
+import numpy as np
+from osgeo import gdal
+
+from ...core.class_table import UNLABELED, ClassTable
+from ...core.errors import ClassTableError, LabelMapError, ParameterError
+from ...core.label_counts import count_labels
+from ...core.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
+from ..compat import is_metric, wkt_for_gdal
+from .gdal_errors import gdal_failure, gdal_failures
+from .rasters import GdalLabels, LabelMapLayer, class_table_of_map, class_table_of_values, open_raster
+
+MANIFEST = "manifest.json"
+FORMAT = "semref training tiles 1"
+
+COUNTING_SHARE = 0.2
+"""Share of the work that counting labels takes."""
+
+_FULL_RANGE = {gdal.GDT_Byte: 255, gdal.GDT_UInt16: 65535, gdal.GDT_Int16: 32767}
+"""Largest value of the band types that can be exported; statistics are shares of it."""
+
+_COUNTED_AT_ONCE = 4096
+
+
+class ImageBands:
+    """An image's bands, without those that only tell where it is transparent. Raises LabelMapError."""
+
+    def __init__(self, layer: LabelMapLayer) -> None:
+        self.path = layer.path
+        self.dataset = open_raster(layer.path, "Image")
+        bands = [self.dataset.GetRasterBand(n) for n in range(1, self.dataset.RasterCount + 1)]
+        self.bands = [band for band in bands if band.GetColorInterpretation() != gdal.GCI_AlphaBand]
+        self.kind = self.bands[0].DataType
+        if any(band.DataType != self.kind for band in self.bands) or self.kind not in _FULL_RANGE:
+            name = gdal.GetDataTypeName(self.kind)
+            raise LabelMapError(f"{layer.path} holds {name} values; training tiles are made of 8- or 16-bit images.")
+        if self.bands[0].GetRasterColorTable() is not None:
+            raise LabelMapError(f"{layer.path} has a palette; convert it to an RGB image first.")
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        return self.dataset.RasterYSize, self.dataset.RasterXSize
+
+    @property
+    def geotransform(self) -> Optional[tuple]:
+        return self.dataset.GetGeoTransform(can_return_null=True)
+
+    @property
+    def as_png(self) -> bool:
+        """Whether tiles can be PNG: 8 bits, grey or three colours."""
+        return self.kind == gdal.GDT_Byte and len(self.bands) in (1, 3)
+
+    def read(self, column: int, row: int, size: int) -> Tuple[np.ndarray, np.ndarray]:
+        """(bands, size, size) values, and (size, size) bool: where the image has any."""
+        window = column, row, size, size
+        with gdal_failures() as failures:
+            pieces = [band.ReadAsArray(*window) for band in self.bands]
+            mask = self.bands[0].GetMaskBand().ReadAsArray(*window)
+        if failures:
+            raise LabelMapError(f"{self.path} is damaged or cut short: {gdal_failure(failures[0])}.")
+        return np.stack(pieces), mask > 0
+
+
+class LabelsOnImage:
+    """A label map on an image's grid, nearest neighbour where the grids differ; 0 beyond the label map.
+
+    A LabelSource. Raises LabelMapError when one of the two has no place on the ground and their sizes differ.
+    """
+
+    def __init__(self, layer: LabelMapLayer, image: ImageBands, image_layer: LabelMapLayer) -> None:
+        self.labels = GdalLabels(layer.path)
+        self.shape_hw = image.shape_hw
+        self._image_transform = image.geotransform
+        self._crs = wkt_for_gdal(layer.crs), wkt_for_gdal(image_layer.crs)
+        transform = self.labels.dataset.GetGeoTransform(can_return_null=True)
+        placed = transform is not None and self._image_transform is not None
+        self._same_grid = self.labels.shape_hw == self.shape_hw and (not placed or transform == self._image_transform)
+        if not self._same_grid and not (placed and all(self._crs)):
+            raise LabelMapError(
+                f"{layer.path} has {_size(self.labels.shape_hw)} pixels, the image {_size(self.shape_hw)}, and not "
+                "both are georeferenced; give both a place on the ground, or labels of the image’s size."
+            )
+
+    def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        if self._same_grid:
+            return self.labels.read(column, row, width, height)
+        x0, dx_column, dx_row, y0, dy_column, dy_row = self._image_transform
+        corner_x, corner_y = x0 + column * dx_column + row * dx_row, y0 + column * dy_column + row * dy_row
+        source = self.labels.dataset
+        piece = gdal.GetDriverByName("MEM").Create("", width, height, 1, source.GetRasterBand(1).DataType)
+        piece.SetGeoTransform((corner_x, dx_column, dx_row, corner_y, dy_column, dy_row))
+        with gdal_failures() as failures:
+            gdal.ReprojectImage(source, piece, *self._crs, gdal.GRA_NearestNeighbour)
+        if failures:
+            raise LabelMapError(f"The labels can’t be brought onto the image: {failures[0]}.")
+        values = piece.ReadAsArray()
+        if values.max() > 255 or values.min() < 0:
+            found = int(values.max() if values.max() > 255 else values.min())
+            raise LabelMapError(f"The labels have the value {found}; a label map holds class values from 0 to 255.")
+        return values.astype(np.uint8)
+
+
+def _size(shape_hw: Tuple[int, int]) -> str:
+    return f"{shape_hw[1]} × {shape_hw[0]}"
+
+
+class TileExport:
+    """Writes the tiles of an image into a folder; iterate ``steps()`` to its end, then read ``counts``."""
+
+    def __init__(
+        self, image_layer: LabelMapLayer, labels_layer: LabelMapLayer, tile_size: int, stride: int, fraction: float
+    ) -> None:
+        self._image = ImageBands(image_layer)
+        self._labels = LabelsOnImage(labels_layer, self._image, image_layer)
+        self._layers = image_layer, labels_layer
+        self._tile_size, self._stride, self._fraction = tile_size, stride, fraction
+        self._block = block_size(self._image.shape_hw, tile_size)
+        self.counts: Dict[str, int] = dict.fromkeys(SUBSETS, 0)
+        self._tiles: List[dict] = []
+        self._class_pixels = {subset: np.zeros(256, np.int64) for subset in SUBSETS}
+        bands = len(self._image.bands)
+        self._sums, self._squares, self._pixels = np.zeros(bands), np.zeros(bands), 0
+
+    def steps(self, folder: Path, table: Optional[ClassTable]) -> Iterator[Tuple[str, float]]:
+        """Counts labels, divides the ground, writes tiles, class table and manifest.
+
+        ``table``: its classes; None takes those of the label map. Raises ParameterError and ClassTableError.
+        """
+        height, width = self._image.shape_hw
+        labeled = np.zeros((-(-height // self._block), -(-width // self._block)), np.int64)
+        values = np.zeros(256, np.int64)
+        for number, (row, column) in enumerate(np.ndindex(labeled.shape)):
+            for counted in self._block_counts(row * self._block, column * self._block):
+                values += counted
+                labeled[row, column] += counted[UNLABELED + 1:].sum()
+                yield "Counting labels", COUNTING_SHARE * number / labeled.size
+        table = table or class_table_of_map(self._labels.labels, self._layers[1]) or class_table_of_values(values)
+        _require_known_values(values, table)
+        held_out = validation_blocks(labeled, self._fraction)
+        tiles = plan_tiles(self._image.shape_hw, self._tile_size, self._stride, held_out, self._block)
+        for subset in SUBSETS:
+            for kind in ("images", "labels"):
+                (folder / subset / kind).mkdir(parents=True)
+        for number, tile in enumerate(tiles):
+            yield "Writing tiles", COUNTING_SHARE + (1 - COUNTING_SHARE) * number / len(tiles)
+            self._write(folder, tile)
+        self._require_tiles(labeled)
+        (folder / "classes.csv").write_text(table.to_csv(), encoding="utf-8")
+        (folder / MANIFEST).write_text(json.dumps(self._manifest(), indent=1) + "\n", encoding="utf-8")
+
+    def _block_counts(self, first_row: int, first_column: int) -> Iterator[np.ndarray]:
+        """(256,) pixels a value, of the pieces of one block."""
+        height, width = self._image.shape_hw
+        last_row, last_column = min(first_row + self._block, height), min(first_column + self._block, width)
+        for row in range(first_row, last_row, _COUNTED_AT_ONCE):
+            for column in range(first_column, last_column, _COUNTED_AT_ONCE):
+                size = min(_COUNTED_AT_ONCE, last_column - column), min(_COUNTED_AT_ONCE, last_row - row)
+                yield count_labels(self._labels.read(column, row, *size))
+
+    def _write(self, folder: Path, tile: Tile) -> None:
+        """One tile with its labels, unless it has none."""
+        size = self._tile_size
+        pixels, seen = self._image.read(tile.column, tile.row, size)
+        labels = np.where(seen, self._labels.read(tile.column, tile.row, size, size), UNLABELED).astype(np.uint8)
+        counted = count_labels(labels)
+        if counted[UNLABELED] == labels.size:
+            return
+        images = folder / tile.subset / "images"
+        transform = self._image.geotransform
+        if self._image.as_png:
+            write_png(images / f"{tile.name}.png", pixels)
+        else:
+            write_tiff(images / f"{tile.name}.tif", pixels, self._image.kind)
+        write_png(folder / tile.subset / "labels" / f"{tile.name}.png", labels[None])
+        self.counts[tile.subset] += 1
+        self._class_pixels[tile.subset] += counted
+        place = {"name": tile.name, "subset": tile.subset, "column": tile.column, "row": tile.row}
+        if transform is not None:
+            place["x"] = transform[0] + tile.column * transform[1] + tile.row * transform[2]
+            place["y"] = transform[3] + tile.column * transform[4] + tile.row * transform[5]
+        self._tiles.append({**place, "labeled": round(1 - float(counted[UNLABELED]) / labels.size, 4)})
+        if tile.subset == TRAIN:
+            shares = pixels[:, seen] / _FULL_RANGE[self._image.kind]
+            self._sums += shares.sum(axis=1)
+            self._squares += (shares**2).sum(axis=1)
+            self._pixels += shares.shape[1]
+
+    def _require_tiles(self, labeled: np.ndarray) -> None:
+        if not labeled.any():
+            raise ParameterError(
+                "No pixel of the image is labeled; check that image and labels show the same ground."
+            )
+        if not self.counts[TRAIN] or (self._fraction and not self.counts[VALIDATION]):
+            raise ParameterError(
+                f"The labels leave {self.counts[TRAIN]} tiles for training and {self.counts[VALIDATION]} for "
+                f"validation; choose smaller tiles than {self._tile_size} pixels, a smaller stride, or another "
+                "validation fraction."
+            )
+
+    def _manifest(self) -> dict:
+        image_layer, labels_layer = self._layers
+        transform, crs = self._image.geotransform, image_layer.crs
+        mean = self._sums / self._pixels
+        return {
+            "format": FORMAT,
+            "image": Path(image_layer.path).name,
+            "labels": Path(labels_layer.path).name,
+            "crs": wkt_for_gdal(crs) if transform is not None else "",
+            "geotransform": list(transform) if transform is not None else None,
+            "pixel_size": _pixel_size(transform) if transform is not None and is_metric(crs) else None,
+            "tile_size": self._tile_size,
+            "stride": self._stride,
+            "block_size": self._block,
+            "validation_fraction": self._fraction,
+            "band_count": len(self._image.bands),
+            "data_type": gdal.GetDataTypeName(self._image.kind),
+            "statistics": {
+                "class_pixels": {
+                    subset: {str(value): int(counts[value]) for value in np.flatnonzero(counts)}
+                    for subset, counts in self._class_pixels.items()
+                },
+                "band_mean": mean.tolist(),
+                "band_std": np.sqrt(np.maximum(self._squares / self._pixels - mean**2, 0)).tolist(),
+            },
+            "tiles": self._tiles,
+        }
+
+
+def _pixel_size(transform: tuple) -> float:
+    """Edge of a pixel in map units; of one that isn't square the edge of a square of its area."""
+    return round(abs(transform[1] * transform[5] - transform[2] * transform[4]) ** 0.5, 6)
+
+
+def _require_known_values(values: np.ndarray, table: ClassTable) -> None:
+    """``values``: (256,) pixels a value."""
+    unknown = [str(v) for v in np.flatnonzero(values) if v != UNLABELED and table.by_value(int(v)) is None]
+    if unknown:
+        raise ClassTableError(
+            f"The labels have the value {', '.join(unknown)}, which the class table lacks; its classes are "
+            f"{table.describe()}."
+        )
+
+
+def write_png(path: Path, bands: np.ndarray) -> None:
+    """(1 or 3, H, W) uint8 as a grey or RGB PNG, without a palette and without files beside it."""
+    _write(path, bands, gdal.GDT_Byte, "PNG", [])
+
+
+def write_tiff(path: Path, bands: np.ndarray, kind: int) -> None:
+    """(bands, H, W) as a GeoTIFF with interleaved bands."""
+    _write(path, bands, kind, "GTiff", ["COMPRESS=DEFLATE", "INTERLEAVE=PIXEL", "PHOTOMETRIC=MINISBLACK"])
+
+
+def _write(path: Path, bands: np.ndarray, kind: int, driver: str, options: List[str]) -> None:
+    memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), kind)
+    for number, band in enumerate(bands, start=1):
+        memory.GetRasterBand(number).WriteArray(band)
+    with gdal_failures() as failures:
+        # Dropping the last reference closes the file, which may still write.
+        gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=options)
+    if failures:
+        raise LabelMapError(f"{path} can't be written: {failures[0]}.")

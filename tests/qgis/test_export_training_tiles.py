@@ -1,0 +1,240 @@
+"""semref:exporttrainingtiles: image and labels fit, training and validation lie apart, numbers in the manifest hold."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import QgsProcessingException, QgsProcessingFeedback
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
+
+EXPORT = "semref:exporttrainingtiles"
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+HEIGHT, WIDTH, TILE = 320, 480, 32
+LABELS = scattered_objects(HEIGHT, WIDTH, 150, seed=5)
+
+
+def photo_of(labels: np.ndarray, kind=np.uint8, bands: int = 3) -> np.ndarray:
+    """(bands, H, W): a value in each band from which the label can be told, with the pixel's place mixed in."""
+    place = np.add.outer(np.arange(labels.shape[0]), np.arange(labels.shape[1])) % 7
+    factor = np.iinfo(kind).max // 300 + 1
+    return np.stack([(labels * 20 + place + band) * factor for band in range(bands)]).astype(kind)
+
+
+@pytest.fixture
+def export(run_algorithm, feedback, tmp_path):
+    """`export(image, labels, **parameters)` gives the results and the manifest; paths or arrays as inputs."""
+
+    def run(image=None, labels=LABELS, **parameters):
+        image = photo_of(LABELS) if image is None else image
+        if isinstance(image, np.ndarray):
+            image = write_raster(tmp_path / "image.tif", image)
+        if isinstance(labels, np.ndarray):
+            labels = write_raster(tmp_path / "labels.tif", labels, names=NAMES)
+        defaults = {"TILE_SIZE": TILE, "STRIDE": TILE, "OUTPUT": str(tmp_path / "tiles")}
+        result = run_algorithm(EXPORT, {"IMAGE": str(image), "LABELS": str(labels), **defaults, **parameters}, feedback)
+        manifest = json.loads((Path(result["OUTPUT"]) / "manifest.json").read_text(encoding="utf-8"))
+        return result, manifest
+
+    return run
+
+
+def tile_pairs(folder, manifest, suffix="png"):
+    """(entry, image (bands, h, w), labels) of each tile."""
+    for tile in manifest["tiles"]:
+        stem = Path(folder) / tile["subset"]
+        yield (
+            tile,
+            read_pixels(stem / "images" / f"{tile['name']}.{suffix}"),
+            read_pixels(stem / "labels" / f"{tile['name']}.png"),
+        )
+
+
+def test_every_tile_is_the_piece_of_image_and_labels_that_its_name_says(export):
+    result, manifest = export()
+    assert result["TILE_COUNT"] == len(manifest["tiles"]) > 50
+    for tile, image, labels in tile_pairs(result["OUTPUT"], manifest):
+        part = np.s_[tile["row"]:tile["row"] + TILE, tile["column"]:tile["column"] + TILE]
+        np.testing.assert_array_equal(labels, LABELS[part])
+        np.testing.assert_array_equal(image, photo_of(LABELS)[(..., *part)])
+        assert tile["name"] == f"{tile['column']}_{tile['row']}"
+        assert (tile["x"], tile["y"]) == (WEST + tile["column"], NORTH - tile["row"])
+
+
+@pytest.mark.parametrize("stride", [TILE, 12])
+def test_no_pixel_is_in_both_training_and_validation(export, stride):
+    _, manifest = export(STRIDE=stride)
+    used = {subset: np.zeros((HEIGHT, WIDTH), bool) for subset in ("train", "validation")}
+    for tile in manifest["tiles"]:
+        used[tile["subset"]][tile["row"]:tile["row"] + TILE, tile["column"]:tile["column"] + TILE] = True
+    assert used["train"].any() and used["validation"].any()
+    assert not (used["train"] & used["validation"]).any()
+
+
+def test_the_validation_fraction_is_about_what_was_asked(export):
+    _, manifest = export(VALIDATION_FRACTION=0.3)
+    share = sum(tile["subset"] == "validation" for tile in manifest["tiles"]) / len(manifest["tiles"])
+    assert share == pytest.approx(0.3, abs=0.08)
+
+
+def test_without_a_validation_fraction_everything_trains(export):
+    _, manifest = export(VALIDATION_FRACTION=0)
+    assert {tile["subset"] for tile in manifest["tiles"]} == {"train"}
+    assert len(manifest["tiles"]) == (HEIGHT // TILE) * (WIDTH // TILE)
+
+
+def test_tiles_without_labels_are_left_out(export):
+    labels = LABELS.copy()
+    labels[:, : 5 * TILE] = 0
+    labels[40, 40] = 1
+    _, manifest = export(labels=labels, VALIDATION_FRACTION=0)
+    assert min(t["column"] for t in manifest["tiles"] if t["row"] != TILE) == 5 * TILE
+    assert [t["column"] for t in manifest["tiles"] if t["row"] == TILE][0] == TILE
+
+
+def test_statistics_are_those_of_the_written_tiles(export):
+    result, manifest = export(STRIDE=20)
+    pixels = {"train": np.zeros(256, int), "validation": np.zeros(256, int)}
+    seen = []
+    for tile, image, labels in tile_pairs(result["OUTPUT"], manifest):
+        pixels[tile["subset"]] += np.bincount(labels.ravel(), minlength=256)
+        if tile["subset"] == "train":
+            seen.append(image.reshape(3, -1) / 255)
+    for subset, counts in pixels.items():
+        expected = {str(value): int(counts[value]) for value in np.flatnonzero(counts)}
+        assert manifest["statistics"]["class_pixels"][subset] == expected
+    values = np.concatenate(seen, axis=1)
+    np.testing.assert_allclose(manifest["statistics"]["band_mean"], values.mean(axis=1), rtol=1e-9)
+    np.testing.assert_allclose(manifest["statistics"]["band_std"], values.std(axis=1), rtol=1e-6)
+
+
+def test_the_class_table_of_the_label_map_goes_with_the_tiles(export):
+    result, _ = export()
+    rows = (Path(result["OUTPUT"]) / "classes.csv").read_text(encoding="utf-8").splitlines()
+    assert [row.split(",")[1] for row in rows[1:]] == NAMES[1:]
+
+
+def test_a_class_table_may_be_given(export, tmp_path):
+    labels = write_raster(tmp_path / "bare.tif", LABELS)
+    result, _ = export(labels=labels, CLASS_TABLE=str(write_text(tmp_path / "t.csv", CLASSES_CSV)))
+    assert "1,building,#d62728,reference" in (Path(result["OUTPUT"]) / "classes.csv").read_text(encoding="utf-8")
+
+
+def test_labels_on_another_grid_are_brought_onto_the_image(export, tmp_path):
+    coarse = scattered_objects(HEIGHT // 4, WIDTH // 4, 40, seed=8)
+    half_off = (WEST - 8.0, 4.0, 0.0, NORTH + 4.0, 0.0, -4.0)
+    labels = write_raster(tmp_path / "coarse.tif", coarse, transform=half_off, names=NAMES)
+    result, manifest = export(labels=labels)
+    columns = (np.arange(WIDTH) + 0.5 + 8) // 4
+    rows = (np.arange(HEIGHT) + 0.5 + 4) // 4
+    padded = np.pad(coarse, ((0, 2), (0, 3)))  # beyond the label map nothing is labeled
+    expected = padded[np.ix_(rows.astype(int), columns.astype(int))]
+    for tile, _, found in tile_pairs(result["OUTPUT"], manifest):
+        part = np.s_[tile["row"]:tile["row"] + TILE, tile["column"]:tile["column"] + TILE]
+        np.testing.assert_array_equal(found, expected[part])
+
+
+def test_labels_in_another_crs_are_brought_onto_the_image(export, tmp_path):
+    source = gdal.Open(str(write_raster(tmp_path / "utm.tif", LABELS, names=NAMES)))
+    gdal.Warp(str(tmp_path / "other.tif"), source, dstSRS="EPSG:25833", xRes=0.5, yRes=0.5).FlushCache()
+    result, manifest = export(labels=tmp_path / "other.tif")
+    agree = total = 0
+    for tile, _, found in tile_pairs(result["OUTPUT"], manifest):
+        part = np.s_[tile["row"]:tile["row"] + TILE, tile["column"]:tile["column"] + TILE]
+        agree, total = agree + int((found == LABELS[part]).sum()), total + found.size
+    assert agree > 0.97 * total
+
+
+def test_rasters_without_georeference_fit_by_their_pixels(export, tmp_path):
+    image = write_raster(tmp_path / "plain.png", photo_of(LABELS), transform=None)
+    labels = write_raster(tmp_path / "plain_labels.png", LABELS, transform=None)
+    _, manifest = export(image=image, labels=labels)
+    assert (manifest["crs"], manifest["geotransform"], manifest["pixel_size"]) == ("", None, None)
+    assert len(manifest["tiles"]) > 50
+
+
+def test_rasters_without_georeference_and_of_different_size_are_refused(export, tmp_path):
+    image = write_raster(tmp_path / "plain.png", photo_of(LABELS), transform=None)
+    labels = write_raster(tmp_path / "small.png", LABELS[:100], transform=None)
+    with pytest.raises(QgsProcessingException, match="480 × 100 pixels, the image 480 × 320"):
+        export(image=image, labels=labels)
+
+
+def test_sixteen_bits_and_four_bands_become_geotiffs_with_all_values(export, tmp_path):
+    image = photo_of(LABELS, np.uint16, bands=4)
+    deep = write_raster(tmp_path / "deep.tif", image, kind=gdal.GDT_UInt16)
+    result, manifest = export(image=deep)
+    assert (manifest["band_count"], manifest["data_type"]) == (4, "UInt16")
+    for tile, found, _ in tile_pairs(result["OUTPUT"], manifest, "tif"):
+        part = np.s_[tile["row"]:tile["row"] + TILE, tile["column"]:tile["column"] + TILE]
+        np.testing.assert_array_equal(found, image[(..., *part)])
+
+
+def test_where_the_image_has_no_data_the_labels_are_cleared(export, tmp_path):
+    image = photo_of(LABELS) + 1
+    image[:, 100:160, 64:128] = 0
+    image = write_raster(tmp_path / "gap.tif", image, nodata=0)
+    result, manifest = export(image=image, VALIDATION_FRACTION=0)
+    names = {tile["name"]: labels for tile, _, labels in tile_pairs(result["OUTPUT"], manifest)}
+    assert "64_128" not in names
+    assert not names["64_96"][4:].any()
+    np.testing.assert_array_equal(names["64_96"][:4], LABELS[96:100, 64:96])
+
+
+def test_an_earlier_export_is_replaced_whole(export):
+    first, _ = export(STRIDE=20)
+    second, manifest = export(STRIDE=64)
+    written = list(Path(second["OUTPUT"]).glob("*/images/*.png"))
+    assert first["OUTPUT"] == second["OUTPUT"]
+    assert len(written) == second["TILE_COUNT"] == len(manifest["tiles"]) < first["TILE_COUNT"]
+    assert [path.name for path in Path(second["OUTPUT"]).parent.glob(".*")] == []
+
+
+def test_a_folder_with_other_files_is_left_alone(export, tmp_path):
+    (tmp_path / "tiles").mkdir()
+    write_text(tmp_path / "tiles" / "thesis.txt", "mine")
+    with pytest.raises(QgsProcessingException, match="holds other files"):
+        export()
+    assert [path.name for path in (tmp_path / "tiles").iterdir()] == ["thesis.txt"]
+
+
+@pytest.mark.parametrize(
+    ("labels", "parameters", "sentence"),
+    [
+        (np.zeros_like(LABELS), {}, "No pixel of the image is labeled"),
+        (LABELS, {"TILE_SIZE": 400}, "480 × 320 pixels, less than a tile of 400"),
+        (LABELS, {"TILE_SIZE": 256, "STRIDE": 256}, "choose smaller tiles"),
+        (np.where(LABELS == 1, 9, LABELS), {}, "the value 9, which the class table lacks"),
+    ],
+)
+def test_what_can_not_be_exported_is_said(export, tmp_path, labels, parameters, sentence):
+    with pytest.raises(QgsProcessingException, match=sentence):
+        export(labels=labels.astype(np.uint8), **parameters)
+    assert not (tmp_path / "tiles").exists()
+
+
+def test_an_image_of_real_numbers_is_refused(export, tmp_path):
+    image = write_raster(tmp_path / "real.tif", photo_of(LABELS).astype(np.float32), kind=gdal.GDT_Float32)
+    with pytest.raises(QgsProcessingException, match="holds Float32 values"):
+        export(image=image)
+
+
+def test_a_cancel_leaves_nothing(run_algorithm, tmp_path):
+    class Canceling(QgsProcessingFeedback):
+        def __init__(self):
+            super().__init__(False)
+            self.progressChanged.connect(lambda progress: self.cancel() if progress > 50 else None)
+
+    image = write_raster(tmp_path / "image.tif", photo_of(LABELS))
+    labels = write_raster(tmp_path / "labels.tif", LABELS, names=NAMES)
+    before = sorted(tmp_path.iterdir())
+    parameters = {"IMAGE": str(image), "LABELS": str(labels), "TILE_SIZE": TILE, "STRIDE": TILE}
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        run_algorithm(EXPORT, {**parameters, "OUTPUT": str(tmp_path / "tiles")}, Canceling())
+    assert sorted(tmp_path.iterdir()) == before

@@ -1,0 +1,70 @@
+"""Train the demonstration model: photos of made-up areas that are not the one it is shown on.
+
+    .venv/bin/python tools/train_sample.py OUTPUT_FOLDER [--seeds 11 12 13 14 15] [-- options of train_pan.py]
+
+Makes an area a seed (tools/make_sample.py), its label map (semref:rasterizeannotation) and training tiles
+(semref:exporttrainingtiles), then trains in .venv-train (tools/setup_training.sh). What is there already is kept.
+OUTPUT_FOLDER/sample_area.onnx is the model.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from pathlib import Path
+
+from make_sample import DEFAULT_SEED
+from qgis_session import ROOT, qgis_session
+
+SEEDS = (11, 12, 13, 14, 15)
+TILE_PX, STRIDE_PX, VALIDATION_FRACTION = 512, 448, 0.12
+TRAINING_PYTHON = ROOT / ".venv-train" / "bin" / "python"
+MODEL = "sample_area.onnx"
+TRAINING = (
+    "--encoder", "tu-mobilenetv3_small_050", "--channels-last", "--learn-unlabeled",
+    "--epochs", "20", "--pieces", "800", "--learning-rate", "3e-3", "--resolution", "1.0",
+)  # fmt: skip
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("output_folder", type=Path)
+    parser.add_argument("--seeds", type=int, nargs="+", default=list(SEEDS))
+    parser.add_argument("--python", type=Path, default=TRAINING_PYTHON, help="with the training's packages")
+    parser.add_argument("training", nargs="*", help="options of train_pan.py, after --")
+    options = parser.parse_args()
+    if DEFAULT_SEED in options.seeds:
+        parser.error(f"{DEFAULT_SEED} is the area that the model is shown on; train on others")
+    if not options.python.exists():
+        parser.error(f"{options.python} is missing; run bash tools/setup_training.sh first")
+    folder = options.output_folder.absolute()
+    folder.mkdir(parents=True, exist_ok=True)
+    with qgis_session():
+        tiles = [tiles_of(folder / f"area{seed}", seed) for seed in options.seeds]
+    command = [options.python, ROOT / "tools" / "train_pan.py", *tiles, "--output", folder / MODEL, *TRAINING]
+    sys.exit(subprocess.run([str(part) for part in [*command, *options.training]]).returncode)
+
+
+def tiles_of(area: Path, seed: int) -> Path:
+    """The training tiles of a seed's area."""
+    import processing
+
+    tiles, labels = area.with_name(f"{area.name}_tiles"), area.with_name(f"{area.name}_labels.tif")
+    if tiles.exists():
+        return tiles
+    if not area.exists():
+        command = [sys.executable, str(ROOT / "tools" / "make_sample.py"), str(area), "--seed", str(seed)]
+        subprocess.run(command, check=True)
+    annotation = {"INPUT": str(area / "landcover.shp"), "CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder"}
+    burning = {"CLASS_TABLE": str(area / "classes.csv"), "PIXEL_SIZE": 1.0, "OUTPUT": str(labels)}
+    processing.run("semref:rasterizeannotation", {**annotation, **burning})
+    cut = {"TILE_SIZE": TILE_PX, "STRIDE": STRIDE_PX, "VALIDATION_FRACTION": VALIDATION_FRACTION}
+    pair = {"IMAGE": str(area / "orthophoto.tif"), "LABELS": str(labels)}
+    made = processing.run("semref:exporttrainingtiles", {**pair, **cut, "OUTPUT": str(tiles)})
+    print(f"{tiles}: {made['TILE_COUNT']} tiles", flush=True)
+    return tiles
+
+
+if __name__ == "__main__":
+    main()

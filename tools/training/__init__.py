@@ -1,0 +1,1 @@
+"""Training of segmentation networks on exported tiles; needs tools/training/requirements.txt, nothing of the plugin."""

@@ -1,0 +1,75 @@
+"""The trained network as an ONNX file with the metadata that SemRef and Deepness read, checked against torch."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import onnx
+import onnxruntime
+import torch
+
+from .tiles import ClassRow, TrainingError
+
+OPSET, IR_VERSION = 17, 8  # the newest that onnxruntime 1.14 reads
+LARGEST_DIFFERENCE = 1e-3  # of logits, between torch and onnxruntime
+UNLABELED = ClassRow(0, "unlabeled", "#000000", "background")
+
+
+def write_onnx(network: torch.nn.Module, tile_size: int, target: Path) -> None:
+    """Height and width stay free; they have to be multiples of 16."""
+    network = network.cpu().eval()
+    example = torch.zeros(1, 3, tile_size, tile_size)
+    torch.onnx.export(
+        network,
+        (example,),
+        str(target),
+        dynamo=False,
+        opset_version=OPSET,
+        input_names=["image"],
+        output_names=["logits"],
+        dynamic_axes={"image": {2: "height", 3: "width"}, "logits": {2: "height", 3: "width"}},
+    )
+
+
+def add_metadata(target: Path, classes: list[ClassRow], mean, deviation, tile_size: int, overlap: int, pixel_size):
+    """Metadata as the Deepness plugin names it, and the classes' values, colours and roles as SemRef does.
+
+    classes: one row an output channel. pixel_size: metres; None leaves the resolution out. overlap: percent.
+    """
+    model = onnx.load(target)
+    model.ir_version = IR_VERSION
+    entries = {
+        "model_type": "Segmentor",
+        "class_names": {str(i): c.name for i, c in enumerate(classes)},
+        "class_values": {str(i): c.value for i, c in enumerate(classes)},
+        "class_colors": {str(i): c.color for i, c in enumerate(classes)},
+        "class_roles": {str(i): c.role for i, c in enumerate(classes)},
+        "tile_size": tile_size,
+        "tiles_overlap": overlap,
+        "standardization_mean": [round(float(m), 6) for m in mean],
+        "standardization_std": [round(float(d), 6) for d in deviation],
+    }
+    if pixel_size:
+        entries["resolution"] = round(100 * pixel_size, 3)
+    for key, value in entries.items():
+        entry = model.metadata_props.add()
+        entry.key, entry.value = key, value if isinstance(value, str) else json.dumps(value)
+    onnx.checker.check_model(model)
+    onnx.save(model, target)
+
+
+def largest_difference(network: torch.nn.Module, target: Path, images: list[np.ndarray]) -> float:
+    """Largest difference of the logits for standardised images (3, H, W). Raises TrainingError when it is too large."""
+    session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
+    network = network.cpu().eval()
+    largest = 0.0
+    for image in images:
+        batch = image[None].astype(np.float32)
+        with torch.inference_mode():
+            expected = network(torch.from_numpy(batch)).numpy()
+        largest = max(largest, float(np.abs(session.run(None, {"image": batch})[0] - expected).max()))
+    if largest > LARGEST_DIFFERENCE:
+        raise TrainingError(f"{target} answers otherwise than the network it was made of, by {largest:.2g} in a logit.")
+    return largest

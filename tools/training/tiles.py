@@ -1,0 +1,125 @@
+"""Folders of tiles as semref:exporttrainingtiles writes them."""
+
+from __future__ import annotations
+
+import csv
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+import tifffile
+
+BANDS = 3  # networks take three; further bands of a tile are left unused
+IGNORED = 255  # label of pixels that don't count
+CACHE_BYTES = 2_000_000_000
+
+
+class TrainingError(Exception):
+    """The tiles or options can't be used; the text says why and what to do."""
+
+
+@dataclass(frozen=True)
+class ClassRow:
+    value: int
+    name: str
+    color: str
+    role: str
+
+
+@dataclass(frozen=True)
+class TileFolder:
+    """One exported folder: its manifest, its classes, and its tiles by subset as (image, labels) paths."""
+
+    path: Path
+    manifest: dict
+    classes: tuple[ClassRow, ...]
+
+    def tiles(self, subset: str) -> list[tuple[Path, Path]]:
+        images = sorted((self.path / subset / "images").glob("*"))
+        return [(image, self.path / subset / "labels" / f"{image.stem}.png") for image in images]
+
+
+def open_folder(path: Path) -> TileFolder:
+    """Raises TrainingError when it is not a folder of exported tiles."""
+    try:
+        manifest = json.loads((path / "manifest.json").read_text(encoding="utf-8"))
+        with (path / "classes.csv").open(encoding="utf-8", newline="") as file:
+            rows = [ClassRow(int(r["value"]), r["name"], r["color"], r["role"]) for r in csv.DictReader(file)]
+    except (OSError, ValueError, KeyError) as error:
+        raise TrainingError(f"{path} holds no exported training tiles: {error}.") from None
+    folder = TileFolder(path, manifest, tuple(sorted((row for row in rows if row.value), key=lambda row: row.value)))
+    if not folder.tiles("train"):
+        raise TrainingError(f"{path} holds no tiles to train on.")
+    if len(manifest["statistics"]["band_mean"]) < BANDS:
+        raise TrainingError(f"The tiles in {path} have fewer than {BANDS} bands; the network needs {BANDS}.")
+    return folder
+
+
+def open_folders(paths: list[Path]) -> list[TileFolder]:
+    """Folders that can be trained on together. Raises TrainingError when their classes differ."""
+    folders = [open_folder(path) for path in paths]
+    for folder in folders[1:]:
+        if [(c.value, c.name) for c in folder.classes] != [(c.value, c.name) for c in folders[0].classes]:
+            raise TrainingError(f"{folder.path} has other classes than {folders[0].path}; export both with one table.")
+    return folders
+
+
+def band_statistics(folders: list[TileFolder]) -> tuple[np.ndarray, np.ndarray]:
+    """Mean and deviation (3,) of the bands, in shares of their full range, over all folders' training tiles."""
+    counts = np.array([len(folder.tiles("train")) for folder in folders], float)[:, None]
+    means, deviations = (
+        np.array([folder.manifest["statistics"][key][:BANDS] for folder in folders])
+        for key in ("band_mean", "band_std")
+    )
+    mean = (counts * means).sum(axis=0) / counts.sum()
+    return mean, np.sqrt((counts * (deviations**2 + means**2)).sum(axis=0) / counts.sum() - mean**2)
+
+
+class TileReader:
+    """Reads tiles as (H, W, 3) float32 in 0…1 and (H, W) uint8 channel indices, keeping what fits in memory.
+
+    ``values``: class value of each output channel. Pixels of other values are IGNORED, and those of value 0 too
+    unless ``learn_unlabeled``.
+    """
+
+    def __init__(self, pairs: list[tuple[Path, Path]], values: list[int], learn_unlabeled: bool) -> None:
+        self.pairs = pairs
+        self._channel = np.full(256, IGNORED, np.uint8)
+        self._channel[values] = np.arange(len(values))
+        if not learn_unlabeled:
+            self._channel[0] = IGNORED
+        self._kept: dict[int, tuple[np.ndarray, np.ndarray]] = {}
+        self._free = CACHE_BYTES
+
+    def __len__(self) -> int:
+        return len(self.pairs)
+
+    def __call__(self, index: int) -> tuple[np.ndarray, np.ndarray]:
+        if index not in self._kept:
+            image_path, labels_path = self.pairs[index]
+            image, labels = read_image(image_path), cv2.imread(str(labels_path), cv2.IMREAD_UNCHANGED)
+            if labels is None or labels.shape != image.shape[:2]:
+                raise TrainingError(f"The labels {labels_path} are missing or don't fit their image.")
+            if image.nbytes + labels.nbytes > self._free:
+                return scaled(image), self._channel[labels]
+            self._free -= image.nbytes + labels.nbytes
+            self._kept[index] = image, self._channel[labels]
+        image, labels = self._kept[index]
+        return scaled(image), labels
+
+
+def read_image(path: Path) -> np.ndarray:
+    """(H, W, 3) uint8 or uint16, red, green, blue as in the file."""
+    if path.suffix == ".png":
+        picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+        if picture is None:
+            raise TrainingError(f"The tile {path} can't be read.")
+        return picture[:, :, ::-1]
+    return tifffile.imread(path)[:, :, :BANDS]
+
+
+def scaled(image: np.ndarray) -> np.ndarray:
+    """Whole numbers as shares of their full range, float32."""
+    return image.astype(np.float32) / np.iinfo(image.dtype).max
