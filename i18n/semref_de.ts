@@ -16,6 +16,10 @@
    <translation>Ein Fix ist richtig, wenn er höchstens so weit daneben liegt, wie unter „Einstellungen“ steht; beim Topologievektor, der nur Fenster kennt, wenn er das Fenster nennt, das der Bildmitte am nächsten liegt. Falsch angenommen sind gespiegelte Bilder der Karte, die einen Fix bekamen: Sie können nie richtig sein. CEP50 und CEP95: Die Hälfte und 95 % der richtigen Fixe liegen höchstens so weit daneben. Ausrichtung und Maßstab: mediane Fehler der richtigen Fixe.</translation>
   </message>
   <message>
+   <source>A new or empty folder; one of an earlier export is replaced.</source>
+   <translation>Ein neuer oder leerer Ordner; der eines früheren Exports wird ersetzt.</translation>
+  </message>
+  <message>
    <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
    <translation>Ein Punkt je Versuch und Verfahren an der wahren Position, mit dem, was gefunden wurde, und wie weit es daneben liegt.</translation>
   </message>
@@ -54,6 +58,10 @@
   <message>
    <source>Adds the positions to the project as a temporary point layer</source>
    <translation>Fügt dem Projekt die Positionen als temporären Punktlayer hinzu</translation>
+  </message>
+  <message>
+   <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
+   <translation>Luftbild mit 8 oder 16 Bit. Die Netze von SemRef nehmen drei Bänder; weitere Bänder werden mit ausgegeben.</translation>
   </message>
   <message>
    <source>All that the report shows, for scripts.</source>
@@ -140,6 +148,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>CSV mit den Spalten value, name, color, role und, für HSV-Bereiche, hsv_min und hsv_max („h s v“, h 0–180, s und v 0–255; der Farbton darf über den Nullpunkt laufen).</translation>
   </message>
   <message>
+   <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
+   <translation>CSV mit den Spalten value, name, color, role, für eine Klassenkarte, die keine eigenen Klassen mitbringt.</translation>
+  </message>
+  <message>
    <source>Cancel</source>
    <translation>Abbrechen</translation>
   </message>
@@ -220,6 +232,18 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>x, y kopieren</translation>
   </message>
   <message>
+   <source>Counting labels</source>
+   <translation>Klassenwerte werden gezählt</translation>
+  </message>
+  <message>
+   <source>Cuts an image and its label map into tiles that a segmentation network is trained on, with a class table, statistics and a manifest.
+
+Training and validation tiles are divided by place: whole blocks of ground are set aside for validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are brought onto the image’s, nearest neighbor.</source>
+   <translation>Schneidet ein Bild und seine Klassenkarte in Kacheln, mit denen ein Segmentierungsnetz trainiert wird, dazu Klassentabelle, Statistik und Verzeichnis.
+
+Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöcke werden für die Validierung zurückgelegt, und kein Pixel ist in beiden. Kacheln ohne Klassen entfallen. Klassen in einem anderen Gitter werden durch nächste Nachbarn auf das des Bildes gebracht.</translation>
+  </message>
+  <message>
    <source>Decode color labels</source>
    <translation>Farbiges Klassenbild dekodieren</translation>
   </message>
@@ -276,6 +300,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Kantenlänge eines Fensters am Boden: ungefähr das, was ein Bild zeigt.</translation>
   </message>
   <message>
+   <source>Edge of a tile; a multiple of 32 suits networks.</source>
+   <translation>Kantenlänge einer Kachel; für Netze passt ein Vielfaches von 32.</translation>
+  </message>
+  <message>
    <source>Error (m)</source>
    <translation>Fehler (m)</translation>
   </message>
@@ -294,6 +322,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Evaluation of localization</source>
    <translation>Bewertung der Lokalisierung</translation>
+  </message>
+  <message>
+   <source>Export training tiles</source>
+   <translation>Trainingskacheln ausgeben</translation>
   </message>
   <message>
    <source>Extent</source>
@@ -330,6 +362,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Fix</source>
    <translation>Fix</translation>
+  </message>
+  <message>
+   <source>Folder for the tiles</source>
+   <translation>Ordner für die Kacheln</translation>
   </message>
   <message>
    <source>Footprints</source>
@@ -584,6 +620,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Anzahl der Landmarken</translation>
   </message>
   <message>
+   <source>Number of tiles</source>
+   <translation>Anzahl der Kacheln</translation>
+  </message>
+  <message>
    <source>Number of windows</source>
    <translation>Anzahl der Fenster</translation>
   </message>
@@ -812,6 +852,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Anteil der Landmarken, die hinzugefügt werden, geformt wie Landmarken anderer Stellen der Karte.</translation>
   </message>
   <message>
+   <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
+   <translation>Anteil der bezeichneten Fläche, der für die Validierung zurückgelegt wird; 0 für keine.</translation>
+  </message>
+  <message>
    <source>Share of the landmarks that are taken away.</source>
    <translation>Anteil der Landmarken, die weggenommen werden.</translation>
   </message>
@@ -844,6 +888,10 @@ Beschrieben wird das größte mittige Quadrat des Bildes, genau wie die Fenster 
    <translation>Einkanaliges Raster mit Klassenwerten in einem metrischen KBS, wie „Annotation rastern“ es erzeugt.</translation>
   </message>
   <message>
+   <source>Single-band raster of class values, 0 where nothing is known, of the same ground.</source>
+   <translation>Einbandraster mit Klassenwerten derselben Fläche, 0, wo nichts bekannt ist.</translation>
+  </message>
+  <message>
    <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
 
 The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
@@ -872,8 +920,16 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Status</translation>
   </message>
   <message>
+   <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
+   <translation>Schritt von Kachel zu Kachel; ist er kleiner als die Kachel, überlappen sich die Kacheln.</translation>
+  </message>
+  <message>
    <source>Stride (map units)</source>
    <translation>Schrittweite (Karteneinheiten)</translation>
+  </message>
+  <message>
+   <source>Stride (pixels)</source>
+   <translation>Schrittweite (Pixel)</translation>
   </message>
   <message>
    <source>Success against offset</source>
@@ -960,6 +1016,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Es gibt keine Datenbank {path}; eine andere Datei wählen.</translation>
   </message>
   <message>
+   <source>Tile size (pixels)</source>
+   <translation>Kachelgröße (Pixel)</translation>
+  </message>
+  <message>
    <source>Too few landmarks</source>
    <translation>Zu wenige Landmarken</translation>
   </message>
@@ -1010,6 +1070,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Unverified match</source>
    <translation>Ungeprüfter Treffer</translation>
+  </message>
+  <message>
+   <source>Validation fraction</source>
+   <translation>Anteil für die Validierung</translation>
   </message>
   <message>
    <source>Value</source>
@@ -1094,6 +1158,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Writing the database</source>
    <translation>Datenbank wird geschrieben</translation>
+  </message>
+  <message>
+   <source>Writing tiles</source>
+   <translation>Kacheln werden geschrieben</translation>
   </message>
   <message>
    <source>Zoom to hit</source>
@@ -1262,6 +1330,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>{source} does not measure in meters; the label map is made in {target}.</source>
    <translation>{source} misst nicht in Metern; die Klassenkarte wird in {target} erstellt.</translation>
+  </message>
+  <message>
+   <source>{training} tiles to train on, {validation} to validate on</source>
+   <translation>{training} Kacheln zum Trainieren, {validation} zum Validieren</translation>
   </message>
   <message>
    <source>{value} landmarks in the image</source>
