@@ -1,8 +1,9 @@
 """Benchmarks of SemRef; each prints Markdown and can write it into its section of a page in docs/.
 
-    .venv/bin/python tools/bench NAME... [--data FOLDER] [--work FOLDER] [--repetitions N] [--write]
+    .venv/bin/python tools/bench NAME... [--data FOLDER] [--work FOLDER] [--repetitions N] [--count N] [--write]
 
-NAME is one of rasterize, build, memory, matching, sizes, published, or all. Times are compared within one run: the
+NAME is one of rasterize, build, memory, matching, sizes, published, localization, two_dates, elsewhere,
+catalogue_sizes, correlation_times, astroalign, or all. Times are compared within one run: the
 candidates take turns, and the ratio of each turn is what counts. Without the real data (--data, ../shared/data) the
 sample area of tools/make_sample.py is measured instead, and the text says so. --work keeps label maps and databases
 from one run for the next; without it they go into a temporary folder that is removed.
@@ -23,7 +24,10 @@ ROOT = TOOLS.parent
 # Only packages on the path: a file of ours must not hide a module of the same name.
 sys.path[0] = str(TOOLS)
 
-NAMES = ("rasterize", "build", "memory", "matching", "sizes", "published")
+NAMES = (
+    "rasterize", "build", "memory", "matching", "sizes", "published",
+    "localization", "two_dates", "elsewhere", "catalogue_sizes", "correlation_times", "astroalign",
+)  # fmt: skip
 MINIMUM_REPETITIONS = 5
 
 
@@ -37,12 +41,13 @@ def main(arguments: list[str] | None = None) -> int:
         stack.enter_context(plugin.qgis())
         area = inputs.main_area(options.data, work, options.sample)
         print(area.sentence, file=sys.stderr)
-        run = inputs.Run(area, options.data, work, options.repetitions, options.quick)
+        run = inputs.Run(area, options.data, work, options.repetitions, options.quick, options.count)
         for name in options.names:
             benchmark = importlib.import_module(f"bench.{name}")
             before = machine.load()
             sections = benchmark.measure(run)
-            footer = machine.footer(f"tools/bench {name}{options.shown}", area.sentence, before)
+            measured = getattr(benchmark, "AREA", area.sentence)
+            footer = machine.footer(f"tools/bench {name}{options.shown}", measured, before)
             for section, body in sections.items():
                 text = f"{body.strip()}\n\n{footer}"
                 print(f"\n## {section}\n\n{text}", flush=True)
@@ -57,6 +62,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="the real data's folder")
     parser.add_argument("--work", type=Path, help="folder that keeps label maps and databases between runs")
     parser.add_argument("--repetitions", type=int, default=MINIMUM_REPETITIONS, help="turns; default %(default)s")
+    parser.add_argument("--count", type=int, help="images or trials a case, for benchmarks that localise")
     parser.add_argument("--sample", action="store_true", help="measure the sample area though the real data is here")
     parser.add_argument("--quick", action="store_true", help="smaller cases, to try the benchmark itself")
     parser.add_argument("--write", action="store_true", help="write the results into docs/")
@@ -66,6 +72,8 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     options.shown = "".join(f" --{flag}" for flag in ("sample", "quick") if getattr(options, flag))
     if options.repetitions != MINIMUM_REPETITIONS:
         options.shown += f" --repetitions {options.repetitions}"
+    if options.count:
+        options.shown += f" --count {options.count}"
     return options
 
 

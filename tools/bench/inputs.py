@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Optional
 
 import numpy as np
 
@@ -35,13 +36,18 @@ class Area:
 
 @dataclass(frozen=True)
 class Run:
-    """What a benchmark gets: the area, where real data and intermediate files are, how often to repeat."""
+    """What a benchmark gets: the area, where real data and intermediate files are, how often to repeat or to try."""
 
     area: Area
     data: Path
     work: Path
     repetitions: int
     quick: bool
+    count: Optional[int] = None
+
+    def how_many(self, full: int, quick: int) -> int:
+        """Trials a case: what --count says, else as many as the benchmark wants."""
+        return self.count or (quick if self.quick else full)
 
     def rasterize_parameters(self, output: Path) -> dict:
         return {
