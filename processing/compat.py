@@ -8,11 +8,16 @@ try:
 except ImportError:
     QMetaType = None
 
-_FIELD_TYPES = {"text": ("QString", "String"), "integer": ("Int", "Int"), "real": ("Double", "Double")}
+_FIELD_TYPES = {
+    "text": ("QString", "String"),
+    "integer": ("Int", "Int"),
+    "real": ("Double", "Double"),
+    "boolean": ("Bool", "Bool"),
+}
 
 
 def make_field(name: str, kind: str) -> QgsField:
-    """A field of kind ``text``, ``integer`` or ``real``; QGIS 3.38 replaced QVariant types by QMetaType's."""
+    """A field of a kind in _FIELD_TYPES; QGIS 3.38 replaced QVariant types by QMetaType's."""
     meta_name, variant_name = _FIELD_TYPES[kind]
     if Qgis.QGIS_VERSION_INT >= 33800:
         return QgsField(name, getattr(QMetaType.Type, meta_name))

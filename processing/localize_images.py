@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isnan
 from typing import Optional, Tuple
 
@@ -34,7 +34,7 @@ FIELDS = (
     ("image", "text"), ("status", "text"), ("x", "real"), ("y", "real"), ("longitude", "real"), ("latitude", "real"),
     ("heading", "real"), ("pixel_size", "real"), ("confidence", "real"), ("distance", "real"), ("inliers", "integer"),
     ("references", "integer"), ("log_odds", "real"), ("error_95", "real"), ("window", "text"), ("method", "text"),
-    ("reason", "text"),
+    ("reason", "text"), ("camera_x", "real"), ("camera_y", "real"), ("jump", "boolean"),
 )  # fmt: skip
 FOOTPRINT_FIELDS = (
     ("image", "text"),
@@ -47,12 +47,20 @@ FOOTPRINT_FIELDS = (
 
 @dataclass(frozen=True)
 class LocalizedImage:
-    """One image and its result; ``error`` instead when it could not be read."""
+    """One image and its result; ``error`` instead when it could not be read.
+
+    footprint: (4, 2) map coordinates of a leveled image's corners; nadir: of the point straight below its camera;
+    remark: about its leveling; jump: whether it could not have been reached in time, None if that was not checked.
+    """
 
     path: str
     result: Optional[object] = None
     error: str = ""
     shape_hw: Tuple[int, int] = (0, 0)
+    footprint: Optional[object] = None
+    nadir: Optional[Tuple[float, float]] = None
+    remark: str = ""
+    jump: Optional[bool] = None
 
 
 class LocalizeImages(SemRefAlgorithm):
@@ -68,6 +76,10 @@ class LocalizeImages(SemRefAlgorithm):
     PRIOR_RADIUS = "PRIOR_RADIUS"
     SCALE_MINIMUM = "SCALE_MINIMUM"
     SCALE_MAXIMUM = "SCALE_MAXIMUM"
+    PRIOR_HEADING = "PRIOR_HEADING"
+    PRIOR_HEADING_RANGE = "PRIOR_HEADING_RANGE"
+    ATTITUDE = "ATTITUDE"
+    MAXIMUM_SPEED = "MAXIMUM_SPEED"
     FOOTPRINTS = "FOOTPRINTS"
     FIX_COUNT = "FIX_COUNT"
     AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION, MAP_CORRELATION = range(4)
@@ -125,6 +137,16 @@ class LocalizeImages(SemRefAlgorithm):
             tr("Only with an approximate position: places farther away are not searched."),
             advanced=True,
         )
+        self.offer(
+            number(self.PRIOR_HEADING, tr("Approximate heading (°)"), number.Double, None, True, -360, 360),
+            tr("Where the images’ top points to, roughly, in degrees clockwise from grid north."),
+            advanced=True,
+        )
+        self.offer(
+            number(self.PRIOR_HEADING_RANGE, tr("Range around it (± °)"), number.Double, 20.0, False, 1, 180),
+            tr("Only with an approximate heading: other headings are not searched."),
+            advanced=True,
+        )
         for key, title in ((self.SCALE_MINIMUM, tr("Smallest scale")), (self.SCALE_MAXIMUM, tr("Largest scale"))):
             self.offer(
                 number(key, title, number.Double, None, optional=True, minValue=0.01, maxValue=100),
@@ -135,6 +157,29 @@ class LocalizeImages(SemRefAlgorithm):
                 ),
                 advanced=True,
             )
+        self.offer(
+            QgsProcessingParameterFile(
+                self.ATTITUDE, tr("Camera table (roll, pitch, focal length, time)"), optional=True,
+                fileFilter=tr("CSV (*.csv *.txt)"),
+            ),
+            tr(
+                "A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above "
+                "0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, "
+                "focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and time). "
+                "Images are leveled before they are localized. What the table does not tell is taken from EXIF and XMP "
+                "of the image, or of the photo of the same name beside it. The topology vector takes images as they "
+                "are."
+            ),
+            advanced=True,
+        )
+        self.offer(
+            number(self.MAXIMUM_SPEED, tr("Maximum speed (map units per second)"), number.Double, None, True, 0.001),
+            tr(
+                "For images of one flight whose times are known: a fix that can’t be reached in time from the fixes "
+                "before and after it is marked as jump, with the reason. It stays a fix and is counted."
+            ),
+            advanced=True,
+        )
         self.offer(
             QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), SOURCE_POINT),
             tr("One point an image: status, position, confidence, distance, window and, without a fix, the reason."),
@@ -167,6 +212,7 @@ class LocalizeImages(SemRefAlgorithm):
 
     def work(self, parameters, context, feedback):
         from ..core.localizer import FIX, Localizer
+        from .exchange.camera_files import read_cameras
         from .exchange.geopackage import read_database
         from .exchange.rasters import image_files
 
@@ -180,13 +226,23 @@ class LocalizeImages(SemRefAlgorithm):
         paths = image_files(self._paths(parameters, context))
         if not paths:
             raise ParameterError("IMAGES is empty; choose at least one image or a folder with images.")
+        table = self.parameterAsFile(parameters, self.ATTITUDE, context)
+        cameras = cancelable(read_cameras, paths, table, feedback=feedback)
+        if self.parameterAsEnum(parameters, self.METHOD, context) == self.TOPOLOGY_VECTOR:
+            # The published method, exactly: images as they are.
+            cameras = [replace(camera, attitude=None, problem="") for camera in cameras]
         localized = []
         for n, path in enumerate(paths):
             check_canceled(feedback)
             feedback.setProgressText(os.path.basename(path))
-            localized.append(cancelable(_localize, path, localize, database.class_table, feedback=feedback))
+            arguments = path, localize, database.class_table, cameras[n]
+            localized.append(cancelable(_localize, *arguments, feedback=feedback))
             _say(localized[-1], feedback)
             feedback.setProgress(95 * (n + 1) / len(paths))
+        if parameters.get(self.MAXIMUM_SPEED) not in (None, ""):
+            speed = self.parameterAsDouble(parameters, self.MAXIMUM_SPEED, context)
+            times_s = [camera.time_s for camera in cameras]
+            localized = _with_jumps(localized, times_s, database.windows, speed, feedback)
         # Sinks are made last: a cancel before leaves nothing behind.
         check_canceled(feedback)
         results = {self.OUTPUT: self._write_positions(parameters, context, localized, crs)}
@@ -199,7 +255,8 @@ class LocalizeImages(SemRefAlgorithm):
         return results
 
     def _localizing(self, parameters, context, localizer, crs):
-        """The function labels → result that the parameters ask for."""
+        """The function (labels, Leveling or None) → LeveledLocalization that the parameters ask for."""
+        from ..core.attitude import LeveledLocalization, localize_leveled
         from ..core.localizer import METHODS, Prior, default_scales
 
         method = METHODS[self.parameterAsEnum(parameters, self.METHOD, context)]
@@ -209,11 +266,16 @@ class LocalizeImages(SemRefAlgorithm):
         if parameters.get(self.PRIOR_POINT) not in (None, ""):
             point = self.parameterAsPoint(parameters, self.PRIOR_POINT, context, crs)
             position, radius = (point.x(), point.y()), self.parameterAsDouble(parameters, self.PRIOR_RADIUS, context)
+        heading, heading_range = None, self.parameterAsDouble(parameters, self.PRIOR_HEADING_RANGE, context)
+        if parameters.get(self.PRIOR_HEADING) not in (None, ""):
+            heading = self.parameterAsDouble(parameters, self.PRIOR_HEADING, context)
 
-        def localize(labels_hw):
+        def localize(labels_hw, way):
             sizes = localizer.pixel_sizes(labels_hw.shape, scales)
-            prior = Prior(position=position, radius=radius, pixel_size_range=sizes)
-            return localizer.localize(labels_hw, method, prior)
+            prior = Prior(position, radius, heading, heading_range, sizes)
+            if way is None:
+                return LeveledLocalization(localizer.localize(labels_hw, method, prior))
+            return localize_leveled(localizer, labels_hw, method, prior, way)
 
         return localize
 
@@ -251,15 +313,47 @@ class LocalizeImages(SemRefAlgorithm):
         return sink.close()
 
 
-def _localize(path, localize, table) -> LocalizedImage:
+def _localize(path, localize, table, camera) -> LocalizedImage:
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
     from .exchange.rasters import read_label_image
 
     try:
         labels_hw = read_label_image(path, table)
-        return LocalizedImage(path, localize(labels_hw), shape_hw=labels_hw.shape)
+        found = localize(labels_hw, camera.leveling(labels_hw.shape))
+        remark = camera.remark(labels_hw.shape)
+        return LocalizedImage(path, found.result, "", labels_hw.shape, found.footprint, found.nadir, remark)
     except SemRefError as error:
         return LocalizedImage(path, error=str(error))
+
+
+def _with_jumps(localized, times_s, windows, speed, feedback):
+    """The images, fixes of known time marked as jumps or not; says what was found."""
+    import numpy as np
+
+    from ..core.sequence import jumps
+
+    timed = [n for n, item in enumerate(localized) if item.result and item.result.position and times_s[n] is not None]
+    results = [localized[n].result for n in timed]
+    # An image matched with a window may lie anywhere in it.
+    errors = [windows.sizes[r.window_index] / 2 if r.error_95_m is None else r.error_95_m for r in results]
+    flags = jumps(
+        np.array([times_s[n] for n in timed]),
+        np.array([localized[n].nadir or localized[n].result.position for n in timed]),
+        np.array(errors),
+        np.array([result.confidence for result in results]),
+        speed,
+    )
+    reason = tr("It can’t be reached at {speed:g} map units per second from the fixes before and after it.")
+    reason = reason.format(speed=speed)
+    checked = list(localized)
+    for n, jumped in zip(timed, flags.tolist()):
+        checked[n] = replace(checked[n], jump=jumped)
+        if jumped:
+            checked[n] = replace(checked[n], result=replace(checked[n].result, reason=reason))
+            feedback.pushWarning(f"{os.path.basename(checked[n].path)}: {reason}")
+    summary = tr("{jumps} of {checked} fixes with a time are jumps.")
+    feedback.pushInfo(summary.format(jumps=int(flags.sum()), checked=len(timed)))
+    return checked
 
 
 def _corners(item, windows):
@@ -267,6 +361,8 @@ def _corners(item, windows):
     from ..core.footprint import image_corners
 
     result = item.result
+    if item.footprint is not None:
+        return item.footprint
     if result is None or result.position is None:
         return None
     if result.window_index is not None:
@@ -297,6 +393,9 @@ def _row(item) -> dict:
         "window": result.window,
         "method": result.method,
         "reason": result.reason,
+        "camera_x": item.nadir and item.nadir[0],
+        "camera_y": item.nadir and item.nadir[1],
+        "jump": item.jump,
     }
 
 
@@ -305,6 +404,8 @@ def _say(item, feedback) -> None:
     if item.result is None:
         feedback.reportError(f"{name}: {item.error}", False)
         return
+    if item.remark:
+        feedback.pushInfo(f"{name}: {item.remark}")
     result = item.result
     if result.position is None:
         feedback.pushInfo(f"{name}: {result.status}. {result.reason}")

@@ -22,7 +22,7 @@ COLORS = {0: (0, 0, 0), 1: (204, 102, 119), 2: (51, 34, 136), 3: (221, 204, 119)
 FIELDS = (
     "image String, status String, x Real, y Real, longitude Real, latitude Real, heading Real, pixel_size Real, "
     "confidence Real, distance Real, inliers Integer, references Integer, log_odds Real, error_95 Real, window String, "
-    "method String, reason String"
+    "method String, reason String, camera_x Real, camera_y Real, jump Integer"
 )
 LABELS = scattered_objects(400, 480, 240, seed=11)
 

@@ -1,0 +1,42 @@
+"""Fixes of a flight against its clock: which of them could not have been reached from the others."""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def jumps(
+    times_s: np.ndarray,
+    positions: np.ndarray,
+    errors: np.ndarray,
+    confidences: np.ndarray,
+    maximum_speed: float,
+) -> np.ndarray:
+    """(N,) bool: fixes that an aircraft of ``maximum_speed`` can't have reached from, or left for, those kept.
+
+    As few as possible are flagged: kept is the longest chain in time in which every fix can be reached from the one
+    before, by dynamic programming; of equally long ones that with the largest sum of confidences. Two fixes agree
+    when they lie at most speed × time + both their errors apart.
+    times_s: (N,) seconds, in any order; positions: (N, 2) map units; errors: (N,) how far off each may be, map units;
+    confidences: (N,) 0 to 1; maximum_speed: map units per second.
+    """
+    count = len(times_s)
+    order = np.argsort(times_s, kind="stable")
+    times, errors = np.asarray(times_s, np.float64)[order], np.asarray(errors, np.float64)[order]
+    points = np.asarray(positions, np.float64).reshape(-1, 2)[order]
+    # Confidences together count less than one fix.
+    worths = 1 + np.asarray(confidences, np.float64)[order] / (count + 1)
+    totals, previous = worths.copy(), np.full(count, -1)
+    for n in range(1, count):
+        apart = np.hypot(*(points[:n] - points[n]).T)
+        reachable = apart <= maximum_speed * (times[n] - times[:n]) + errors[:n] + errors[n]
+        if reachable.any():
+            best = int(np.argmax(np.where(reachable, totals[:n], -1)))
+            totals[n] += totals[best]
+            previous[n] = best
+    flagged = np.ones(count, bool)
+    last = int(np.argmax(totals)) if count else -1
+    while last >= 0:
+        flagged[order[last]] = False
+        last = previous[last]
+    return flagged

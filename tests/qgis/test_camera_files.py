@@ -1,0 +1,189 @@
+"""Cameras from files: a CSV, or EXIF and XMP of a photo; every mistake in a CSV is one sentence with its line."""
+
+from __future__ import annotations
+
+import struct
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import write_raster, write_text
+
+from semref.core.errors import ParameterError
+from semref.processing.exchange.camera_files import read_cameras
+
+DJI = 'drone-dji:GimbalRollDegree="+0.00" drone-dji:GimbalPitchDegree="-80.00" drone-dji:GimbalYawDegree="+12.30"'
+PIX4D = "<Camera:Roll>4.5</Camera:Roll><Camera:Pitch>-3</Camera:Pitch>"
+
+
+def label_image(folder: Path, name: str = "IMG_1.png", width: int = 40, height: int = 30) -> str:
+    return str(write_raster(folder / name, np.ones((height, width), np.uint8), transform=None))
+
+
+def photo(path: Path, xmp: str = "", width: int = 80, height: int = 60, **exif) -> Path:
+    """A JPEG with EXIF items and an XMP packet that has ``xmp`` as attributes or elements."""
+    memory = gdal.GetDriverByName("MEM").Create("", width, height, 3)
+    memory.SetMetadata({f"EXIF_{name}": value for name, value in exif.items()})
+    gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory)
+    if xmp:
+        attributes, elements = ("", xmp) if xmp.startswith("<") else (xmp, "")
+        packet = f"<x:xmpmeta><rdf:RDF><rdf:Description {attributes}>{elements}</rdf:Description></rdf:RDF></x:xmpmeta>"
+        body = b"http://ns.adobe.com/xap/1.0/\0" + packet.encode()
+        data = path.read_bytes()
+        path.write_bytes(data[:2] + b"\xff\xe1" + struct.pack(">H", len(body) + 2) + body + data[2:])
+    return path
+
+
+def table(folder: Path, text: str) -> str:
+    return str(write_text(folder / "cameras.csv", text))
+
+
+def angles(camera) -> tuple:
+    return camera.attitude.roll_deg, camera.attitude.pitch_deg
+
+
+# --- CSV ---
+
+
+def test_a_table_gives_attitude_focal_length_and_time(tmp_path):
+    text = "image,roll,pitch,focal_length_px,time\nIMG_1.png,1.5,-20,35,12.25\n"
+    (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, text))
+    assert angles(camera) == (1.5, -20) and camera.time_s == 12.25 and camera.source == "cameras.csv"
+    assert camera.lens.focal_length_px((30, 40)) == 35
+    assert "roll 1.5°, pitch -20.0° (cameras.csv)" in camera.remark((30, 40))
+    assert camera.leveling((30, 40)).shape_hw != (30, 40)
+
+
+@pytest.mark.parametrize(
+    ("column", "value", "expected"), [("focal_length_35mm", 43.267, 50), ("field_of_view", 53.13, 40)]
+)
+def test_focal_lengths_of_each_kind_become_pixels(tmp_path, column, value, expected):
+    (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, f"image,{column}\nIMG_1,{value}\n"))
+    assert camera.lens.focal_length_px((30, 40)) == pytest.approx(expected, rel=1e-3)
+
+
+@pytest.mark.parametrize("name", ["IMG_1.png", "IMG_1.JPG", "IMG_1", "D:\\flight\\IMG_1.JPG", "/flight/IMG_1.jpg"])
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+def test_images_are_named_by_their_stem(tmp_path, name, separator):
+    text = f"\ufeffImage,Roll,Pitch,note\n{name},1,2,x\nother.png,3,4,\n".replace(",", separator)
+    (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, text))
+    assert angles(camera) == (1, 2)
+
+
+@pytest.mark.parametrize(
+    ("text", "seconds"),
+    [
+        ("7.5", 7.5),
+        ("1970-01-01T00:01:00.250", 60.25),
+        ("1970-01-01 00:01:00Z", 60),
+        ("1970-01-01T01:01:00+01:00", 60),
+    ],
+)
+def test_times_are_seconds_or_dates(tmp_path, text, seconds):
+    (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, f"image,time\nIMG_1,{text}\n"))
+    assert camera.time_s == seconds and camera.attitude is None
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "is no camera table"),
+        ("image\nIMG_1\n", "is no camera table: its header is “image”"),
+        ("roll,pitch\n1,2\n", "needs the column image"),
+        ("image,roll,pitch\nIMG_1,1,\n", "line 2: roll or pitch is empty; give both, or neither"),
+        ("image,roll,pitch\nIMG_1,x,2\n", "line 2: roll is “x”, which is not a number"),
+        ("image,roll,pitch\nIMG_1,0,-90\n", "line 2: A camera with a pitch of -90° does not look at the ground"),
+        ("image,focal_length_px,field_of_view\nIMG_1,1000,60\n", "say the same thing twice; give one of them"),
+        ("image,field_of_view\nIMG_1,180\n", "field_of_view is 180, which no camera has"),
+        ("image,focal_length_px\nIMG_1,-5\n", "focal_length_px is -5, which no camera has"),
+        ("image,roll,pitch\nIMG_1,1,2\nIMG_1.jpg,1,3\n", "line 3: the image IMG_1 is named a second time"),
+        ("image,roll,pitch\n,1,2\n", "line 2: no image is named"),
+        ("image,time\nIMG_1,noon\n", "line 2: time is “noon”; give seconds"),
+        ("image,time\nIMG_1,nan\n", "line 2: time is “nan”; give seconds"),
+        ("image,time\nIMG_1,2025-13-01\n", "line 2: time is “2025-13-01”"),
+        ("image,time\nIMG_1,2025-06-30T10:00:00\nIMG_2,12\n", "times in seconds and times with dates"),
+        ("image,roll,pitch\nIMG_7,1,2\n", "names none of the images, for example IMG_1.png"),
+    ],
+)
+def test_a_mistake_in_the_table_is_one_sentence(tmp_path, text, message):
+    with pytest.raises(ParameterError) as caught:
+        read_cameras([label_image(tmp_path)], table(tmp_path, text))
+    assert message in str(caught.value) and "cameras.csv" in str(caught.value)
+
+
+def test_a_table_that_is_missing_or_no_text_is_one_sentence(tmp_path):
+    image = label_image(tmp_path)
+    with pytest.raises(ParameterError, match="can't be read: No such file"):
+        read_cameras([image], str(tmp_path / "none.csv"))
+    with pytest.raises(ParameterError, match="not text in UTF-8"):
+        read_cameras([image], image)
+
+
+# --- photos ---
+
+
+def test_nothing_known_is_no_error(tmp_path):
+    broken = str(write_text(tmp_path / "broken.png", "no image"))
+    cameras = read_cameras([label_image(tmp_path), str(tmp_path / "none.png"), broken], "")
+    assert [camera.leveling((30, 40)) for camera in cameras] == [None] * 3
+    assert [camera.remark((30, 40)) for camera in cameras] == [""] * 3
+
+
+def test_the_photo_of_the_same_name_tells_what_its_gimbal_told(tmp_path):
+    exif = {"DateTimeOriginal": "1970:01:01 00:01:00", "SubSecTimeOriginal": "50", "FocalLengthIn35mmFilm": "24"}
+    photo(tmp_path / "IMG_1.jpg", DJI, **exif)
+    (camera,) = read_cameras([label_image(tmp_path)], "")
+    assert angles(camera) == pytest.approx((0, 10))
+    assert camera.time_s == 60.5 and camera.source == "IMG_1.jpg"
+    assert camera.lens.focal_length_px((30, 40)) == pytest.approx(24 / 43.267 * 50, rel=1e-4)
+    assert camera.leveling((30, 40)) is not None
+
+
+def test_pix4ds_roll_has_the_right_side_down(tmp_path):
+    path = photo(tmp_path / "IMG_1.jpg", PIX4D)
+    (camera,) = read_cameras([str(path)], "")
+    assert angles(camera) == (-4.5, -3)
+
+
+def test_without_focal_length_the_image_is_taken_as_it_is_and_the_log_says_so(tmp_path):
+    photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="0")
+    (camera,) = read_cameras([label_image(tmp_path)], "")
+    assert camera.leveling((30, 40)) is None
+    assert camera.remark((30, 40)) == "IMG_1.jpg tells no focal length, so the image is taken as it is."
+
+
+def test_a_focal_length_does_not_serve_an_image_of_another_shape(tmp_path):
+    photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="24")
+    (camera,) = read_cameras([label_image(tmp_path, width=30)], "")
+    assert camera.leveling((30, 30)) is None and "shape is not that of IMG_1.jpg" in camera.remark((30, 30))
+
+
+def test_a_photo_that_viewers_turn_tells_no_attitude(tmp_path):
+    photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="24", Orientation="6")
+    (camera,) = read_cameras([label_image(tmp_path)], "")
+    assert camera.attitude is None
+
+
+def test_a_photo_of_the_horizon_is_refused(tmp_path):
+    photo(tmp_path / "IMG_1.jpg", DJI.replace("-80.00", "+5.00"), FocalLengthIn35mmFilm="24")
+    (camera,) = read_cameras([label_image(tmp_path)], "")
+    with pytest.raises(ParameterError, match="IMG_1.jpg: A gimbal pitch of 5° does not look at the ground"):
+        camera.leveling((30, 40))
+
+
+def test_the_table_comes_before_the_photo_and_the_photo_fills_its_gaps(tmp_path):
+    exif = {"DateTimeOriginal": "1970:01:01 00:01:00", "FocalLengthIn35mmFilm": "24"}
+    for number in (1, 2):
+        photo(tmp_path / f"IMG_{number}.jpg", DJI, **exif)
+    images = [label_image(tmp_path, f"IMG_{number}.png") for number in (1, 2)]
+    first, second = read_cameras(images, table(tmp_path, "image,roll,pitch\nIMG_1,0,0\n"))
+    assert angles(first) == (0, 0) and first.lens.value == 24 and first.leveling((30, 40)) is None
+    assert angles(second) == pytest.approx((0, 10))
+    assert (first.time_s, second.time_s) == (60, 60)
+    timed, untimed = read_cameras(images, table(tmp_path, "image,time\nIMG_1,7\n"))
+    assert (timed.time_s, untimed.time_s) == (7, None)
+    assert angles(timed) == pytest.approx((0, 10))

@@ -1,0 +1,161 @@
+"""semref:localizeimages for the images of a flight: tilted cameras leveled, headings known, jumps marked."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import ogr
+from qgis.core import QgsProcessingException
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import NORTH, WEST, scattered_objects, write_raster, write_text
+
+from semref.core.label_source import ArrayLabels
+from semref.core.trials import View, cut_view, map_coordinates
+
+LOCALIZE = "semref:localizeimages"
+LABELS = scattered_objects(900, 1000, 1300, seed=5)
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+SIZE = 300
+TILT = 25.0
+
+
+@pytest.fixture(scope="module")
+def database(run_algorithm, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("area")
+    parameters = {
+        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
+        "REFERENCE_CLASSES": "1;2;3",
+        "WINDOW_SIZE": SIZE,
+        "STRIDE": 150,
+        "MINIMUM_AREA": 20,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+
+
+@pytest.fixture
+def localize(run_algorithm, database, tmp_path, feedback):
+    """`localize(views, table, **parameters)` gives (rows, footprints, results); the images are 0.png, 1.png, …"""
+
+    def run(views, table="", **parameters):
+        (tmp_path / "flight").mkdir(exist_ok=True)
+        for number, view in enumerate(views):
+            image = cut_view(ArrayLabels(LABELS), view)
+            write_raster(tmp_path / "flight" / f"{number}.png", image, transform=None)
+        if table:
+            parameters["ATTITUDE"] = str(write_text(tmp_path / "cameras.csv", table))
+        outputs = {key: str(tmp_path / f"{key.lower()}.gpkg") for key in ("OUTPUT", "FOOTPRINTS")}
+        parameters = {"DATABASE": database, "IMAGES": str(tmp_path / "flight"), "METHOD": 2, **outputs, **parameters}
+        results = run_algorithm(LOCALIZE, parameters, feedback)
+        positions, footprints = (ogr.Open(results[key]) for key in ("OUTPUT", "FOOTPRINTS"))
+        rows = [feature.items() for feature in positions.GetLayer(0)]
+        polygons = [feature.GetGeometryRef().GetGeometryRef(0).GetPoints() for feature in footprints.GetLayer(0)]
+        return rows, polygons, results
+
+    return run
+
+
+def ahead(column=450.0, row=520.0, heading=30.0, tilt=TILT) -> View:
+    """A camera tilted towards the image's top."""
+    return View(column, row, heading, 1.0, SIZE, SIZE, tilt_deg=tilt)
+
+
+TABLE = f"image,roll,pitch,field_of_view\n0.png,0,{TILT},60\n"
+
+
+def test_a_tilted_image_is_leveled_and_found(localize, feedback):
+    view = ahead()
+    (found,), (footprint,), _ = localize([view], TABLE)
+    assert (found["status"], found["heading"]) == ("fix", pytest.approx(30, abs=0.5))
+    assert (found["x"], found["y"]) == pytest.approx((WEST + view.column, NORTH - view.row), abs=2)
+    assert found["pixel_size"] == pytest.approx(1.0, rel=0.01)
+    columns, rows = map_coordinates(view, np.array([0, SIZE, SIZE, 0]), np.array([0, 0, SIZE, SIZE]))
+    np.testing.assert_allclose(footprint[:4], np.column_stack([WEST + columns, NORTH - rows]), atol=4)
+    assert "0.png: Leveled: roll 0.0°, pitch 25.0° (cameras.csv)." in feedback.textLog()
+
+
+def test_the_camera_is_behind_what_its_center_shows(localize):
+    (found,), _, _ = localize([ahead()], TABLE)
+    focal = SIZE / 2 / np.tan(np.radians(30))
+    away = focal * np.cos(np.radians(TILT)) ** 1.5 * np.tan(np.radians(TILT))
+    heading = np.radians(30)
+    expected = found["x"] - away * np.sin(heading), found["y"] - away * np.cos(heading)
+    assert (found["camera_x"], found["camera_y"]) == pytest.approx(expected, abs=2)
+
+
+def test_what_is_not_leveled_has_no_camera_position(localize):
+    (found,), _, _ = localize([ahead(tilt=0)])
+    assert found["status"] == "fix"
+    assert found["camera_x"] is None and found["camera_y"] is None and found["jump"] is None
+
+
+def test_a_radius_is_about_the_center_of_the_image_though_it_is_tilted(localize):
+    view = ahead()
+    point = f"{WEST + view.column},{NORTH - view.row} [EPSG:32632]"
+    (found,), _, _ = localize([view], TABLE, PRIOR_POINT=point, PRIOR_RADIUS=5)
+    assert found["status"] == "fix"
+
+
+def test_the_published_method_takes_images_as_they_are(localize, feedback):
+    (found,), _, _ = localize([ahead()], TABLE, METHOD=1)
+    assert found["method"] == "topology vector" and found["camera_x"] is None
+    assert "Leveled" not in feedback.textLog()
+
+
+def test_map_correlation_levels_too(localize):
+    view = ahead(tilt=15)
+    (found,), _, _ = localize([view], TABLE.replace(str(TILT), "15"), METHOD=3)
+    assert found["method"] == "map correlation" and found["camera_x"] is not None
+    assert (found["x"], found["y"]) == pytest.approx((WEST + view.column, NORTH - view.row), abs=6)
+
+
+def test_a_view_of_the_horizon_is_an_error_of_its_row(localize):
+    rows, _, results = localize([ahead(), ahead(tilt=0)], "image,roll,pitch,field_of_view\n0,0,60,60\n")
+    assert [row["status"] for row in rows] == ["error", "fix"] and results["FIX_COUNT"] == 1
+    assert "too near the horizon" in rows[0]["reason"]
+
+
+def test_a_mistake_in_the_table_stops_before_anything_is_written(localize, tmp_path):
+    with pytest.raises(QgsProcessingException, match="line 2: roll or pitch is empty"):
+        localize([ahead()], "image,roll,pitch\n0.png,1,\n")
+    assert not list(tmp_path.glob("*.gpkg"))
+
+
+@pytest.mark.parametrize("heading", [30, 30 - 360, 45, "20"])
+def test_a_heading_known_roughly_is_heeded(localize, heading):
+    (found,), _, _ = localize([ahead(tilt=0)], PRIOR_HEADING=heading, PRIOR_HEADING_RANGE=20)
+    assert found["status"] == "fix"
+
+
+def test_a_heading_known_wrongly_excludes_the_right_place(localize):
+    (found,), _, _ = localize([ahead(tilt=0)], PRIOR_HEADING=90, PRIOR_HEADING_RANGE=20)
+    assert found["status"] != "fix"
+
+
+FLIGHT = [ahead(300 + 20 * step, 400, 90, 0) for step in range(4)]
+TIMES = "image,time\n0,0\n1,1\n2,2\n3,3\n"
+
+
+def test_a_fix_that_can_not_be_reached_is_marked_and_stays_a_fix(localize, feedback):
+    flight = [*FLIGHT[:2], ahead(700, 500, 90, 0), FLIGHT[3]]
+    rows, polygons, results = localize(flight, TIMES, MAXIMUM_SPEED=25)
+    assert [bool(row["jump"]) for row in rows] == [False, False, True, False]
+    assert [row["status"] for row in rows] == ["fix"] * 4 and results["FIX_COUNT"] == len(polygons) == 4
+    assert "25 map units per second" in rows[2]["reason"] and not rows[1]["reason"]
+    assert "1 of 4 fixes with a time are jumps." in feedback.textLog()
+
+
+def test_a_flight_within_its_speed_has_no_jumps(localize):
+    rows, _, _ = localize(FLIGHT, TIMES, MAXIMUM_SPEED=25)
+    assert [row["jump"] for row in rows] == [0] * 4
+
+
+def test_without_time_without_fix_or_without_speed_nothing_is_checked(localize):
+    rows, _, _ = localize([*FLIGHT[:2], View(-900, 0, 0, 1.0, SIZE, SIZE)], "image,time\n0,0\n2,2\n", MAXIMUM_SPEED=25)
+    assert [row["jump"] for row in rows] == [0, None, None]
+    rows, _, _ = localize(FLIGHT[:2], TIMES)
+    assert [row["jump"] for row in rows] == [None] * 3
