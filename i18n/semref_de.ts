@@ -8,6 +8,10 @@
    <translation>2 % der Geländekante</translation>
   </message>
   <message>
+   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and time). Images are leveled before they are localized. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
+   <translation>Eine CSV mit den Spalten image (Dateiname), roll, pitch (Grad; 0 und 0 blickt senkrecht nach unten, pitch über 0 zur Bildoberkante hin, roll über 0 nach rechts), einer von focal_length_px, focal_length_35mm oder field_of_view (Grad über die Bildbreite) und time (Sekunden oder Datum und Uhrzeit). Bilder werden vor der Lokalisierung entzerrt, als blickte die Kamera senkrecht. Was die Tabelle nicht sagt, kommt aus EXIF und XMP des Bilds oder des gleichnamigen Fotos daneben. Der Topologievektor nimmt Bilder, wie sie sind.</translation>
+  </message>
+  <message>
    <source>A GeoPackage made by “Build reference database”.</source>
    <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage.</translation>
   </message>
@@ -100,6 +104,10 @@
    <translation>Eine andere Zahl gibt andere Versuche, dieselbe Zahl dieselben.</translation>
   </message>
   <message>
+   <source>Approximate heading (°)</source>
+   <translation>Ungefähre Ausrichtung (°)</translation>
+  </message>
+  <message>
    <source>Approximate position</source>
    <translation>Ungefähre Position</translation>
   </message>
@@ -136,6 +144,10 @@ Classes come from the class table, else from the layer’s categorized style, el
 Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil des Layers, sonst aus den Werten des Klassenfelds. Ungültige Polygone werden repariert, leere übersprungen; wie viele, steht im Protokoll.</translation>
   </message>
   <message>
+   <source>CSV (*.csv *.txt)</source>
+   <translation>CSV (*.csv *.txt)</translation>
+  </message>
+  <message>
    <source>CSV files (*.csv)</source>
    <translation>CSV-Dateien (*.csv)</translation>
   </message>
@@ -150,6 +162,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
    <translation>CSV mit den Spalten value, name, color, role, für eine Klassenkarte, die keine eigenen Klassen mitbringt.</translation>
+  </message>
+  <message>
+   <source>Camera table (roll, pitch, focal length, time)</source>
+   <translation>Kameratabelle (Roll- und Nickwinkel, Brennweite, Zeit)</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -372,6 +388,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Bildausschnitte</translation>
   </message>
   <message>
+   <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
+   <translation>Für Bilder eines Flugs mit bekannten Zeiten: Ein Standort, der von denen davor und danach nicht rechtzeitig zu erreichen ist, wird mit Grund als Sprung gekennzeichnet. Er bleibt ein gefundener Standort und wird mitgezählt.</translation>
+  </message>
+  <message>
    <source>Fraction of the map that is labeled</source>
    <translation>Anteil der Karte mit Klasse</translation>
   </message>
@@ -444,6 +464,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Untersuchen</translation>
   </message>
   <message>
+   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
+   <translation>Mit {speed:g} Karteneinheiten pro Sekunde ist er von den Standorten davor und danach nicht zu erreichen.</translation>
+  </message>
+  <message>
    <source>JSON files (*.json)</source>
    <translation>JSON-Dateien (*.json)</translation>
   </message>
@@ -504,6 +528,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Bild auf die Karte legen</translation>
   </message>
   <message>
+   <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
+   <translation>Entzerrt: Rollwinkel {roll:.1f}°, Nickwinkel {pitch:.1f}° ({source}).</translation>
+  </message>
+  <message>
    <source>Levels</source>
    <translation>Höhenstufen</translation>
   </message>
@@ -534,6 +562,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Map correlation</source>
    <translation>Kartenkorrelation</translation>
+  </message>
+  <message>
+   <source>Maximum speed (map units per second)</source>
+   <translation>Höchstgeschwindigkeit (Karteneinheiten pro Sekunde)</translation>
   </message>
   <message>
    <source>Median error</source>
@@ -652,6 +684,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Ein Polygon je gefundenem Standort: das Gelände, das das Bild zeigt, oder beim Topologievektor das getroffene Fenster.</translation>
   </message>
   <message>
+   <source>Only with an approximate heading: other headings are not searched.</source>
+   <translation>Nur mit ungefährer Ausrichtung: Andere Ausrichtungen werden nicht durchsucht.</translation>
+  </message>
+  <message>
    <source>Only with an approximate position: places farther away are not searched.</source>
    <translation>Nur mit einer ungefähren Position: weiter entfernte Orte werden nicht durchsucht.</translation>
   </message>
@@ -714,6 +750,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Ragged edges (map units)</source>
    <translation>Ausgefranste Kanten (Karteneinheiten)</translation>
+  </message>
+  <message>
+   <source>Range around it (± °)</source>
+   <translation>Spielraum darum (± °)</translation>
   </message>
   <message>
    <source>Rasterize annotation</source>
@@ -1004,6 +1044,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Hier erscheint das ausgewählte Bild.</translation>
   </message>
   <message>
+   <source>The shape is not that of {source}, so the image is taken as it is.</source>
+   <translation>Die Form ist nicht die von {source}; das Bild wird genommen, wie es ist.</translation>
+  </message>
+  <message>
    <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); swap them.</source>
    <translation>Der kleinste Maßstab ({smallest:g}) liegt über dem größten ({largest:g}); bitte vertauschen.</translation>
   </message>
@@ -1098,6 +1142,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Where the images are known to be, roughly. It speeds up the search and is never needed.</source>
    <translation>Wo die Bilder ungefähr liegen. Das beschleunigt die Suche und ist nie nötig.</translation>
+  </message>
+  <message>
+   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north.</source>
+   <translation>Wohin die Oberkante der Bilder ungefähr zeigt, in Grad im Uhrzeigersinn von Gitternord.</translation>
   </message>
   <message>
    <source>Where the image’s top points to, in degrees clockwise from grid north</source>
@@ -1304,6 +1352,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>{image}: Abstand {distance:.3f}, Konfidenz {confidence:.2f}</translation>
   </message>
   <message>
+   <source>{jumps} of {checked} fixes with a time are jumps.</source>
+   <translation>{jumps} von {checked} Standorten mit Zeit sind Sprünge.</translation>
+  </message>
+  <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
    <translation>{lacking} Fenster ({share:.0%}) zeigen weniger als drei Landmarken und haben keinen Vektor.</translation>
   </message>
@@ -1330,6 +1382,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>{source} does not measure in meters; the label map is made in {target}.</source>
    <translation>{source} misst nicht in Metern; die Klassenkarte wird in {target} erstellt.</translation>
+  </message>
+  <message>
+   <source>{source} tells no focal length, so the image is taken as it is.</source>
+   <translation>{source} nennt keine Brennweite; das Bild wird genommen, wie es ist.</translation>
   </message>
   <message>
    <source>{training} tiles to train on, {validation} to validate on</source>

@@ -268,5 +268,6 @@ def _tagged_time(exif: Dict[str, str]) -> Optional[float]:
     except ValueError:
         # 0000:00:00 is how cameras without a clock say so.
         return None
-    parts = re.match(r"\d+", exif.get("EXIF_SubSecTimeOriginal", ""))
+    # GDAL's spelling of SubSecTimeOriginal.
+    parts = re.match(r"\d+", exif.get("EXIF_SubSecTime_Original", ""))
     return moment.timestamp() + (float(f"0.{parts.group()}") if parts else 0.0)
