@@ -19,15 +19,21 @@ from .localizer import FIX, TOPOLOGY_VECTOR, Localization, Localizer
 from .pose import PoseUncertainty
 from .trials import LabelNoise, ObjectNoise, View, cut_view, spoil_label_objects, spoil_labels
 
-MAP, MIRRORED, NOISE, SCALING, ROTATION = PARTS = ("map", "mirrored", "noise", "scaling", "rotation")
-"""Parts of an evaluation: images of the map, mirrored ones that can't be right, the grid of noise, and the paper's
-Tables 4 and 5."""
+MAP, MIRRORED, NOISE, SCALING, ROTATION, OFFSET = PARTS = ("map", "mirrored", "noise", "scaling", "rotation", "offset")
+"""Parts of an evaluation: images of the map, mirrored ones that can't be right, the grid of noise, the paper's
+Tables 4 and 5, and windows moved step by step."""
 
 SCALES = (2.0, 1.8, 1.5, 1.2, 1.0, 0.8, 0.75, 0.65, 0.6, 0.5)
 """View radius in windows, as in Table 4 of He & Wu 2025."""
 
 ROTATIONS_DEG = tuple(range(0, 360, 30))
 """As in Table 5 of He & Wu 2025."""
+
+OFFSETS = (0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5)
+"""Steps by which windows are moved, as shares of the stride."""
+
+CLEAN = dict.fromkeys(("offset", "missed", "invented", "misnamed", "ragged", "rotation"), (0.0, 0.0))
+"""Ranges of a query that shows a window as it is, but for its scale."""
 
 NOISE_LEVELS = (0.0, 20.0, 40.0, 60.0)
 """Percent of objects missed, and of objects invented, of the grid of noise."""
@@ -123,7 +129,7 @@ class Outcome:
 
 
 class Evaluation:
-    """Plans queries (``trials``, ``noise_grid``, ``tables``) and tries them one by one (``run``)."""
+    """Plans queries (``trials``, ``noise_grid``, ``moves``, ``tables``) and tries them one by one (``run``)."""
 
     def __init__(
         self,
@@ -169,14 +175,19 @@ class Evaluation:
                 for number in range(count):
                     yield self._draw(NOISE, number, {"missed": (missed, missed), "invented": (invented, invented)})
 
+    def moves(self, count: int) -> Iterator[Query]:
+        """``count`` windows moved by each of OFFSETS, without noise, neither scaled nor turned."""
+        for offset in OFFSETS:
+            for number in range(count):
+                yield self._draw(OFFSET, number, {**CLEAN, "scale": (1, 1), "offset": (offset, offset)})
+
     def tables(self) -> Iterator[Query]:
         """The paper's Tables 4 and 5: windows without noise, scaled and turned about their centres."""
-        clean = dict.fromkeys(("offset", "missed", "invented", "misnamed", "ragged", "rotation"), (0.0, 0.0))
         for window in self._table_windows():
             for scale in SCALES:
-                yield self._draw(SCALING, 0, {**clean, "scale": (scale, scale)}, window)
+                yield self._draw(SCALING, 0, {**CLEAN, "scale": (scale, scale)}, window)
             for angle in ROTATIONS_DEG:
-                yield self._draw(ROTATION, 0, {**clean, "scale": (1, 1), "rotation": (angle, angle)}, window)
+                yield self._draw(ROTATION, 0, {**CLEAN, "scale": (1, 1), "rotation": (angle, angle)}, window)
 
     def image(self, query: Query) -> np.ndarray:
         """(H, W) uint8 labels of a query, spoilt."""

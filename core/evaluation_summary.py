@@ -8,11 +8,10 @@ from typing import Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from .evaluation import MAP, MIRRORED, NOISE, NOISE_LEVELS, Outcome
+from .evaluation import MAP, MIRRORED, NOISE, NOISE_LEVELS, OFFSET, OFFSETS, Outcome
 from .rates import Rate, rate_of
 
 CONFIDENCE_BINS = np.linspace(0, 1, 11)
-OFFSET_BINS = np.linspace(0, 0.5, 6)
 LANDMARK_BINS = (0, 5, 10, 20, 40, 80)
 """Landmarks of the window around which an image lies, from each number to the next, the last without end."""
 
@@ -80,8 +79,10 @@ def percentile(values: Sequence[Optional[float]], percent: float) -> Optional[fl
 
 
 def success_by_offset(outcomes: Sequence[Outcome], method: str) -> List[RateAt]:
-    """Right fixes by distance from the nearest window's centre, as a share of the stride."""
-    return _binned(of_method(outcomes, method, MAP), lambda o: o.query.offset, OFFSET_BINS, lambda o: o.right)
+    """Right fixes of windows that were moved by each of OFFSETS."""
+    edges = (*OFFSETS, np.inf)
+    moved = of_method(outcomes, method, OFFSET)
+    return _binned(moved, lambda o: round(o.query.offset, 6), edges, lambda o: o.right)
 
 
 def success_by_landmarks(outcomes: Sequence[Outcome], method: str) -> List[RateAt]:

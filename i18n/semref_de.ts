@@ -644,8 +644,8 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Anzahl der gefundenen Standorte</translation>
   </message>
   <message>
-   <source>Number of images. The report needs about as many again for its grid of noise and 66 for its tables.</source>
-   <translation>Anzahl der Bilder. Der Bericht braucht etwa noch einmal so viele für sein Raster der Störungen und 66 für seine Tabellen.</translation>
+   <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
+   <translation>Anzahl der Bilder. Der Bericht braucht etwa noch einmal 1,5-mal so viele für Störungen und Versatz und 66 für seine Tabellen.</translation>
   </message>
   <message>
    <source>Number of landmarks</source>
@@ -808,12 +808,12 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Hier erscheinen die Ergebnisse.</translation>
   </message>
   <message>
-   <source>Right fixes by distance from the nearest window’s center; bands: 95 % intervals.</source>
-   <translation>Richtige Fixe nach dem Abstand von der Mitte des nächsten Fensters; Bänder: 95-%-Intervalle.</translation>
-  </message>
-  <message>
    <source>Right fixes by the number of landmarks the database has there.</source>
    <translation>Richtige Fixe nach der Zahl der Landmarken, die die Datenbank dort hat.</translation>
+  </message>
+  <message>
+   <source>Right fixes of windows moved aside, without noise, scaling or turning; bands: 95 % intervals.</source>
+   <translation>Richtige Fixe verschobener Fenster, ohne Störungen, Skalierung oder Drehung; Bänder: 95-%-Intervalle.</translation>
   </message>
   <message>
    <source>Right fixes of {method}; {count} images a cell, the other ranges as set.</source>

@@ -36,7 +36,8 @@ FIELDS = (
 
 GRID_CELLS = 16
 MOST_IN_A_CELL = 20
-"""The grid of noise has a TRIALS-th part of images a cell, but 2 at least and so many at most."""
+"""A cell of the grid of noise has TRIALS / GRID_CELLS images, but 2 at least and so many at most; so has a step of the
+offset."""
 
 
 class EvaluateLocalization(SemRefAlgorithm):
@@ -106,7 +107,10 @@ class EvaluateLocalization(SemRefAlgorithm):
         )
         self.offer(
             number(self.TRIALS, tr("Trials"), number.Integer, 200, minValue=1, maxValue=1_000_000),
-            tr("Number of images. The report needs about as many again for its grid of noise and 66 for its tables."),
+            tr(
+                "Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its "
+                "tables."
+            ),
         )
         self.offer(
             number(self.MIRRORED, tr("Mirrored images (%)"), number.Double, 25.0, minValue=0.0, maxValue=90.0),
@@ -228,6 +232,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         if report or numbers:
             a_cell = min(max(trials // GRID_CELLS, 2), MOST_IN_A_CELL)
             jobs += [(query, list(methods)[:1]) for query in evaluation.noise_grid(a_cell)]
+            jobs += [(query, list(methods)) for query in evaluation.moves(a_cell)]
             jobs += [(query, list(methods)) for query in evaluation.tables()]
         outcomes = self._try(evaluation, jobs, feedback)
         first = summarize(outcomes, next(iter(methods)))

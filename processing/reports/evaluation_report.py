@@ -50,7 +50,10 @@ class EvaluationReport:
                         success_by_offset,
                         charts.linear_axis(tr("offset from the nearest window, share of the stride"), 0.0, 0.5),
                         tr("Success against offset"),
-                        tr("Right fixes by distance from the nearest window’s center; bands: 95 % intervals."),
+                        tr(
+                            "Right fixes of windows moved aside, without noise, scaling or turning; "
+                            "bands: 95 % intervals."
+                        ),
                     ),
                     self._landmarks_chart(),
                 ),

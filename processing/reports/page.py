@@ -13,6 +13,9 @@ from ...core.rates import Rate
 NOTHING = "–"
 """Stands where nothing is known."""
 
+DASH = "\u2060–\u2060"
+"""“to”, at which no line breaks."""
+
 NO_BREAK = "\u00a0"
 """A space at which no line breaks, between a number and its unit."""
 
@@ -127,7 +130,7 @@ def percent(share, digits: int = 1) -> str:
 def interval_text(rate: Rate) -> str:
     """“90.1–97.3 %, 93/98”."""
     low, high = rate.interval
-    return f"{100 * low:.1f}–{100 * high:.1f}{NO_BREAK}%, {rate.successes}/{rate.trials}"
+    return f"{100 * low:.1f}{DASH}{100 * high:.1f}{NO_BREAK}%, {rate.successes}/{rate.trials}"
 
 
 def rate_text(rate: Rate) -> str:

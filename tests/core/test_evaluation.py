@@ -14,6 +14,7 @@ from semref.core.evaluation import (
     MIRRORED,
     NOISE,
     NOISE_LEVELS,
+    OFFSETS,
     ROTATION,
     ROTATIONS_DEG,
     SCALES,
@@ -293,10 +294,12 @@ def test_rates_and_errors_are_of_the_right_trials(query):
     assert errors.tolist() == [1, 2, 30, 900] and shares.tolist() == [0.2, 0.4, 0.6, 0.8]
 
 
-def test_success_is_told_for_each_bin_of_offset_and_of_landmarks(query):
-    tried = [outcome(query, offset=0.02, landmarks=4), outcome(query, False, offset=0.5, landmarks=300)]
-    first, last = success_by_offset(tried, CONSTELLATION)
-    assert (first.at, first.rate, last.at, last.rate) == (0.02, Rate(1, 1), 0.5, Rate(0, 1))
+def test_success_is_told_for_each_offset_and_each_bin_of_landmarks(query, evaluate):
+    moved = [outcome(q, q.offset < 0.04) for q in evaluate().moves(2)]
+    found = success_by_offset(moved, CONSTELLATION)
+    assert [one.at for one in found] == pytest.approx(OFFSETS)
+    assert [one.rate for one in found] == [Rate(2, 2), *[Rate(0, 2)] * 6]
+    tried = [outcome(query, landmarks=4), outcome(query, False, landmarks=300)]
     first, last = success_by_landmarks(tried, CONSTELLATION)
     assert (first.low, first.high, last.low, last.high) == (0, 5, 80, np.inf)
 

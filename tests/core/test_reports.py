@@ -112,5 +112,5 @@ def test_numbers_are_told_with_unit_and_what_is_unknown_with_a_dash():
     assert page.number(0.08869, "m") == "0.0887\u00a0m"
     assert (page.number(12345.6), page.number(2.04, "°", 2), page.number(None, "m")) == ("12,346", "2°", "–")
     assert (page.percent(0.125), page.percent(None)) == ("12.5\u00a0%", "–")
-    assert page.rate_text(Rate(95, 100)) == "95.0\u00a0% (88.8–97.8\u00a0%, 95/100)"
+    assert page.rate_text(Rate(95, 100)) == f"95.0\u00a0% (88.8{page.DASH}97.8\u00a0%, 95/100)"
     assert page.rate_text(Rate(0, 0)) == "–"
