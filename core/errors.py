@@ -27,3 +27,11 @@ class DatabaseError(SemRefError):
 
 class ParameterError(SemRefError):
     """A parameter has a value that can't be used."""
+
+
+class ImageError(SemRefError):
+    """A photo or orthophoto can't be read or segmented."""
+
+
+class ModelError(SemRefError):
+    """A segmentation model is broken, says too little about itself, or doesn't fit what it is used for."""

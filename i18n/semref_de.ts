@@ -28,6 +28,14 @@
    <translation>Ein Punkt je Versuch und Verfahren an der wahren Position, mit dem, was gefunden wurde, und wie weit es daneben liegt.</translation>
   </message>
   <message>
+   <source>A segmentation network with its classes in its metadata; models made for Deepness will do.</source>
+   <translation>Ein Segmentierungsnetz mit seinen Klassen in den Metadaten; für Deepness gemachte Modelle passen.</translation>
+  </message>
+  <message>
+   <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
+   <translation>Ein Segmentierungsnetz: Die Bilder sind dann Fotos. Seine Klassen sind die der Datenbank mit demselben Namen; Klassen, die die Datenbank nicht hat, gelten als ohne Klasse.</translation>
+  </message>
+  <message>
    <source>Add a folder of label images</source>
    <translation>Verzeichnis mit Klassenbildern hinzufügen</translation>
   </message>
@@ -88,6 +96,10 @@
    <translation>Winkel zur nächsten Landmarke, geteilt durch den größten</translation>
   </message>
   <message>
+   <source>Annotated label map</source>
+   <translation>Annotierte Klassenkarte</translation>
+  </message>
+  <message>
    <source>Annotation</source>
    <translation>Annotation</translation>
   </message>
@@ -102,6 +114,10 @@
   <message>
    <source>Another number gives other trials, the same number the same.</source>
    <translation>Eine andere Zahl gibt andere Versuche, dieselbe Zahl dieselben.</translation>
+  </message>
+  <message>
+   <source>Any raster with or without georeference. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
+   <translation>Ein beliebiges Raster mit oder ohne Georeferenz. Rot, Grün und Blau ergeben sich aus der Farbinterpretation oder der Wellenlänge, sonst sind es die ersten drei Kanäle; ein einzelner Kanal gilt als Grau. Kanäle mit mehr als 8 Bit werden vom 2. bis zum 98. Perzentil gestreckt.</translation>
   </message>
   <message>
    <source>Approximate heading (°)</source>
@@ -212,6 +228,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Klassentabelle</translation>
   </message>
   <message>
+   <source>Classes that only the predicted map has: {names}.</source>
+   <translation>Klassen, die nur die vorhergesagte Karte hat: {names}.</translation>
+  </message>
+  <message>
    <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
    <translation>Klassen, deren Flächen Landmarken sind: Namen oder Werte, getrennt durch „;“, zum Beispiel building;bare_land;water. Ohne Angabe die Klassen mit der Rolle „reference“ in der Klassentabelle der Karte.</translation>
   </message>
@@ -224,8 +244,24 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Farbiges Klassenbild</translation>
   </message>
   <message>
+   <source>Compare label maps</source>
+   <translation>Klassenkarten vergleichen</translation>
+  </message>
+  <message>
    <source>Compare with the selected image</source>
    <translation>Mit dem ausgewählten Bild vergleichen</translation>
+  </message>
+  <message>
+   <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
+
+Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.</source>
+   <translation>Vergleicht eine vorhergesagte Klassenkarte mit einer annotierten: Verwechslungsmatrix, IoU jeder Klasse, Gesamtgenauigkeit und die Stellen, an denen sie abweichen, als Polygone, die größte zuerst.
+
+Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen teilen. Karten verschiedener Pixelgröße werden auf den Pixeln der annotierten verglichen. Pixel ohne Annotation bleiben weg; Pixel ohne Vorhersage gelten als falsch.</translation>
+  </message>
+  <message>
+   <source>Comparing</source>
+   <translation>Vergleich</translation>
   </message>
   <message>
    <source>Comparing windows</source>
@@ -270,6 +306,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Describing windows</source>
    <translation>Fenster werden beschrieben</translation>
+  </message>
+  <message>
+   <source>Disagreements</source>
+   <translation>Abweichungen</translation>
   </message>
   <message>
    <source>Distance</source>
@@ -408,6 +448,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>GeoTIFF, 8 Bit pro Pixel, mit Klassentabelle, Farben und Klassennamen.</translation>
   </message>
   <message>
+   <source>GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0.</source>
+   <translation>GeoTIFF, 8 Bit je Pixel, mit den Klassen des Modells; Pixel ohne Daten sind 0.</translation>
+  </message>
+  <message>
    <source>Ground that an image shows, as a multiple of the window size.</source>
    <translation>Gelände, das ein Bild zeigt, als Vielfaches der Fenstergröße.</translation>
   </message>
@@ -448,6 +492,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Wie viele der Landmarken, die der Mitte am nächsten liegen, ein Vektor enthält.</translation>
   </message>
   <message>
+   <source>If left out: that of the model’s metadata, else 20. More takes longer and hides seams better.</source>
+   <translation>Ohne Angabe: die aus den Metadaten des Modells, sonst 20. Mehr dauert länger und verbirgt Nähte besser.</translation>
+  </message>
+  <message>
    <source>Image</source>
    <translation>Bild</translation>
   </message>
@@ -480,8 +528,8 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Klassenbild</translation>
   </message>
   <message>
-   <source>Label images, or folders of them: single-band class values, or colors decoded by the database’s class table. They need no georeference.</source>
-   <translation>Klassenbilder oder Verzeichnisse davon: Klassenwerte in einem Kanal oder Farben, die mit der Klassentabelle der Datenbank dekodiert werden. Eine Georeferenzierung ist nicht nötig.</translation>
+   <source>Label images, or folders of them: single-band class values, or colors decoded by the database’s class table; with a model, photos. They need no georeference.</source>
+   <translation>Klassenbilder oder Ordner davon: Klassenwerte in einem Kanal oder Farben, die nach der Klassentabelle der Datenbank dekodiert werden; mit einem Modell Fotos. Sie brauchen keine Georeferenz.</translation>
   </message>
   <message>
    <source>Label map</source>
@@ -536,6 +584,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Höhenstufen</translation>
   </message>
   <message>
+   <source>Loading the model</source>
+   <translation>Das Modell wird geladen</translation>
+  </message>
+  <message>
    <source>Localization</source>
    <translation>Lokalisierung</translation>
   </message>
@@ -568,6 +620,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Höchstgeschwindigkeit (Karteneinheiten pro Sekunde)</translation>
   </message>
   <message>
+   <source>Mean IoU</source>
+   <translation>Mittlere IoU</translation>
+  </message>
+  <message>
+   <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%} of {pixels} pixels.</source>
+   <translation>Mittlere IoU {iou:.1%}, Gesamtgenauigkeit {accuracy:.1%} von {pixels} Pixeln.</translation>
+  </message>
+  <message>
    <source>Median error</source>
    <translation>Medianer Fehler</translation>
   </message>
@@ -598,6 +658,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Mirrored images (%)</source>
    <translation>Gespiegelte Bilder (%)</translation>
+  </message>
+  <message>
+   <source>Model</source>
+   <translation>Modell</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
@@ -664,6 +728,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Zahlen</translation>
   </message>
   <message>
+   <source>ONNX models (*.onnx)</source>
+   <translation>ONNX-Modelle (*.onnx)</translation>
+  </message>
+  <message>
    <source>Offset</source>
    <translation>Versatz</translation>
   </message>
@@ -678,6 +746,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
    <translation>Ein Punkt pro Bild: Status, Position, Konfidenz, Abstand, Fenster und, wenn kein Standort gefunden wurde, der Grund.</translation>
+  </message>
+  <message>
+   <source>One polygon a connected place where the same two classes are confused, ranked by area.</source>
+   <translation>Ein Polygon je zusammenhängender Stelle, an der dieselben zwei Klassen verwechselt sind, nach Fläche geordnet.</translation>
   </message>
   <message>
    <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
@@ -696,12 +768,28 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Deckkraft der Klassen</translation>
   </message>
   <message>
+   <source>Outlining the disagreements</source>
+   <translation>Abweichungen werden umrissen</translation>
+  </message>
+  <message>
+   <source>Overall accuracy</source>
+   <translation>Gesamtgenauigkeit</translation>
+  </message>
+  <message>
+   <source>Overlap of tiles (%)</source>
+   <translation>Überlappung der Kacheln (%)</translation>
+  </message>
+  <message>
    <source>Overview</source>
    <translation>Übersicht</translation>
   </message>
   <message>
    <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
    <translation>Teil der Versuche, die ein gespiegeltes Stück der Karte zeigen. Sie sehen aus wie die Karte, können aber nie richtig sein: Ein Fix für ein solches Bild ist falsch angenommen.</translation>
+  </message>
+  <message>
+   <source>Photo or orthophoto</source>
+   <translation>Foto oder Orthofoto</translation>
   </message>
   <message>
    <source>Pick a window on the map, or give its name.</source>
@@ -716,6 +804,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Pixelgröße (m)</translation>
   </message>
   <message>
+   <source>Pixel size the network was trained on; if left out, that of the model’s metadata. Images without georeference are taken as they are.</source>
+   <translation>Pixelgröße, mit der das Netz trainiert wurde; ohne Angabe die aus den Metadaten des Modells. Bilder ohne Georeferenz werden genommen, wie sie sind.</translation>
+  </message>
+  <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>Punkte mit Klasse, Fläche und Pixelposition; ohne Georeferenzierung in Pixeln (y nach oben, negativ).</translation>
   </message>
@@ -726,6 +818,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Positions</source>
    <translation>Positionen</translation>
+  </message>
+  <message>
+   <source>Predicted label map</source>
+   <translation>Vorhergesagte Klassenkarte</translation>
   </message>
   <message>
    <source>Priority field</source>
@@ -780,6 +876,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Bereit zum Lokalisieren.</translation>
   </message>
   <message>
+   <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
+   <translation>Rot, Grün und Blau: Kanäle {red}, {green}, {blue}.</translation>
+  </message>
+  <message>
    <source>Reference classes</source>
    <translation>Referenzklassen</translation>
   </message>
@@ -798,6 +898,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Report</source>
    <translation>Bericht</translation>
+  </message>
+  <message>
+   <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
+   <translation>Auf {resolution:g} cm je Pixel gebracht: {width} × {height} Pixel.</translation>
+  </message>
+  <message>
+   <source>Resolution (cm per pixel)</source>
+   <translation>Auflösung (cm je Pixel)</translation>
   </message>
   <message>
    <source>Results</source>
@@ -860,6 +968,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Startzahl</translation>
   </message>
   <message>
+   <source>Segment image</source>
+   <translation>Bild segmentieren</translation>
+  </message>
+  <message>
+   <source>Segmenting</source>
+   <translation>Segmentierung</translation>
+  </message>
+  <message>
    <source>Select a result to see its hit on the map.</source>
    <translation>Ein Ergebnis wählen, um seinen Treffer auf der Karte zu sehen.</translation>
   </message>
@@ -868,8 +984,8 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>SemRef-Bildausschnitte</translation>
   </message>
   <message>
-   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install python3-opencv” on Debian and Ubuntu.</source>
-   <translation>SemRef braucht das Python-Paket {packages}. Es muss für das Python von QGIS installiert sein, zum Beispiel mit „python3 -m pip install {packages}“ oder unter Debian und Ubuntu mit „apt install python3-opencv“.</translation>
+   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install python3-opencv python3-onnxruntime” on Debian and Ubuntu.</source>
+   <translation>SemRef braucht das Python-Paket {packages}. Es muss für das Python von QGIS installiert sein, zum Beispiel mit „python3 -m pip install {packages}“ oder unter Debian und Ubuntu mit „apt install python3-opencv python3-onnxruntime“.</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -940,6 +1056,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
 Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit weniger als drei Landmarken erhalten keinen Vektor; wie viele, steht im Protokoll.</translation>
   </message>
   <message>
+   <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
+   <translation>Kleinere Abweichungen ergeben kein Polygon; in quadrierten Karteneinheiten, ohne Georeferenz in Pixeln.</translation>
+  </message>
+  <message>
    <source>Smaller regions are no landmarks.</source>
    <translation>Kleinere Flächen sind keine Landmarken.</translation>
   </message>
@@ -962,6 +1082,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
    <translation>Schritt von Kachel zu Kachel; ist er kleiner als die Kachel, überlappen sich die Kacheln.</translation>
+  </message>
+  <message>
+   <source>Stretched to 8 bits from {limits}.</source>
+   <translation>Auf 8 Bit gestreckt von {limits}.</translation>
   </message>
   <message>
    <source>Stride (map units)</source>
@@ -1032,6 +1156,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Karte, aus der Bilder geschnitten werden: die der Datenbank oder eine andere desselben Geländes, im KBS der Datenbank und mit ihren Klassen; die Pixelgröße darf eine andere sein.</translation>
   </message>
   <message>
+   <source>The maps share no class names: classes are matched by their values.</source>
+   <translation>Die Karten haben keine gemeinsamen Klassennamen: Klassen werden nach ihren Werten zugeordnet.</translation>
+  </message>
+  <message>
+   <source>The model does not say its resolution: the image is taken as it is.</source>
+   <translation>Das Modell nennt seine Auflösung nicht: Das Bild wird genommen, wie es ist.</translation>
+  </message>
+  <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
   </message>
@@ -1100,6 +1232,14 @@ The report compares the methods, with the two tables of He &amp; Wu 2025, succes
 Der Bericht vergleicht die Verfahren, mit den beiden Tabellen von He &amp; Wu 2025, Erfolg nach Versatz und Störungen, Fehlern, falsch angenommenen Bildern und dem Wert der Konfidenz. Gleiche Startzahl, gleiches Ergebnis. Für eine ehrliche Antwort nehmen Sie eine Klassenkarte von einem anderen Datum als dem der Datenbank: Auf der eigenen Karte schneidet eine Datenbank immer besser ab.</translation>
   </message>
   <message>
+   <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
+
+The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.</source>
+   <translation>Macht aus einem Foto oder Orthofoto mit einem Segmentierungsnetz (ONNX) eine Klassenkarte.
+
+Das Bild wird, wo beide bekannt sind, auf die Auflösung des Modells gebracht und in überlappenden Kacheln betrachtet, sodass keine Nähte zu sehen sind. Die Klassenkarte liegt, wo das Bild liegt, und hat die Klassen des Modells.</translation>
+  </message>
+  <message>
    <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
 
 Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is black.</source>
@@ -1124,12 +1264,24 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Wert</translation>
   </message>
   <message>
+   <source>Values and colors for the model’s classes, found by name; for a model that does not name its classes: one line an output of the network, in order of value.</source>
+   <translation>Werte und Farben für die Klassen des Modells, nach Namen; für ein Modell, das seine Klassen nicht nennt: eine Zeile je Ausgang des Netzes, nach Wert geordnet.</translation>
+  </message>
+  <message>
    <source>Vector</source>
    <translation>Vektor</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>
    <translation>Was aus den Bildern der Karte wurde:</translation>
+  </message>
+  <message>
+   <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
+   <translation>Was geprüft wird, zum Beispiel aus „Bild segmentieren“. Sie muss im KBS der annotierten Karte liegen.</translation>
+  </message>
+  <message>
+   <source>What is held to be true: single-band class values, for example from “Rasterize annotation”.</source>
+   <translation>Was als wahr gilt: Klassenwerte in einem Kanal, zum Beispiel aus „Annotation rastern“.</translation>
   </message>
   <message>
    <source>What the confidence is worth</source>
@@ -1336,6 +1488,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} places disagree.</source>
+   <translation>{count} Stellen weichen ab.</translation>
+  </message>
+  <message>
    <source>{database}, images cut from {labels}</source>
    <translation>{database}, Bilder geschnitten aus {labels}</translation>
   </message>
@@ -1364,8 +1520,16 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>{method}: richtig {right}, falsch {wrong}, falsch angenommen {accepts}, medianer Fehler {error}</translation>
   </message>
   <message>
+   <source>{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.</source>
+   <translation>{model}: {classes}; gerechnet mit {provider}, Kacheln von {width} × {height} Pixeln.</translation>
+  </message>
+  <message>
    <source>{name} can’t be written; choose a place where you may write.</source>
    <translation>{name} lässt sich nicht schreiben; einen Ort mit Schreibrecht wählen.</translation>
+  </message>
+  <message>
+   <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
+   <translation>{name}: IoU {iou:.1%}, {pixels} Pixel annotiert</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>

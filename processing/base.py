@@ -40,6 +40,8 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     ID = ""
     GROUP = ""
     TAGS: Tuple[str, ...] = ()
+    MORE_PACKAGES: Dict[str, str] = {}
+    """Python packages that it needs beside all algorithms': what pip calls each, by the name it is imported by."""
 
     def title(self) -> str:
         raise NotImplementedError
@@ -102,11 +104,13 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return paragraphs + "".join(f"<h3>{title}</h3><p>{text}</p>" for title, text in entries)
 
     def canExecute(self):
-        missing = [package for module, package in _PACKAGES.items() if importlib.util.find_spec(module) is None]
+        packages = {**_PACKAGES, **self.MORE_PACKAGES}
+        missing = [package for module, package in packages.items() if importlib.util.find_spec(module) is None]
         if missing:
             return False, tr(
                 "SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with "
-                "“python3 -m pip install {packages}”, or “apt install python3-opencv” on Debian and Ubuntu."
+                "“python3 -m pip install {packages}”, or “apt install python3-opencv python3-onnxruntime” on Debian and "
+                "Ubuntu."
             ).format(packages=" ".join(missing))
         return True, ""
 

@@ -70,6 +70,7 @@ class LocalizeImages(SemRefAlgorithm):
 
     DATABASE = "DATABASE"
     IMAGES = "IMAGES"
+    MODEL = "MODEL"
     METHOD = "METHOD"
     OUTPUT = "OUTPUT"
     PRIOR_POINT = "PRIOR_POINT"
@@ -105,7 +106,16 @@ class LocalizeImages(SemRefAlgorithm):
             QgsProcessingParameterMultipleLayers(self.IMAGES, tr("Images"), SOURCE_FILE),
             tr(
                 "Label images, or folders of them: single-band class values, or colors decoded by the database’s class "
-                "table. They need no georeference."
+                "table; with a model, photos. They need no georeference."
+            ),
+        )
+        self.offer(
+            QgsProcessingParameterFile(
+                self.MODEL, tr("Model"), fileFilter=tr("ONNX models (*.onnx)"), optional=True
+            ),
+            tr(
+                "A segmentation network: the images are then photos. Its classes are those of the database by name; "
+                "classes that the database does not have count as unlabeled."
             ),
         )
         self.offer(
@@ -223,6 +233,7 @@ class LocalizeImages(SemRefAlgorithm):
         if not crs.isValid():
             raise DatabaseError(f"{database.source} has no readable parameter crs; build it again.")
         localize = self._localizing(parameters, context, Localizer(database), crs)
+        read_labels = self._label_reader(parameters, context, database.class_table, feedback)
         paths = image_files(self._paths(parameters, context))
         if not paths:
             raise ParameterError("IMAGES is empty; choose at least one image or a folder with images.")
@@ -235,7 +246,7 @@ class LocalizeImages(SemRefAlgorithm):
         for n, path in enumerate(paths):
             check_canceled(feedback)
             feedback.setProgressText(os.path.basename(path))
-            arguments = path, localize, database.class_table, cameras[n]
+            arguments = path, localize, read_labels, cameras[n]
             localized.append(cancelable(_localize, *arguments, feedback=feedback))
             _say(localized[-1], feedback)
             feedback.setProgress(95 * (n + 1) / len(paths))
@@ -279,6 +290,17 @@ class LocalizeImages(SemRefAlgorithm):
 
         return localize
 
+    def _label_reader(self, parameters, context, table, feedback):
+        """The function path → labels: of label images, or with a model of photos."""
+        from .exchange.rasters import read_label_image
+        from .photo_labels import PhotoLabels
+
+        model_path = self.parameterAsFile(parameters, self.MODEL, context)
+        if model_path:
+            feedback.setProgressText(tr("Loading the model"))
+            return PhotoLabels(model_path, table, feedback)
+        return lambda path: read_label_image(path, table)
+
     def _paths(self, parameters, context):
         """Files as a list, one path, or several separated by “;” as text."""
         value = parameters[self.IMAGES]
@@ -313,12 +335,10 @@ class LocalizeImages(SemRefAlgorithm):
         return sink.close()
 
 
-def _localize(path, localize, table, camera) -> LocalizedImage:
+def _localize(path, localize, read_labels, camera) -> LocalizedImage:
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
-    from .exchange.rasters import read_label_image
-
     try:
-        labels_hw = read_label_image(path, table)
+        labels_hw = read_labels(path)
         found = localize(labels_hw, camera.leveling(labels_hw.shape))
         remark = camera.remark(labels_hw.shape)
         return LocalizedImage(path, found.result, "", labels_hw.shape, found.footprint, found.nadir, remark)

@@ -9,12 +9,14 @@ from qgis.PyQt.QtGui import QIcon
 
 from .base import ICON_PATH, REFERENCE_DATABASE
 from .build_database import BuildDatabase
+from .compare_labels import CompareLabels
 from .decode_color_labels import DecodeColorLabels
 from .describe_image import DescribeImage
 from .evaluate_localization import EvaluateLocalization
 from .export_training_tiles import ExportTrainingTiles
 from .localize_images import LocalizeImages
 from .rasterize_annotation import RasterizeAnnotation
+from .segment_image import SegmentImage
 from .translation import tr
 
 MODELS = Path(__file__).resolve().parent.parent / "models"
@@ -23,7 +25,9 @@ MODELS = Path(__file__).resolve().parent.parent / "models"
 ALGORITHMS = (
     RasterizeAnnotation,
     DecodeColorLabels,
+    CompareLabels,
     ExportTrainingTiles,
+    SegmentImage,
     BuildDatabase,
     DescribeImage,
     LocalizeImages,

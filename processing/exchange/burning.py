@@ -11,13 +11,10 @@ from osgeo import gdal, ogr, osr
 from ...core.class_table import ClassTable
 from ...core.label_counts import count_labels
 from .annotation import BurnPolygon
-from .label_map_file import LabelMapFile
+from .label_map_file import TILE_ROWS, LabelMapFile
 
 STRIP_PIXELS = 16_000_000
 """Pixels burnt and written at a time."""
-
-TILE_ROWS = 256
-"""Rows of a GeoTIFF tile: strips hold whole tiles, so that no tile is compressed twice."""
 
 
 class LabelMapBurning:

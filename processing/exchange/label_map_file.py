@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import Iterable, Iterator, Optional, Tuple
 
 import numpy as np
 from osgeo import gdal
@@ -13,6 +13,9 @@ from .gdal_errors import gdal_failure, gdal_failures
 
 CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
 """Metadata item of a label map that holds its class table as CSV."""
+
+TILE_ROWS = 256
+"""Rows of a GeoTIFF tile: writing whole tiles compresses none twice."""
 
 LABEL_MAP_OPTIONS = ("TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER")
 
@@ -68,6 +71,23 @@ class LabelMapFile:
 
     def _failure(self, error: object = None) -> LabelMapError:
         return LabelMapError(f"{self._path} can't be written: {gdal_failure(error)}.")
+
+
+def whole_tile_rows(pieces: Iterable[Tuple[int, np.ndarray]]) -> Iterator[Tuple[int, np.ndarray]]:
+    """(first row, (rows, W) labels) in pieces that end with a row of the GeoTIFF's tiles, all but the last."""
+    held = []
+    first = 0
+    for start, labels_hw in pieces:
+        end = start + len(labels_hw)
+        ready = end // TILE_ROWS * TILE_ROWS
+        if ready <= first:
+            held.append(labels_hw)
+            continue
+        held.append(labels_hw[:ready - start])
+        yield first, np.concatenate(held)
+        first, held = ready, [labels_hw[ready - start:]]
+    if held and sum(map(len, held)):
+        yield first, np.concatenate(held)
 
 
 def set_class_colors(band: gdal.Band, table: ClassTable) -> None:

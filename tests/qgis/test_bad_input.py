@@ -35,9 +35,11 @@ from made_inputs import (
     write_raster,
     write_text,
 )
+from made_models import brightest_color, metadata, write_model
 
 RASTERIZE, DECODE, BUILD = "semref:rasterizeannotation", "semref:decodecolorlabels", "semref:builddatabase"
 DESCRIBE, LOCALIZE = "semref:describeimage", "semref:localizeimages"
+SEGMENT, COMPARE = "semref:segmentimage", "semref:comparelabels"
 
 OUTPUT_NAMES = {
     RASTERIZE: ("OUTPUT", "labels_out.tif"),
@@ -45,6 +47,8 @@ OUTPUT_NAMES = {
     BUILD: ("DATABASE", "area_out.gpkg"),
     DESCRIBE: ("VECTOR", "vector_out.json"),
     LOCALIZE: ("OUTPUT", "positions_out.gpkg"),
+    SEGMENT: ("OUTPUT", "segmented_out.tif"),
+    COMPARE: ("DISAGREEMENTS", "disagreements_out.gpkg"),
 }
 OLDER = b"an older output"
 QGIS_OWN = ("Incorrect parameter value for ", "Could not load source layer for ", "Could not create layer ")
@@ -64,6 +68,7 @@ def good(run_algorithm, tmp_path_factory):
     write_raster(folder / "labels.tif", LABELS, names=NAMES)
     write_raster(folder / "photo.png", LABELS[:100, :100], transform=None)
     write_raster(folder / "color.png", np.zeros((3, 20, 20), np.uint8), transform=None)
+    write_model(folder / "colors.onnx")
     parameters = {
         "LABELS": str(folder / "labels.tif"),
         "REFERENCE_CLASSES": "1;2;3",
@@ -96,6 +101,8 @@ def defaults(good, tmp_path):
             "REFERENCES": "TEMPORARY_OUTPUT",
         },
         LOCALIZE: {"DATABASE": str(good / "area.gpkg"), "IMAGES": [str(good / "photo.png")], "METHOD": 1},
+        SEGMENT: {"INPUT": str(good / "color.png"), "MODEL": str(good / "colors.onnx")},
+        COMPARE: {"REFERENCE": str(good / "labels.tif"), "PREDICTED": str(good / "labels.tif")},
     }
     for algorithm, (key, name) in OUTPUT_NAMES.items():
         found[algorithm][key] = str(tmp_path / "out" / name)
@@ -605,6 +612,86 @@ def test_an_image_without_classes_of_its_own_needs_a_table(refused):
     assert "CLASS_TABLE" in refused(DESCRIBE, CLASS_TABLE=None)
 
 
+# --- models and photos ---
+
+BAD_MODELS = {
+    "missing weights": ({"network": brightest_color(external="weights.bin")}, "keeps its weights in another file"),
+    "newer format": ({"ir_version": 99}, "ONNX format 99"),
+    "newer operators": ({"opset": 99}, "version 99 (opset)"),
+    "four bands": (
+        {"network": brightest_color(bands=4), "input_shape": (1, 4, "h", "w")},
+        "takes input of the shape 1 × 4 × any × any",
+    ),
+    "unknown operator": ({"network": brightest_color().add("Frobnicate")}, "can't be run by onnxruntime"),
+    "too few names": ({"metadata": metadata(class_names=["a", "b"])}, "tells 3 classes apart"),
+    "no names": ({"metadata": metadata(class_names=None)}, "metadata key class_names"),
+    "a detector": ({"metadata": metadata(model_type="Detector")}, "model of type Detector"),
+    "no resolution": ({"metadata": metadata(resolution="fine")}, "resolution"),
+}
+
+
+@pytest.mark.parametrize("algorithm", [SEGMENT, LOCALIZE])
+@pytest.mark.parametrize("name", BAD_MODELS)
+def test_a_bad_model_is_told_in_one_sentence(refused, tmp_path, name, algorithm):
+    options, words = BAD_MODELS[name]
+    sentence = refused(algorithm, MODEL=str(write_model(tmp_path / "bad.onnx", **options)))
+    assert "bad.onnx" in sentence and words in sentence
+
+
+@pytest.mark.parametrize("algorithm", [SEGMENT, LOCALIZE])
+@pytest.mark.parametrize("content", [b"", b"hello", b"\x89PNG\r\n\x1a\n" * 50])
+def test_a_file_that_is_no_model_is_named(refused, tmp_path, content, algorithm):
+    path = tmp_path / "notes.onnx"
+    path.write_bytes(content)
+    assert "notes.onnx is not an ONNX model" in refused(algorithm, MODEL=str(path))
+
+
+def test_a_missing_model_is_named(refused, tmp_path):
+    assert "none.onnx does not exist" in refused(SEGMENT, MODEL=str(tmp_path / "none.onnx"))
+
+
+def test_values_that_are_no_numbers_are_told(refused, tmp_path):
+    model = write_model(tmp_path / "bad.onnx", brightest_color().add("Sqrt"))
+    assert "bad.onnx gives values that are not numbers (NaN" in refused(SEGMENT, MODEL=str(model))
+
+
+def test_a_photo_that_makes_a_network_give_no_numbers_has_no_fix(run_algorithm, defaults, tmp_path):
+    model = write_model(tmp_path / "bad.onnx", brightest_color().add("Sqrt"))
+    parameters = {**defaults[LOCALIZE], "MODEL": str(model)}
+    source = ogr.Open(run_algorithm(LOCALIZE, parameters)["OUTPUT"])
+    (row,) = [feature.items() for feature in source.GetLayer(0)]
+    assert row["status"] == "error" and "not numbers" in row["reason"]
+
+
+def test_a_photo_of_one_pixel_is_refused(refused, tmp_path):
+    photo = write_raster(tmp_path / "tiny.png", np.zeros((3, 1, 1), np.uint8), transform=None)
+    assert "1 × 1 pixels" in refused(SEGMENT, INPUT=str(photo))
+
+
+def test_a_photo_cut_short_is_told(refused, tmp_path):
+    image = np.random.default_rng(1).integers(0, 255, (3, 400, 400)).astype(np.uint8)
+    path = write_raster(tmp_path / "cut.tif", image)
+    path.write_bytes(path.read_bytes()[:200_000])
+    assert "cut.tif is damaged or cut short" in refused(SEGMENT, INPUT=str(path))
+
+
+def test_a_class_table_that_does_not_fit_the_model_is_told(refused, tmp_path):
+    table = write_text(tmp_path / "classes.csv", "value,name\n1,building\n")
+    assert "CLASS_TABLE lacks the class water, bare_land" in refused(SEGMENT, CLASS_TABLE=str(table))
+
+
+def test_a_missing_onnxruntime_is_told_with_how_to_install_it(qgis_app, monkeypatch):
+    find_spec = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda name, *a: None if name == "onnxruntime" else find_spec(name, *a)
+    )
+    registry = QgsApplication.processingRegistry()
+    possible, reason = registry.createAlgorithmById(SEGMENT).canExecute()
+    assert not possible
+    assert "pip install onnxruntime" in reason and "python3-onnxruntime" in reason
+    assert registry.createAlgorithmById(LOCALIZE).canExecute() == (True, "")
+
+
 # --- outputs ---
 
 WRITERS = list(OUTPUT_NAMES)
@@ -620,7 +707,7 @@ def output_refused(run_algorithm, defaults, algorithm, path) -> str:
 @pytest.mark.parametrize("algorithm", WRITERS)
 def test_a_missing_output_folder_is_named_and_not_made(run_algorithm, defaults, tmp_path, algorithm):
     path = tmp_path / "nowhere" / OUTPUT_NAMES[algorithm][1]
-    if algorithm != LOCALIZE:
+    if algorithm not in (LOCALIZE, COMPARE):
         assert "nowhere" in output_refused(run_algorithm, defaults, algorithm, path)
         assert not path.parent.exists()
 
@@ -639,7 +726,7 @@ def test_an_output_folder_that_cannot_be_written_is_refused(run_algorithm, defau
     assert "/proc" in output_refused(run_algorithm, defaults, algorithm, Path("/proc") / OUTPUT_NAMES[algorithm][1])
 
 
-@pytest.mark.parametrize("algorithm", [RASTERIZE, DECODE, BUILD, DESCRIBE])
+@pytest.mark.parametrize("algorithm", [RASTERIZE, DECODE, BUILD, DESCRIBE, SEGMENT])
 def test_an_output_that_is_a_folder_is_refused(run_algorithm, defaults, tmp_path, algorithm):
     folder = tmp_path / OUTPUT_NAMES[algorithm][1]
     folder.mkdir()
@@ -720,4 +807,4 @@ def test_provider_and_dock_can_be_made_without_opencv_shapely_and_onnxruntime(re
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=False)
     assert answer.returncode == 0, answer.stderr
-    assert "'builddatabase', 'decodecolorlabels', 'describeimage', 'localizeimages'" in answer.stdout
+    assert "'builddatabase', 'comparelabels', 'decodecolorlabels', 'describeimage', 'localizeimages'" in answer.stdout

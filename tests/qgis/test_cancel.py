@@ -13,6 +13,7 @@ from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingExcepti
 
 sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import CLASSES_CSV, scattered_objects, square, write_layer, write_raster, write_text
+from made_models import write_model
 
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 OLDER = b"an older output"
@@ -62,7 +63,17 @@ def jobs(run_algorithm, tmp_path_factory):
     flight.mkdir()
     for n in range(20):
         write_raster(flight / f"{n}.png", scattered_objects(120, 120, 10, seed=n), transform=None)
+    model = str(write_model(folder / "colors.onnx"))
+    coarse = np.kron(random.integers(1, 4, (70, 70)), np.ones((10, 10))).astype(np.uint8)
+    predicted = write_raster(folder / "predicted.tif", coarse, names=NAMES)
     return {
+        "segment": ("semref:segmentimage", {"INPUT": str(color), "MODEL": model}, "OUTPUT", "out.tif"),
+        "compare": (
+            "semref:comparelabels",
+            {"REFERENCE": str(labels), "PREDICTED": str(predicted), "MINIMUM_AREA": 3},
+            "DISAGREEMENTS",
+            "out.gpkg",
+        ),
         "rasterize": (
             "semref:rasterizeannotation",
             {
@@ -93,8 +104,9 @@ def jobs(run_algorithm, tmp_path_factory):
 def small_steps(monkeypatch):
     """Small slices, so that small inputs take many steps."""
     from semref.processing import decode_color_labels
-    from semref.processing.exchange import burning
+    from semref.processing.exchange import burning, comparing
 
+    monkeypatch.setattr(comparing, "_PIXELS_AT_ONCE", 10_000)
     monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 10_000)
     monkeypatch.setattr(burning, "STRIP_PIXELS", 1)
 
@@ -105,7 +117,7 @@ def run(job, folder: Path, feedback):
     return instance.run({**parameters, key: str(folder / name)}, QgsProcessingContext(), feedback, {}, False)
 
 
-JOBS = ("rasterize", "decode", "build", "localize")
+JOBS = ("rasterize", "decode", "build", "localize", "segment", "compare")
 
 
 @pytest.mark.parametrize("percent", [0, 1, 10, 31, 50, 76, 86, 94])
@@ -130,7 +142,7 @@ def test_cancel_leaves_nothing_where_nothing_was(jobs, small_steps, tmp_path, na
 
 
 @pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="open files can't be listed here")
-@pytest.mark.parametrize("name", ["rasterize", "decode", "build"])
+@pytest.mark.parametrize("name", ["rasterize", "decode", "build", "segment"])
 @pytest.mark.parametrize("percent", [50, 90])
 def test_files_are_closed_before_they_are_removed(jobs, small_steps, tmp_path, monkeypatch, name, percent):
     """Windows removes no file that is open."""

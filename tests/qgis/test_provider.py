@@ -22,6 +22,12 @@ PARAMETERS = {
         "IMAGE LABELS TILE_SIZE STRIDE [VALIDATION_FRACTION] [CLASS_TABLE] OUTPUT",
         "OUTPUT TILE_COUNT",
     ),
+    "comparelabels": (
+        "annotation",
+        "REFERENCE PREDICTED [MINIMUM_AREA] DISAGREEMENTS",
+        "DISAGREEMENTS MEAN_IOU OVERALL_ACCURACY",
+    ),
+    "segmentimage": ("annotation", "INPUT MODEL [OVERLAP] [RESOLUTION] OUTPUT", "OUTPUT"),
     "builddatabase": (
         "referencedatabase",
         "LABELS [REFERENCE_CLASSES] WINDOW_SIZE STRIDE [LEVELS] REFERENCES_PER_VECTOR MINIMUM_AREA DATABASE",
@@ -34,7 +40,7 @@ PARAMETERS = {
     ),
     "localizeimages": (
         "localization",
-        "DATABASE IMAGES METHOD OUTPUT [FOOTPRINTS]",
+        "DATABASE IMAGES [MODEL] METHOD OUTPUT [FOOTPRINTS]",
         "OUTPUT FOOTPRINTS FIX_COUNT",
     ),
     "evaluatelocalization": (

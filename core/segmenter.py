@@ -1,0 +1,182 @@
+"""Images to labels, tile by tile: overlapping tiles whose scores are blended, so that no seam shows."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Iterator, List, Optional, Sequence, Tuple
+
+import cv2
+import numpy as np
+
+from .class_table import UNLABELED
+from .errors import ImageError
+from .image_source import ImageSource
+from .segmentation_model import SegmentationModel
+
+MINIMUM_EDGE_PX = 8
+"""An image smaller than this shows a network nothing."""
+
+
+@dataclass(frozen=True)
+class SegmentedRows:
+    """Labels of whole rows: (rows, W) uint8 from ``first`` on."""
+
+    first: int
+    labels_hw: np.ndarray
+
+
+@dataclass(frozen=True)
+class _Tile:
+    """A tile as read: ``image`` of the network's size; ``has_data`` None where all pixels have."""
+
+    column: int
+    row: int
+    image: np.ndarray
+    has_data: Optional[np.ndarray]
+
+    @property
+    def is_empty(self) -> bool:
+        return self.has_data is not None and not self.has_data.any()
+
+
+def segment(
+    model: SegmentationModel, source: ImageSource, values: Sequence[int], overlap: float
+) -> Iterator[Tuple[float, Optional[SegmentedRows]]]:
+    """Yields, tile by tile, the share done (0…1) and the rows that are finished with it, or None.
+
+    ``values``: (C,) class value of each of the model's channels. ``overlap``: share of a tile that lies on each
+    neighbour at least. A tile's weight falls over the overlap towards its border, where a network sees
+    least of the surroundings; each pixel gets the class with the highest weighted sum of scores (the weights need no
+    normalising: they are the same for all classes of a pixel). Pixels without data are 0, tiles without any are not
+    given to the network. Held in memory: two tiles, and the scores of the overlap of two rows of tiles.
+
+    Raises ImageError for an image of a few pixels, and what ``source`` and ``model`` raise.
+    """
+    height, width = source.shape_hw
+    if min(height, width) < MINIMUM_EDGE_PX:
+        raise ImageError(
+            f"An image of {width} × {height} pixels shows too little to be segmented; "
+            f"it needs {MINIMUM_EDGE_PX} pixels each way at the model's resolution."
+        )
+    tile_h, tile_w = model.tile_hw
+    columns, rows = tile_starts(width, tile_w, overlap), tile_starts(height, tile_h, overlap)
+    places = [(column, row) for row in rows for column in columns]
+    blending = _Blending(columns, rows, (height, width), model.tile_hw, np.asarray(values, np.uint8), overlap)
+    groups = [places[n:n + model.tiles_at_once] for n in range(0, len(places), model.tiles_at_once)]
+    done = 0
+    # One thread reads the next tiles while the network looks at these.
+    with ThreadPoolExecutor(1) as reader:
+        reading = reader.submit(_read_tiles, source, groups[0], model.tile_hw)
+        for number in range(len(groups)):
+            tiles = reading.result()
+            if number + 1 < len(groups):
+                reading = reader.submit(_read_tiles, source, groups[number + 1], model.tile_hw)
+            with_data = [tile.image for tile in tiles if not tile.is_empty]
+            scores = iter(model.scores(with_data) if with_data else ())
+            for tile in tiles:
+                finished = blending.add(tile, None if tile.is_empty else next(scores))
+                done += 1
+                yield done / len(places), finished
+
+
+def tile_starts(length: int, tile: int, overlap: float) -> List[int]:
+    """First pixels of tiles that cover ``length`` pixels, evenly spread, overlapping by a share of at least ``overlap``.
+
+    A single 0 when the length fits into one tile. Evenly: no tile hangs over the end, and none is squeezed in.
+    """
+    if length <= tile:
+        return [0]
+    step = max(1, int(tile * (1 - overlap)))
+    count = -(-(length - tile) // step) + 1
+    return [round(n * (length - tile) / (count - 1)) for n in range(count)]
+
+
+def nearest_labels(labels_hw: np.ndarray, shape_hw: Tuple[int, int]) -> np.ndarray:
+    """(H, W) uint8 labels brought to another (height, width): each pixel takes the label at its centre."""
+    if labels_hw.shape == tuple(shape_hw):
+        return labels_hw
+    rows, columns = (
+        ((np.arange(size) + 0.5) * old / size).astype(np.intp) for size, old in zip(shape_hw, labels_hw.shape)
+    )
+    return labels_hw[rows][:, columns]
+
+
+class _Blending:
+    """Sums of weighted scores, kept only where another tile will still add to them."""
+
+    def __init__(self, columns, rows, shape_hw, tile_hw, values: np.ndarray, overlap: float) -> None:
+        height, width = shape_hw
+        self._next_column = dict(zip(columns, [*columns[1:], width]))
+        self._next_row = dict(zip(rows, [*rows[1:], height]))
+        self._height, self._width = height, width
+        self._values = values
+        self._weights = _ramp(tile_hw[0], overlap)[:, None] * _ramp(tile_hw[1], overlap)
+        self._tile_row = np.zeros((len(values), *tile_hw), np.float32)
+        self._above = np.zeros((len(values), 0, width), np.float32)
+        self._below = self._above
+        self._labels = np.empty((0, width), np.uint8)
+
+    def add(self, tile: _Tile, scores: Optional[np.ndarray]) -> Optional[SegmentedRows]:
+        """Adds a tile's (C, tile height, tile width) scores, None for none; gives the rows that are finished by it."""
+        next_row = self._next_row[tile.row]
+        rows = next_row - tile.row
+        if tile.column == 0:
+            self._begin_row(rows, is_last=next_row == self._height)
+        if scores is not None:
+            self._tile_row += np.multiply(scores, self._weights, out=scores)
+        # Left of the next tile nothing will be added in this row of tiles.
+        last = self._next_column[tile.column]
+        columns = last - tile.column
+        complete = self._tile_row[:, :, :columns]
+        complete[:, :self._above.shape[1]] += self._above[:, :, tile.column:last]
+        labels = self._labels[:, tile.column:last]
+        labels[:] = self._values[_best_channel(complete[:, :rows])]
+        if tile.has_data is not None:
+            labels[~tile.has_data[:rows, :columns]] = UNLABELED
+        self._below[:, :, tile.column:last] = complete[:, rows:rows + self._below.shape[1]]
+        kept = self._tile_row.shape[2] - columns
+        self._tile_row[:, :, :kept] = self._tile_row[:, :, columns:]
+        self._tile_row[:, :, kept:] = 0
+        return SegmentedRows(tile.row, self._labels) if last == self._width else None
+
+    def _begin_row(self, rows: int, is_last: bool) -> None:
+        channels, tile_height, _ = self._tile_row.shape
+        self._tile_row[:] = 0
+        self._above = self._below
+        self._below = np.empty((channels, 0 if is_last else tile_height - rows, self._width), np.float32)
+        self._labels = np.empty((rows, self._width), np.uint8)
+
+
+def _ramp(size: int, overlap: float) -> np.ndarray:
+    """(size,) float32 weights: 1 in the middle, falling like a cosine over the overlap to nearly 0 at both ends."""
+    from_end = np.minimum(np.arange(size), np.arange(size)[::-1]) + 0.5
+    share = np.minimum(from_end / max(1.0, size * overlap), 1)
+    return (np.sin(share * np.pi / 2) ** 2).astype(np.float32)
+
+
+def _best_channel(scores: np.ndarray) -> np.ndarray:
+    """(C, H, W) → (H, W) uint8 number of the highest score, of equal ones the first; faster than ``np.argmax``."""
+    best = scores[0].copy()
+    channel = np.zeros(best.shape, np.uint8)
+    for number in range(1, len(scores)):
+        higher = scores[number] > best
+        np.copyto(best, scores[number], where=higher)
+        channel[higher] = number
+    return channel
+
+
+def _read_tiles(source: ImageSource, places, tile_hw: Tuple[int, int]) -> List[_Tile]:
+    return [_read_tile(source, column, row, tile_hw) for column, row in places]
+
+
+def _read_tile(source: ImageSource, column: int, row: int, tile_hw: Tuple[int, int]) -> _Tile:
+    """A tile of the network's size; an image smaller than that goes on mirrored."""
+    height, width = (min(tile, size) for tile, size in zip(tile_hw, source.shape_hw))
+    image, has_data = source.read(column, row, width, height)
+    if has_data is not None and has_data.all():
+        has_data = None
+    if (height, width) != tile_hw:
+        below, right = tile_hw[0] - height, tile_hw[1] - width
+        image = cv2.copyMakeBorder(image, 0, below, 0, right, cv2.BORDER_REFLECT_101)
+    return _Tile(column, row, image, has_data)

@@ -1,0 +1,137 @@
+"""Two label maps on one grid, and their disagreements as polygons."""
+
+from __future__ import annotations
+
+import os
+from typing import Callable, Iterator, List, Tuple
+
+import numpy as np
+from osgeo import gdal, ogr
+from qgis.core import QgsGeometry
+
+from ...core.errors import LabelMapError
+from .gdal_errors import gdal_failure, gdal_failures
+from .rasters import GdalLabels, LabelMapLayer
+from .reference_systems import describe_crs
+
+PIXEL_TRANSFORM = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
+"""Maps without georeference: pixels, rows downwards."""
+
+_PIXELS_AT_ONCE = 8_000_000
+
+
+class LabelMapPair:
+    """An annotated and a predicted label map, read on the grid of the annotated one where both have ground.
+
+    ``geotransform``: of what they share. A pixel takes the predicted label at its centre. Raises LabelMapError when
+    the maps don't lie on each other.
+    """
+
+    def __init__(self, reference: LabelMapLayer, predicted: LabelMapLayer) -> None:
+        self.reference, self.predicted = GdalLabels(reference.path), GdalLabels(predicted.path)
+        if reference.crs.isValid() and predicted.crs.isValid() and reference.crs != predicted.crs:
+            raise LabelMapError(
+                f"REFERENCE is in {describe_crs(reference.crs)}, but PREDICTED is in {describe_crs(predicted.crs)}; "
+                "warp one of them to the other's CRS."
+            )
+        grids = [labels.dataset.GetGeoTransform(can_return_null=True) for labels in (self.reference, self.predicted)]
+        (height, width), (other_height, other_width) = self.reference.shape_hw, self.predicted.shape_hw
+        if None in grids and (grids[0] != grids[1] or (height, width) != (other_height, other_width)):
+            raise LabelMapError(
+                f"REFERENCE has {width} × {height} pixels and PREDICTED {other_width} × {other_height}, and not both "
+                "have a georeference; compare images of one size or two georeferenced maps."
+            )
+        grid, other = (transform or PIXEL_TRANSFORM for transform in grids)
+        if grid != other and any(transform[2] or transform[4] for transform in (grid, other)):
+            raise LabelMapError("One of the maps is rotated against the other; warp both to a north-up grid first.")
+        # Of each pixel of REFERENCE along an axis, the pixel of PREDICTED at its centre.
+        columns = _pixels_at(grid[0], grid[1], width, other[0], other[1])
+        rows = _pixels_at(grid[3], grid[5], height, other[3], other[5])
+        self._first_column, self._columns = _inside(columns, other_width)
+        self._first_row, self._rows = _inside(rows, other_height)
+        if not len(self._columns) or not len(self._rows):
+            raise LabelMapError("REFERENCE and PREDICTED don't overlap; choose maps of the same ground.")
+        x0, dx, x_turn, y0, y_turn, dy = grid
+        x = x0 + self._first_column * dx + self._first_row * x_turn
+        self.geotransform = (x, dx, x_turn, y0 + self._first_column * y_turn + self._first_row * dy, y_turn, dy)
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        return len(self._rows), len(self._columns)
+
+    def blocks(self) -> Iterator[Tuple[int, np.ndarray, np.ndarray]]:
+        """(first row, annotated labels, predicted labels) from top to bottom, (rows, W) uint8 each."""
+        height, width = self.shape_hw
+        at_once = max(1, _PIXELS_AT_ONCE // width)
+        left, right = min(self._columns), max(self._columns)
+        for first in range(0, height, at_once):
+            rows = self._rows[first:first + at_once]
+            top, bottom = min(rows), max(rows)
+            annotated = self.reference.read(self._first_column, self._first_row + first, width, len(rows))
+            predicted = self.predicted.read(int(left), int(top), int(right - left) + 1, int(bottom - top) + 1)
+            yield first, annotated, predicted[rows - top][:, self._columns - left]
+
+
+def _pixels_at(origin: float, step: float, count: int, other_origin: float, other_step: float) -> np.ndarray:
+    centers = origin + (np.arange(count) + 0.5) * step
+    # A centre on the edge between two pixels must not fall to either side by rounding.
+    return np.floor((centers - other_origin) / other_step + 1e-6).astype(np.int64)
+
+
+def _inside(pixels: np.ndarray, size: int) -> Tuple[int, np.ndarray]:
+    """(first place, the places) that lie on a map of ``size`` pixels."""
+    found = np.flatnonzero((pixels >= 0) & (pixels < size))
+    return (int(found[0]), pixels[found]) if len(found) else (0, pixels[:0])
+
+
+class DisagreementMap:
+    """A raster of codes that becomes polygons; its files lie in ``folder``."""
+
+    def __init__(self, folder: str, pair: LabelMapPair) -> None:
+        height, width = pair.shape_hw
+        self._path, self._polygons = os.path.join(folder, "codes.tif"), os.path.join(folder, "polygons.gpkg")
+        options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
+        self._raster = gdal.GetDriverByName("GTiff").Create(self._path, width, height, 1, gdal.GDT_UInt16, options)
+        if self._raster is None:
+            raise LabelMapError(f"{self._path} can't be written: {gdal_failure()}.")
+        self._raster.SetGeoTransform(pair.geotransform)
+
+    def write_rows(self, first_row: int, codes_hw: np.ndarray) -> None:
+        """Writes (rows, W) uint16 codes, 0 where nothing is."""
+        self._raster.GetRasterBand(1).WriteArray(codes_hw, 0, first_row)
+
+    def outline(self, proceed: Callable[[float], bool]) -> None:
+        """Makes the polygons; ``proceed`` is told the share done (0…1) and says whether to go on."""
+        self._raster.FlushCache()
+        self._database = ogr.GetDriverByName("GPKG").CreateDataSource(self._polygons)
+        self._layer = self._database.CreateLayer("polygons", geom_type=ogr.wkbPolygon, options=["SPATIAL_INDEX=NO"])
+        self._layer.CreateField(ogr.FieldDefn("code", ogr.OFTInteger))
+        self._database.StartTransaction()
+        band = self._raster.GetRasterBand(1)
+        stopped: List[bool] = []
+
+        def report(share, message, data):
+            stopped.extend([] if proceed(share) else [True])
+            return int(not stopped)
+
+        with gdal_failures() as failures:
+            gdal.Polygonize(band, band, self._layer, 0, [], callback=report)
+        if failures and not stopped:
+            raise LabelMapError(f"The disagreements can't be made into polygons: {failures[0]}.")
+        self._database.CommitTransaction()
+
+    def ranked(self, minimum_area: float) -> List[Tuple[int, float]]:
+        """(number of the polygon, area in square map units), the largest first, of equal ones the first."""
+        found = []
+        for feature in self._layer:
+            area = feature.GetGeometryRef().GetArea()
+            if area >= minimum_area:
+                found.append((feature.GetFID(), area))
+        return sorted(found, key=lambda item: (-item[1], item[0]))
+
+    def polygon(self, number: int) -> Tuple[int, QgsGeometry]:
+        """(code, outline) of a polygon."""
+        feature = self._layer.GetFeature(number)
+        geometry = QgsGeometry()
+        geometry.fromWkb(bytes(feature.GetGeometryRef().ExportToWkb()))
+        return feature.GetField("code"), geometry

@@ -1,0 +1,241 @@
+"""Photos and orthophotos as networks see them: red, green and blue of 8 bits, at a wanted resolution."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import hypot
+from typing import List, Optional, Tuple
+
+import numpy as np
+from osgeo import gdal
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransformContext,
+    QgsDistanceArea,
+    QgsPointXY,
+    QgsRasterLayer,
+)
+
+from ...core.errors import ImageError, LabelMapError
+from ..compat import is_metric
+from .gdal_errors import gdal_failure
+from .rasters import open_raster
+
+WAVELENGTHS_UM = (0.665, 0.560, 0.490)
+"""Middle of red, green and blue light, for bands that state their wavelength."""
+
+STRETCHED = 2, 98
+"""Percentiles of a band that become 0 and 255 when it has more than 8 bits: what QGIS shows by default."""
+
+SAME_RESOLUTION = 0.05
+"""An image whose resolution is this close to the wanted one is not resampled."""
+
+_SAMPLES, _SAMPLE_EDGE = 8, 128
+"""Percentiles are taken from this many squares of this edge along each axis, spread over the image."""
+
+
+@dataclass(frozen=True)
+class ImageLayer:
+    """What the main thread knows of a raster layer: its GDAL source and its CRS."""
+
+    path: str
+    crs: QgsCoordinateReferenceSystem
+
+
+def image_layer(layer: Optional[QgsRasterLayer], name: str) -> ImageLayer:
+    """Takes what is needed out of a layer, in the thread it lives in. Raises ImageError."""
+    if layer is None or not layer.isValid():
+        raise ImageError(f"{name} is not a raster that can be read; choose a photo or an orthophoto.")
+    if layer.providerType() != "gdal":
+        raise ImageError(f"“{layer.name()}” comes from {layer.providerType()}; save it as GeoTIFF first.")
+    return ImageLayer(layer.source(), layer.crs())
+
+
+class GdalImage:
+    """An ImageSource on disk. Raises ImageError for what can't be read.
+
+    ``bands``: numbers of the bands taken as red, green and blue. ``stretch``: (3, 2) lowest and highest value of
+    each, None for 8 bits.
+    """
+
+    def __init__(self, path: str, size_wh: Optional[Tuple[int, int]] = None) -> None:
+        """``size_wh``: (width, height) to resample to."""
+        self._path = path
+        try:
+            self._file = open_raster(path, "Image")
+        except LabelMapError as error:
+            raise ImageError(str(error)) from None
+        self._view = _in_colors(self._file)
+        self.bands = color_bands(self._view)
+        kinds = {self._view.GetRasterBand(number).DataType for number in self.bands}
+        if any(gdal.DataTypeIsComplex(kind) for kind in kinds):
+            raise ImageError(f"{path} holds complex numbers; a network takes photos.")
+        self.stretch = None if kinds == {gdal.GDT_Byte} else self._percentiles()
+        if size_wh is not None:
+            self._view = _resampled(self._view, size_wh)
+        self._row = 0
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        return self._view.RasterYSize, self._view.RasterXSize
+
+    @property
+    def geotransform(self) -> Optional[tuple]:
+        return self._view.GetGeoTransform(can_return_null=True)
+
+    def read(self, column: int, row: int, width: int, height: int) -> Tuple[np.ndarray, Optional[np.ndarray]]:
+        if row != self._row:
+            # Tiles come row by row: what lies above would only fill GDAL's cache.
+            self._view.FlushCache()
+            self._file.FlushCache()
+            self._row = row
+        window = column, row, width, height
+        pixels = np.empty((height, width, 3), np.uint8)
+        for n, number in enumerate(self.bands):
+            if n and number == self.bands[0]:
+                pixels[..., n] = pixels[..., 0]
+                continue
+            values = self._values(self._view.GetRasterBand(number), window)
+            pixels[..., n] = values if self.stretch is None else _stretched(values, *self.stretch[n])
+        has_data = self._has_data(window)
+        if has_data is not None:
+            pixels[~has_data] = 0
+        return pixels, has_data
+
+    def _has_data(self, window) -> Optional[np.ndarray]:
+        """(height, width) bool: a pixel has data unless all its bands have none; None where all pixels have."""
+        found = None
+        for number in sorted(set(self.bands)):
+            band = self._view.GetRasterBand(number)
+            if band.GetMaskFlags() & gdal.GMF_ALL_VALID:
+                return None
+            mask = self._values(band.GetMaskBand(), window) > 0
+            found = mask if found is None else found | mask
+            if not band.GetMaskFlags() & gdal.GMF_NODATA:
+                break
+        return None if found.all() else found
+
+    def _values(self, band: gdal.Band, window) -> np.ndarray:
+        try:
+            values = band.ReadAsArray(*window)
+        except RuntimeError as error:
+            raise ImageError(f"{self._path} is damaged or cut short: {gdal_failure(error)}.") from None
+        if values is None:
+            raise ImageError(f"{self._path} is damaged or cut short: {gdal_failure()}.")
+        return values
+
+    def _percentiles(self) -> np.ndarray:
+        height, width = self.shape_hw
+        windows = [
+            (column, row, min(_SAMPLE_EDGE, width), min(_SAMPLE_EDGE, height))
+            for row in _spread(height)
+            for column in _spread(width)
+        ]
+        limits = []
+        for number in self.bands:
+            band = self._view.GetRasterBand(number)
+            found = []
+            for window in windows:
+                values = self._values(band, window)
+                found.append(values[(self._values(band.GetMaskBand(), window) > 0) & np.isfinite(values)])
+            values = np.concatenate(found)
+            limits.append(np.percentile(values, STRETCHED) if values.size else (0.0, 1.0))
+        return np.array(limits)
+
+
+def _spread(length: int) -> List[int]:
+    last = max(0, length - _SAMPLE_EDGE)
+    return sorted({int(first) for first in np.linspace(0, last, _SAMPLES)})
+
+
+def _stretched(values: np.ndarray, least: float, most: float) -> np.ndarray:
+    scaled = (np.nan_to_num(values.astype(np.float32)) - least) * (255 / max(most - least, 1e-9))
+    return np.clip(scaled + 0.5, 0, 255).astype(np.uint8)
+
+
+def color_bands(dataset: gdal.Dataset) -> Tuple[int, int, int]:
+    """Numbers of the red, green and blue band; one grey band stands for all three.
+
+    By colour interpretation, else by the wavelengths that the bands state, else the first three.
+    """
+    bands = [dataset.GetRasterBand(number) for number in range(1, dataset.RasterCount + 1)]
+    meanings = [band.GetColorInterpretation() for band in bands]
+    wanted = (gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand)
+    if all(meaning in meanings for meaning in wanted):
+        red, green, blue = (meanings.index(meaning) + 1 for meaning in wanted)
+        return red, green, blue
+    lengths = [_wavelength_um(band) for band in bands]
+    if len(bands) >= 3 and None not in lengths:
+        red, green, blue = (int(np.argmin(np.abs(np.array(lengths) - middle))) + 1 for middle in WAVELENGTHS_UM)
+        if len({red, green, blue}) == 3:
+            return red, green, blue
+    return (1, 2, 3) if len(bands) >= 3 else (1, 1, 1)
+
+
+def _wavelength_um(band: gdal.Band) -> Optional[float]:
+    """Micrometres, as ENVI's headers or (from GDAL 3.10 on) the domain IMAGERY tell them; None for none."""
+    text = band.GetMetadataItem("wavelength") or band.GetMetadataItem("CENTRAL_WAVELENGTH_UM", "IMAGERY") or ""
+    try:
+        length = float(text)
+    except ValueError:
+        return None
+    is_nanometers = (band.GetMetadataItem("wavelength_units") or "").lower().startswith("nano")
+    return length / 1000 if is_nanometers else length
+
+
+def _in_colors(dataset: gdal.Dataset) -> gdal.Dataset:
+    """A paletted image as red, green and blue; others as they are."""
+    if dataset.GetRasterBand(1).GetRasterColorTable() is None or dataset.RasterCount > 1:
+        return dataset
+    return gdal.Translate("", dataset, format="VRT", rgbExpand="rgb")
+
+
+def _resampled(dataset: gdal.Dataset, size_wh: Tuple[int, int]) -> gdal.Dataset:
+    """A view of another size: means of pixels where it shrinks, bilinear where it grows."""
+    shrinks = size_wh[0] < dataset.RasterXSize
+    return gdal.Translate(
+        "", dataset, format="VRT", width=size_wh[0], height=size_wh[1], resampleAlg="average" if shrinks else "bilinear"
+    )
+
+
+def stated_crs(path: str) -> QgsCoordinateReferenceSystem:
+    """The CRS in a raster file; an invalid one for none."""
+    return QgsCoordinateReferenceSystem.fromWkt(open_raster(path, "Image").GetProjection())
+
+
+def resampled_size(
+    image: GdalImage, crs: QgsCoordinateReferenceSystem, resolution_m: float
+) -> Optional[Tuple[int, int]]:
+    """(width, height) that give the image pixels of ``resolution_m`` metres; None when it may stay as it is.
+
+    That is so when the image has no georeference or nearly that resolution. Raises ImageError when nothing is left.
+    """
+    pixel_m = pixel_size_m(image, crs)
+    if pixel_m is None or max(abs(size / resolution_m - 1) for size in pixel_m) < SAME_RESOLUTION:
+        return None
+    height, width = image.shape_hw
+    width, height = (round(size * edge / resolution_m) for size, edge in zip(pixel_m, (width, height)))
+    if min(width, height) < 1:
+        raise ImageError(
+            f"At {100 * resolution_m:g} cm a pixel nothing is left of the image; give another RESOLUTION."
+        )
+    return width, height
+
+
+def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> Optional[Tuple[float, float]]:
+    """Ground metres along a row and a column of a pixel, measured in the middle; None without georeference."""
+    transform = image.geotransform
+    if transform is None or not crs.isValid():
+        return None
+    x0, dx_column, dx_row, y0, dy_column, dy_row = transform
+    if is_metric(crs):
+        return hypot(dx_column, dy_column), hypot(dx_row, dy_row)
+    height, width = image.shape_hw
+    x = x0 + dx_column * width / 2 + dx_row * height / 2
+    y = y0 + dy_column * width / 2 + dy_row * height / 2
+    measure = QgsDistanceArea()
+    measure.setSourceCrs(crs, QgsCoordinateTransformContext())
+    measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030")
+    middle = QgsPointXY(x, y)
+    along_row = measure.measureLine(middle, QgsPointXY(x + dx_column, y + dy_column))
+    return along_row, measure.measureLine(middle, QgsPointXY(x + dx_row, y + dy_row))

@@ -1,0 +1,178 @@
+"""semref:comparelabels: figures equal counts done by hand; every disagreement is a polygon, the largest first."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import ogr
+from qgis.core import QgsProcessingException
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import NORTH, WEST, scattered_objects, write_raster
+
+COMPARE = "semref:comparelabels"
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+LABELS = scattered_objects(120, 160, 30, seed=3)
+
+
+@pytest.fixture
+def compare(run_algorithm, feedback, tmp_path):
+    """`compare(reference, predicted, **parameters)` gives (polygons as dicts with their area and box, results)."""
+
+    def run(reference, predicted, **parameters):
+        defaults = {"MINIMUM_AREA": 0, "DISAGREEMENTS": str(tmp_path / "disagreements.gpkg")}
+        sources = {"REFERENCE": str(reference), "PREDICTED": str(predicted)}
+        results = run_algorithm(COMPARE, {**sources, **defaults, **parameters}, feedback)
+        source = ogr.Open(results["DISAGREEMENTS"])
+        found = []
+        for feature in source.GetLayer(0):
+            geometry = feature.GetGeometryRef()
+            assert geometry.IsValid()
+            box = tuple(round(v, 6) for v in geometry.GetEnvelope())
+            found.append({**feature.items(), "own_area": geometry.GetArea(), "box": box})
+        return found, results
+
+    return run
+
+
+@pytest.fixture
+def maps(tmp_path):
+    """(annotated map, predicted map with two wrong rectangles)."""
+    wrong = LABELS.copy()
+    wrong[10:20, 30:50] = 0
+    wrong[60:90, 100:140] = 2
+    annotated = write_raster(tmp_path / "annotated.tif", LABELS, names=NAMES)
+    return annotated, write_raster(tmp_path / "predicted.tif", wrong, names=NAMES), wrong
+
+
+def test_figures_equal_those_counted_by_hand(compare, maps):
+    annotated, predicted, wrong = maps
+    _, results = compare(annotated, predicted)
+    assert results["OVERALL_ACCURACY"] == pytest.approx((LABELS == wrong).mean())
+    ious = [((LABELS == v) & (wrong == v)).sum() / ((LABELS == v) | (wrong == v)).sum() for v in (1, 2, 3, 4)]
+    assert results["MEAN_IOU"] == pytest.approx(np.mean(ious))
+
+
+def test_polygons_cover_what_disagrees_and_nothing_else(compare, maps):
+    annotated, predicted, wrong = maps
+    found, _ = compare(annotated, predicted)
+    assert sum(row["area"] for row in found) == (LABELS != wrong).sum()
+    assert [row["area"] for row in found] == [row["own_area"] for row in found]
+    pairs = {(row["annotated_value"], row["predicted_value"]) for row in found}
+    assert pairs == {(int(a), int(b)) for a, b in zip(LABELS[LABELS != wrong], wrong[LABELS != wrong])}
+    names = {(row["annotated_class"], row["predicted_class"]) for row in found}
+    assert names == {(NAMES[a], NAMES[b]) for a, b in pairs}
+
+
+def test_polygons_are_ranked_by_area(compare, maps):
+    found, _ = compare(*maps[:2])
+    assert [row["rank"] for row in found] == list(range(1, len(found) + 1))
+    areas = [row["area"] for row in found]
+    assert len(areas) > 2 and areas == sorted(areas, reverse=True)
+
+
+def test_a_polygon_lies_where_the_maps_disagree(compare, tmp_path):
+    labels = np.ones((40, 50), np.uint8)
+    wrong = labels.copy()
+    wrong[5:8, 20:30] = 2
+    (found,), _ = compare(write_raster(tmp_path / "a.tif", labels), write_raster(tmp_path / "b.tif", wrong))
+    assert found["box"] == (WEST + 20, WEST + 30, NORTH - 8, NORTH - 5)
+
+
+def test_small_disagreements_give_no_polygon_but_count(compare, maps):
+    found, results = compare(*maps[:2], MINIMUM_AREA=150)
+    assert 0 < len(found) and min(row["area"] for row in found) >= 150
+    assert results["OVERALL_ACCURACY"] == pytest.approx((LABELS == maps[2]).mean())
+
+
+def test_noise_gives_valid_polygons_of_the_whole_area(compare, tmp_path):
+    random = np.random.default_rng(9)
+    labels, noise = random.integers(1, 4, (2, 70, 90)).astype(np.uint8)
+    found, _ = compare(write_raster(tmp_path / "a.tif", labels), write_raster(tmp_path / "b.tif", noise))
+    assert sum(row["area"] for row in found) == (labels != noise).sum()
+
+
+def test_equal_maps_have_no_disagreement(compare, maps):
+    found, results = compare(maps[0], maps[0])
+    assert (found, results["MEAN_IOU"], results["OVERALL_ACCURACY"]) == ([], 1, 1)
+
+
+def test_classes_are_matched_by_name(compare, tmp_path):
+    other = np.array([0, 4, 3, 2, 1], np.uint8)[LABELS]
+    names = ["unlabeled", "field", "bare_land", "Water", "building"]
+    annotated = write_raster(tmp_path / "a.tif", LABELS, names=NAMES)
+    found, results = compare(annotated, write_raster(tmp_path / "b.tif", other, names=names))
+    assert (found, results["OVERALL_ACCURACY"]) == ([], 1)
+
+
+def test_maps_without_names_are_matched_by_value_and_that_is_said(compare, tmp_path, feedback):
+    annotated = write_raster(tmp_path / "a.tif", LABELS)
+    _, results = compare(annotated, write_raster(tmp_path / "b.tif", LABELS, names=NAMES))
+    assert results["OVERALL_ACCURACY"] == 1
+    assert "matched by their values" in feedback.textLog()
+
+
+def test_a_prediction_of_other_pixels_and_extent_is_compared_on_the_annotated_ones(compare, tmp_path):
+    wrong = LABELS.copy()
+    wrong[60:90, 100:140] = 2
+    fine = np.kron(wrong, np.ones((2, 2), np.uint8))[20:, 40:]  # from row 10, column 20 on
+    annotated = write_raster(tmp_path / "a.tif", LABELS)
+    predicted = write_raster(tmp_path / "b.tif", fine, transform=(WEST + 20, 0.5, 0, NORTH - 10, 0, -0.5))
+    found, results = compare(annotated, predicted)
+    assert results["OVERALL_ACCURACY"] == pytest.approx((LABELS == wrong)[10:, 20:].mean())
+    assert sum(row["area"] for row in found) == (LABELS != wrong)[10:, 20:].sum()
+    assert found[0]["box"][0] >= WEST + 100
+
+
+def test_a_prediction_beyond_the_annotated_map_is_cut(compare, tmp_path):
+    wide = np.pad(LABELS, 30, constant_values=4)
+    annotated = write_raster(tmp_path / "a.tif", LABELS)
+    predicted = write_raster(tmp_path / "b.tif", wide, transform=(WEST - 30, 1, 0, NORTH + 30, 0, -1))
+    assert compare(annotated, predicted)[1]["OVERALL_ACCURACY"] == 1
+
+
+def test_photos_without_georeference_are_compared_pixel_by_pixel(compare, tmp_path):
+    wrong = LABELS.copy()
+    wrong[3:9, 4:14] = 2
+    annotated = write_raster(tmp_path / "a.png", LABELS, transform=None)
+    found, _ = compare(annotated, write_raster(tmp_path / "b.png", wrong, transform=None))
+    assert found[0]["box"] == (4, 14, -9, -3)
+
+
+def test_blocks_give_the_same_as_the_whole(compare, maps, monkeypatch):
+    from semref.processing.exchange import comparing
+
+    whole = compare(*maps[:2])
+    monkeypatch.setattr(comparing, "_PIXELS_AT_ONCE", 1000)
+    assert compare(*maps[:2])[0] == whole[0]
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"crs": 32633}, "REFERENCE is in EPSG:32632 .*, but PREDICTED is in EPSG:32633"),
+        ({"transform": None}, "REFERENCE has 160 × 120 pixels and PREDICTED 160 × 120, and not both have a georeference"),
+        ({"transform": (WEST + 5000, 1, 0, NORTH, 0, -1)}, "don't overlap"),
+        ({"transform": (WEST, 0.8, 0.6, NORTH, 0.6, -0.8)}, "rotated"),
+    ],
+)
+def test_maps_that_do_not_lie_on_each_other_are_refused(compare, tmp_path, options, message):
+    predicted = write_raster(tmp_path / "b.tif", LABELS, **options)
+    with pytest.raises(QgsProcessingException, match=message):
+        compare(write_raster(tmp_path / "a.tif", LABELS), predicted)
+    assert not (tmp_path / "disagreements.gpkg").exists()
+
+
+def test_a_reference_without_labels_is_refused(compare, tmp_path):
+    empty = write_raster(tmp_path / "a.tif", LABELS * 0)
+    with pytest.raises(QgsProcessingException, match="no pixel in common that REFERENCE labels"):
+        compare(empty, write_raster(tmp_path / "b.tif", LABELS))
+
+
+def test_a_photo_is_no_prediction(compare, tmp_path):
+    photo = write_raster(tmp_path / "b.tif", np.stack([LABELS] * 3))
+    with pytest.raises(QgsProcessingException, match="has 3 bands; a label map has one"):
+        compare(write_raster(tmp_path / "a.tif", LABELS), photo)

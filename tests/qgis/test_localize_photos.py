@@ -1,0 +1,121 @@
+"""semref:localizeimages with MODEL: photos are segmented, then localised; the classes are the database's by name."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import ogr
+from qgis.core import QgsProcessingException
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
+from made_models import metadata, painted, write_model, writer
+
+LOCALIZE = "semref:localizeimages"
+SIZE = 160
+NAMES = ["unlabeled", "water", "Building", "bare_land"]
+"""Other values than the model's channels, and another spelling."""
+LABELS = scattered_objects(500, 600, 380, seed=7, background=0)
+TO_MODEL = np.array([0, 2, 1, 3], np.uint8)
+"""Label of this map → colour of made_models, whose first class is building."""
+
+
+CLASSES = ["ground", "building", "water", "bare_land"]
+
+
+def ground_and_colors():
+    """Channels: ground (the same everywhere), then red, blue and green."""
+    kernels = np.zeros((4, 3, 1, 1), np.float32)
+    for channel, band in ((1, 0), (2, 2), (3, 1)):
+        kernels[channel, band] = 1
+    return writer.Network().convolution(kernels, np.array([0.2, 0, 0, 0]))
+
+
+@pytest.fixture(scope="module")
+def folder(run_algorithm, tmp_path_factory):
+    """A folder with the database area.gpkg and the model colors.onnx."""
+    folder = tmp_path_factory.mktemp("area")
+    parameters = {
+        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
+        "REFERENCE_CLASSES": "building;water;bare_land",
+        "WINDOW_SIZE": SIZE,
+        "STRIDE": 40,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    run_algorithm("semref:builddatabase", parameters)
+    write_model(folder / "colors.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES))
+    return folder
+
+
+def photo_of(labels: np.ndarray) -> np.ndarray:
+    return np.moveaxis(painted(TO_MODEL[labels]), 2, 0)
+
+
+@pytest.fixture
+def localize(run_algorithm, folder, tmp_path, feedback):
+    def run(images, **parameters):
+        defaults = {"DATABASE": str(folder / "area.gpkg"), "MODEL": str(folder / "colors.onnx")}
+        parameters = {**defaults, "METHOD": 2, "OUTPUT": str(tmp_path / "positions.gpkg"), **parameters}
+        results = run_algorithm(LOCALIZE, {"IMAGES": [str(path) for path in images], **parameters}, feedback)
+        source = ogr.Open(results["OUTPUT"])
+        return [feature.items() for feature in source.GetLayer(0)]
+
+    return run
+
+
+@pytest.mark.parametrize("heading", [12, 137])
+def test_a_photo_is_found_where_it_was_taken(localize, tmp_path, heading):
+    view = turned_view(LABELS, SIZE, 311.4, 207.8, heading)
+    (found,) = localize([write_raster(tmp_path / "a.png", photo_of(view), transform=None)])
+    assert found["status"] == "fix"
+    assert (found["x"], found["y"]) == pytest.approx((WEST + 311.4, NORTH - 207.8), abs=1)
+    assert found["heading"] == pytest.approx(heading, abs=0.5)
+
+
+def test_a_photo_of_another_resolution_keeps_its_own_pixel_size(localize, folder, tmp_path):
+    model = write_model(
+        tmp_path / "m.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES, resolution=50)
+    )
+    view = turned_view(LABELS, SIZE, 311.4, 207.8, 0)
+    photo = write_raster(tmp_path / "a.tif", photo_of(view))  # pixels of 1 m, the model wants 0.5 m
+    (found,) = localize([photo], MODEL=str(model))
+    assert found["pixel_size"] == pytest.approx(1, abs=0.02)
+    assert (found["x"], found["y"]) == pytest.approx((WEST + 311.4, NORTH - 207.8), abs=1)
+
+
+def test_a_bad_photo_does_not_stop_the_others(localize, tmp_path):
+    bad = tmp_path / "bad.png"
+    bad.write_bytes(b"no picture")
+    tiny = write_raster(tmp_path / "tiny.png", np.zeros((3, 1, 1), np.uint8), transform=None)
+    good = write_raster(tmp_path / "good.png", photo_of(turned_view(LABELS, SIZE, 300, 200, 20)), transform=None)
+    rows = localize([bad, tiny, good])
+    assert [row["status"] for row in rows] == ["error", "error", "fix"]
+    assert "bad.png can't be read" in rows[0]["reason"]
+    assert "1 × 1 pixels shows too little" in rows[1]["reason"]
+
+
+def test_a_model_without_the_databases_classes_is_refused(localize, tmp_path):
+    model = write_model(tmp_path / "m.onnx", metadata=metadata(class_names=["building", "water", "snow"]))
+    photo = write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
+    with pytest.raises(QgsProcessingException, match="does not know the database's class bare_land"):
+        localize([photo], MODEL=str(model))
+    assert not (tmp_path / "positions.gpkg").exists()
+
+
+def test_a_broken_model_is_refused(localize, tmp_path):
+    model = tmp_path / "m.onnx"
+    model.write_bytes(b"hello")
+    photo = write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
+    with pytest.raises(QgsProcessingException, match="m.onnx is not an ONNX model"):
+        localize([photo], MODEL=str(model))
+
+
+def test_a_missing_onnxruntime_is_said(localize, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "onnxruntime", None)
+    photo = write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
+    with pytest.raises(QgsProcessingException, match="needs the Python package onnxruntime"):
+        localize([photo])

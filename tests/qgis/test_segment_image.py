@@ -1,0 +1,254 @@
+"""semref:segmentimage: every kind of raster becomes the label map that the network sees in it, on its own ground."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import QgsProcessingException, QgsRasterLayer
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
+from made_models import brightest_color, metadata, painted, write_model
+
+SEGMENT = "semref:segmentimage"
+LABELS = scattered_objects(170, 230, 60, seed=3, background=0)
+"""Classes 1 building, 2 water, 3 bare_land on grey, which the network takes for building (the first of equals)."""
+SEEN = np.where(LABELS == 0, 1, LABELS)
+
+
+@pytest.fixture(scope="module")
+def model(tmp_path_factory):
+    return write_model(tmp_path_factory.mktemp("model") / "colors.onnx")
+
+
+@pytest.fixture
+def segment(run_algorithm, model, feedback, tmp_path):
+    """`segment(image, **parameters)` gives the path of the label map."""
+
+    def run(image, **parameters):
+        defaults = {"MODEL": str(model), "OUTPUT": str(tmp_path / "labels.tif")}
+        source = str(image) if isinstance(image, Path) else image
+        return run_algorithm(SEGMENT, {"INPUT": source, **defaults, **parameters}, feedback)["OUTPUT"]
+
+    return run
+
+
+def bands_of(photo_hw3: np.ndarray) -> np.ndarray:
+    return np.moveaxis(photo_hw3, 2, 0)
+
+
+PHOTO = bands_of(painted(LABELS))
+
+
+def test_an_orthophoto_becomes_a_label_map_on_the_same_ground(segment, tmp_path):
+    image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.5, 0, NORTH, 0, -0.5), crs=25832)
+    raster = gdal.Open(segment(image))
+    np.testing.assert_array_equal(raster.ReadAsArray(), SEEN)
+    assert raster.GetGeoTransform() == (WEST, 0.5, 0, NORTH, 0, -0.5)
+    assert QgsRasterLayer(str(tmp_path / "labels.tif")).crs().authid() == "EPSG:25832"
+
+
+def test_a_photo_gives_a_label_image_without_georeference(segment, tmp_path):
+    raster = gdal.Open(segment(write_raster(tmp_path / "a.png", PHOTO, transform=None)))
+    np.testing.assert_array_equal(raster.ReadAsArray(), SEEN)
+    assert raster.GetGeoTransform(can_return_null=True) is None
+    assert raster.GetProjection() == ""
+
+
+def test_a_jpeg_photo_will_do(segment, tmp_path):
+    smooth = cv2.resize(painted(LABELS), None, fx=4, fy=4, interpolation=cv2.INTER_NEAREST)
+    path = tmp_path / "a.jpg"
+    memory = gdal.GetDriverByName("MEM").Create("", smooth.shape[1], smooth.shape[0], 3, gdal.GDT_Byte)
+    memory.WriteArray(bands_of(smooth))
+    gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory, options=["QUALITY=95"])
+    found = read_pixels(segment(path))
+    wanted = cv2.resize(LABELS, None, fx=4, fy=4, interpolation=cv2.INTER_NEAREST)
+    assert (found[wanted > 0] == wanted[wanted > 0]).mean() > 0.97
+
+
+def test_the_label_map_has_the_models_classes(segment, tmp_path):
+    more = metadata(class_values={"0": 5, "1": 2, "2": 9}, class_colors=["#ff0000", "#0000ff", "#00ff00"])
+    model = write_model(tmp_path / "m.onnx", metadata=more)
+    raster = gdal.Open(segment(write_raster(tmp_path / "a.tif", PHOTO), MODEL=str(model)))
+    np.testing.assert_array_equal(raster.ReadAsArray(), np.array([5, 5, 2, 9])[LABELS])
+    assert "5,building,#ff0000,background" in raster.GetMetadataItem("SEMREF_CLASS_TABLE")
+    band = raster.GetRasterBand(1)
+    assert [band.GetRasterCategoryNames()[n] for n in (2, 5, 9)] == ["water", "building", "bare_land"]
+    assert band.GetRasterColorTable().GetColorEntry(9)[:3] == (0, 255, 0)
+    assert (tmp_path / "labels.qml").exists()
+
+
+def test_a_class_table_says_values_roles_and_colors(segment, tmp_path):
+    table = write_text(tmp_path / "classes.csv", CLASSES_CSV.replace("1,building", "40,Building"))
+    raster = gdal.Open(segment(write_raster(tmp_path / "a.tif", PHOTO), CLASS_TABLE=str(table)))
+    np.testing.assert_array_equal(raster.ReadAsArray(), np.array([40, 40, 2, 3])[LABELS])
+    assert "40,Building,#d62728,reference" in raster.GetMetadataItem("SEMREF_CLASS_TABLE")
+
+
+def test_a_class_table_names_what_the_model_does_not(segment, tmp_path):
+    model = write_model(tmp_path / "m.onnx", metadata=metadata(class_names=None))
+    table = write_text(tmp_path / "classes.csv", "value,name\n7,a\n8,b\n9,c\n")
+    found = read_pixels(segment(write_raster(tmp_path / "a.tif", PHOTO), MODEL=str(model), CLASS_TABLE=str(table)))
+    np.testing.assert_array_equal(found, np.array([7, 7, 8, 9])[LABELS])
+
+
+def test_pixels_without_data_are_unlabeled(segment, tmp_path):
+    photo = PHOTO.copy()
+    photo[:, 20:90, 30:180] = 7
+    photo[0, 100, 100] = 7  # one band alone says nothing
+    path = write_raster(tmp_path / "a.tif", photo, nodata=7)
+    found = read_pixels(segment(path))
+    assert (found[20:90, 30:180] == 0).all()
+    assert found[100, 100] != 0 and (found == 0).sum() == 70 * 150
+
+
+def test_transparent_pixels_are_unlabeled(segment, tmp_path):
+    alpha = np.full(LABELS.shape, 255, np.uint8)
+    alpha[:40, :50] = 0
+    path = tmp_path / "a.tif"
+    raster = gdal.GetDriverByName("GTiff").Create(str(path), 230, 170, 4, options=["PHOTOMETRIC=RGB", "ALPHA=YES"])
+    raster.WriteArray(np.concatenate([PHOTO, alpha[None]]))
+    raster = None
+    found = read_pixels(segment(path))
+    np.testing.assert_array_equal(found, np.where(alpha > 0, SEEN, 0))
+
+
+def test_sixteen_bits_are_stretched(segment, tmp_path, feedback):
+    photo = PHOTO.astype(np.uint16) * 10 + 300
+    found = read_pixels(segment(write_raster(tmp_path / "a.tif", photo, kind=gdal.GDT_UInt16)))
+    np.testing.assert_array_equal(found[LABELS > 0], LABELS[LABELS > 0])
+    assert "Stretched to 8 bits from 700–2500" in feedback.textLog()
+
+
+def test_bands_are_found_by_their_wavelength(segment, tmp_path, feedback):
+    path = write_raster(tmp_path / "a.tif", np.concatenate([PHOTO[::-1], PHOTO[:1]]))
+    raster = gdal.Open(str(path), gdal.GA_Update)
+    for number, length in enumerate((0.4843, 0.5584, 0.6465, 0.8046), start=1):
+        raster.GetRasterBand(number).SetMetadataItem("wavelength", str(length))
+        raster.GetRasterBand(number).SetMetadataItem("wavelength_units", "Micrometers")
+        raster.GetRasterBand(number).SetColorInterpretation(gdal.GCI_Undefined)
+    raster = None
+    np.testing.assert_array_equal(read_pixels(segment(path)), SEEN)
+    assert "bands 3, 2, 1" in feedback.textLog()
+
+
+def test_bands_are_found_by_their_color_interpretation(segment, tmp_path):
+    path = write_raster(tmp_path / "a.tif", np.concatenate([PHOTO[:1] * 0, PHOTO[::-1]]))
+    raster = gdal.Open(str(path), gdal.GA_Update)
+    for number, meaning in enumerate((gdal.GCI_Undefined, gdal.GCI_BlueBand, gdal.GCI_GreenBand, gdal.GCI_RedBand), 1):
+        raster.GetRasterBand(number).SetColorInterpretation(meaning)
+    raster = None
+    np.testing.assert_array_equal(read_pixels(segment(path)), SEEN)
+
+
+def test_a_gray_image_is_taken_as_gray(segment, tmp_path):
+    assert (read_pixels(segment(write_raster(tmp_path / "a.tif", PHOTO[0]))) == 1).all()
+
+
+def test_a_paletted_image_is_seen_in_its_colors(segment, tmp_path):
+    path = tmp_path / "a.png"
+    memory = gdal.GetDriverByName("MEM").Create("", 230, 170, 1, gdal.GDT_Byte)
+    palette = gdal.ColorTable()
+    for value in range(4):
+        palette.SetColorEntry(value, (*painted(np.array([[value]]))[0, 0].tolist(), 255))
+    memory.GetRasterBand(1).SetColorTable(palette)
+    memory.GetRasterBand(1).WriteArray(LABELS)
+    gdal.GetDriverByName("PNG").CreateCopy(str(path), memory)
+    np.testing.assert_array_equal(read_pixels(segment(path)), SEEN)
+
+
+@pytest.mark.parametrize(("pixel_m", "factor"), [(0.25, 0.5), (1.0, 2.0)])
+def test_the_image_is_brought_to_the_models_resolution(segment, tmp_path, pixel_m, factor):
+    model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=50))
+    image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, pixel_m, 0, NORTH, 0, -pixel_m))
+    raster = gdal.Open(segment(image, MODEL=str(model)))
+    assert (raster.RasterXSize, raster.RasterYSize) == (230 * factor, 170 * factor)
+    assert raster.GetGeoTransform() == (WEST, 0.5, 0, NORTH, 0, -0.5)
+    back = cv2.resize(raster.ReadAsArray(), (230, 170), interpolation=cv2.INTER_NEAREST)
+    assert (back == SEEN)[LABELS > 0].mean() > 0.9
+
+
+def test_a_resolution_given_goes_before_the_models(segment, tmp_path):
+    model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=50))
+    image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
+    assert gdal.Open(segment(image, MODEL=str(model), RESOLUTION=100)).RasterXSize == round(230 / 4)
+
+
+def test_degrees_are_turned_into_meters(segment, tmp_path):
+    model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=200))
+    degree_m = 111_320.0
+    image = write_raster(tmp_path / "a.tif", PHOTO, crs=4326, transform=(8, 1 / degree_m, 0, 60, 0, -1 / degree_m))
+    raster = gdal.Open(segment(image, MODEL=str(model)))
+    # At 60° north a degree of longitude is half as long.
+    assert (raster.RasterXSize, raster.RasterYSize) == pytest.approx((230 / 4, 170 / 2), abs=1)
+
+
+def test_a_photo_without_georeference_is_not_resampled(segment, tmp_path):
+    model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=50))
+    found = read_pixels(segment(write_raster(tmp_path / "a.png", PHOTO, transform=None), MODEL=str(model)))
+    np.testing.assert_array_equal(found, SEEN)
+
+
+def test_a_resampled_image_keeps_its_pixels_without_data(segment, tmp_path):
+    photo = PHOTO.copy()
+    photo[:, :, :100] = 0
+    image = write_raster(tmp_path / "a.tif", photo, nodata=0, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
+    found = read_pixels(segment(image, RESOLUTION=50))
+    assert (found[:, :50] == 0).all() and (found[:, 50:] > 0).all()
+
+
+def test_seams_do_not_show(segment, tmp_path):
+    """Near its border a tile seems darker to a mean over 15 pixels: blended, that is not seen."""
+    red = cv2.GaussianBlur(np.random.default_rng(5).integers(0, 256, (380, 380)).astype(np.uint8), (0, 0), 12)
+    red = cv2.normalize(red, None, 0, 255, cv2.NORM_MINMAX)
+    image = write_raster(tmp_path / "a.tif", np.stack([red, red * 0, red * 0]))
+    network, found = brightest_color(15, bias=(0, 0.5, 0)), {}
+    for name, tile, overlap in (("whole", 380, 0), ("blended", 128, 50), ("cut", 128, 0)):
+        more = metadata(tile_size=tile, standardization_mean=None, standardization_std=None)
+        model = write_model(tmp_path / f"{name}.onnx", network, metadata=more)
+        found[name] = read_pixels(segment(image, MODEL=str(model), OVERLAP=overlap))
+    assert 0.2 < (found["whole"] == 1).mean() < 0.8
+    assert (found["blended"] != found["whole"]).mean() < 0.002
+    assert (found["cut"] != found["whole"]).mean() > 0.02
+
+
+def test_the_provider_and_classes_are_said(segment, tmp_path, feedback):
+    segment(write_raster(tmp_path / "a.tif", PHOTO))
+    assert "building, water, bare_land; run by CPU, tiles of 64 × 64 pixels" in feedback.textLog()
+
+
+def test_the_output_may_replace_its_input(segment, tmp_path):
+    image = write_raster(tmp_path / "a.tif", PHOTO)
+    np.testing.assert_array_equal(read_pixels(segment(image, OUTPUT=str(image))), SEEN)
+
+
+def test_a_label_map_of_many_rows_is_written_whole(segment, tmp_path):
+    labels = scattered_objects(900, 70, 60, seed=8, background=2)
+    found = read_pixels(segment(write_raster(tmp_path / "a.tif", bands_of(painted(labels)))))
+    np.testing.assert_array_equal(found, labels)
+
+
+@pytest.mark.parametrize("size", [(1, 1), (7, 300)])
+def test_an_image_of_a_few_pixels_is_refused(segment, tmp_path, size):
+    with pytest.raises(QgsProcessingException, match=f"An image of {size[1]} × {size[0]} pixels shows too little"):
+        segment(write_raster(tmp_path / "a.png", np.zeros((3, *size), np.uint8), transform=None))
+
+
+@pytest.mark.real_data
+@pytest.mark.parametrize(
+    ("name", "bands"),
+    [
+        ("berlin_urban_gradient/HighResolution_BerlinUrbanGradient.bsq", "3, 2, 1"),
+        ("berlin_urban_gradient/berlin_hires_rgb8.tif", "1, 2, 3"),
+        ("naip_north_dakota/m_4709963_se_14_1_20190904.tif", "1, 2, 3"),
+    ],
+)
+def test_real_rasters_pass_with_their_bands_in_order(segment, real_data, feedback, name, bands):
+    raster = gdal.Open(segment(real_data(name)))
+    assert (raster.ReadAsArray() > 0).mean() > 0.3
+    assert f"bands {bands}" in feedback.textLog()
