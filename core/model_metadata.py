@@ -1,4 +1,4 @@
-"""What a segmentation model says about itself: the metadata keys of the Deepness plugin, and SemRef's own (DESIGN §5)."""
+"""What a segmentation model says about itself: the keys of the Deepness plugin, and SemRef's own (DESIGN §5)."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ MAXIMUM_OVERLAP = 0.75
 DEFAULT_THRESHOLD = 0.5
 """Probability from which on a pixel has the class, for networks with one output (Deepness: seg_thresh)."""
 
-BACKGROUND_NAMES = ("background", "_background", "unlabeled", "unlabelled", "other", "others", "none", "void", "nothing")
+BACKGROUND_NAMES = ("background", "_background", "unlabeled", "unlabelled", "other", "others", "none", "void")
 """Names of a channel 0 that stands for no class at all."""
 
 

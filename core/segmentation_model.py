@@ -81,7 +81,8 @@ class SegmentationModel:
             )
         if self._gives_probability:
             found = outputs.reshape(len(images), 1, *self.tile_hw)
-            return np.concatenate([np.full_like(found, self.settings.threshold, np.float32), found], 1, dtype=np.float32)
+            threshold = np.full_like(found, self.settings.threshold, np.float32)
+            return np.concatenate([threshold, found], axis=1, dtype=np.float32)
         return outputs.astype(np.float32, copy=False)
 
     def _votes(self, outputs: np.ndarray) -> np.ndarray:

@@ -81,7 +81,7 @@ def segment(
 
 
 def tile_starts(length: int, tile: int, overlap: float) -> List[int]:
-    """First pixels of tiles that cover ``length`` pixels, evenly spread, overlapping by a share of at least ``overlap``.
+    """First pixels of tiles that cover ``length`` pixels, evenly spread, overlapping by at least that share.
 
     A single 0 when the length fits into one tile. Evenly: no tile hangs over the end, and none is squeezed in.
     """

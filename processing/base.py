@@ -109,8 +109,8 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         if missing:
             return False, tr(
                 "SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with "
-                "“python3 -m pip install {packages}”, or “apt install python3-opencv python3-onnxruntime” on Debian and "
-                "Ubuntu."
+                "“python3 -m pip install {packages}”, or “apt install python3-opencv python3-onnxruntime” on Debian "
+                "and Ubuntu."
             ).format(packages=" ".join(missing))
         return True, ""
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
-
 import numpy as np
 from qgis.core import (
     QgsProcessingOutputNumber,
@@ -82,15 +80,12 @@ class CompareLabels(SemRefAlgorithm):
 
         pair = LabelMapPair(*self._layers)
         match = self._match(pair, feedback)
-        with tempfile.TemporaryDirectory(prefix="semref-compare-") as folder:
-            disagreements = DisagreementMap(folder, pair)
+        with DisagreementMap(pair) as disagreements:
             feedback.setProgressText(tr("Comparing"))
             comparison = LabelComparison(self._count(pair, match, disagreements, feedback))
             feedback.setProgressText(tr("Outlining the disagreements"))
             polygons = self._polygons(parameters, context, disagreements, feedback)
-            result = {self.DISAGREEMENTS: self._write(parameters, context, polygons, match, feedback)}
-            # Lets go of its files before the folder is removed.
-            del disagreements, polygons
+        result = {self.DISAGREEMENTS: self._write(parameters, context, polygons, match, feedback)}
         result[self.MEAN_IOU] = comparison.mean_iou
         result[self.OVERALL_ACCURACY] = comparison.overall_accuracy
         _say(comparison, match, feedback)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from typing import Callable, Iterator, List, Tuple
 
 import numpy as np
@@ -85,9 +86,14 @@ def _inside(pixels: np.ndarray, size: int) -> Tuple[int, np.ndarray]:
 
 
 class DisagreementMap:
-    """A raster of codes that becomes polygons; its files lie in ``folder``."""
+    """A raster of codes that becomes polygons.
 
-    def __init__(self, folder: str, pair: LabelMapPair) -> None:
+    A context manager: its files lie in a folder of the system's for temporary ones and are gone when it is left.
+    """
+
+    def __init__(self, pair: LabelMapPair) -> None:
+        self._folder = tempfile.TemporaryDirectory(prefix="semref-compare-")
+        folder = self._folder.name
         height, width = pair.shape_hw
         self._path, self._polygons = os.path.join(folder, "codes.tif"), os.path.join(folder, "polygons.gpkg")
         options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
@@ -95,6 +101,15 @@ class DisagreementMap:
         if self._raster is None:
             raise LabelMapError(f"{self._path} can't be written: {gdal_failure()}.")
         self._raster.SetGeoTransform(pair.geotransform)
+        self._database = self._layer = None
+
+    def __enter__(self) -> "DisagreementMap":
+        return self
+
+    def __exit__(self, kind, error, traceback) -> None:
+        # The last references close the files, which must happen before their folder is removed.
+        self._raster = self._layer = self._database = None
+        self._folder.cleanup()
 
     def write_rows(self, first_row: int, codes_hw: np.ndarray) -> None:
         """Writes (rows, W) uint16 codes, 0 where nothing is."""

@@ -807,4 +807,4 @@ def test_provider_and_dock_can_be_made_without_opencv_shapely_and_onnxruntime(re
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=False)
     assert answer.returncode == 0, answer.stderr
-    assert "'builddatabase', 'comparelabels', 'decodecolorlabels', 'describeimage', 'localizeimages'" in answer.stdout
+    assert "'builddatabase', 'comparelabels', 'decodecolorlabels', 'describeimage'" in answer.stdout
