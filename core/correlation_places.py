@@ -8,7 +8,7 @@ from typing import List, Optional, Tuple
 import numpy as np
 
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, reduced_level
-from .correlation_refine import Pose, refine
+from .correlation_refine import Pose, pose_covariance, refine
 from .correlation_search import SearchSpace, search
 
 COARSE_EDGE = 32
@@ -142,10 +142,10 @@ def best_places(
     peaks = search(coarse, pyramid, space, settings.tile_size, settings.threads)
     # Neighbouring peaks may lead to different optima: at first, places are told apart at half the distance.
     starts = distinct([Pose(x, y, heading, size, score) for score, x, y, heading, size in peaks], distance_m / 2, count)
-    moved = [refine(coarse, pyramid, pose, quiet, 4)[0] for pose in starts]
+    moved = [refine(coarse, pyramid, pose, quiet, 4) for pose in starts]
     moved = distinct(sorted(moved, key=lambda pose: -pose.score), distance_m / 2, settings.finalists)
     finer = reduced_image(image, DECISION_EDGE)
-    finest = [refine(finer, pyramid, pose, quiet, 4)[0] for pose in moved]
+    finest = [refine(finer, pyramid, pose, quiet, 4) for pose in moved]
     return distinct(sorted(finest, key=lambda pose: -pose.score), distance_m, settings.finalists)
 
 
@@ -170,10 +170,11 @@ def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: fl
     ground_m = np.sqrt(height * width * image.pixel[0] * image.pixel[1]) * pose.pixel_size_m
     last = min(np.sqrt(height * width), ground_m / pyramid.frame[2])
     while True:
-        moved, spread = refine(reduced_image(image, edge), pyramid, pose, quiet, 4)
+        reduced = reduced_image(image, edge)
+        moved = refine(reduced, pyramid, pose, quiet, 4)
         if moved.score > 0:
             pose = replace(moved, score=pose.score)
-            covariance = spread if edge <= COVARIANCE_EDGE else covariance
+            covariance = pose_covariance(reduced, pyramid, pose, quiet) if edge <= COVARIANCE_EDGE else covariance
         if edge * 2 > max(last * 1.2, DECISION_EDGE):
             return pose, covariance
         edge *= 2

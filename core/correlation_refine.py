@@ -7,8 +7,8 @@ wider pull. Four parameters: place (2), heading, logarithm of the pixel size.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Tuple
+from dataclasses import dataclass, replace
+from typing import Optional, Tuple
 
 import cv2
 import numpy as np
@@ -18,6 +18,12 @@ from .correlation_search import LEAST_KNOWN
 
 LARGEST_STEP = np.array([1.5, 1.5, 0.06, 0.06])
 """Bound of one Gauss–Newton step: coarse pixels, radians, logarithm; beyond it the linearisation holds no more."""
+
+NOT_COMPARABLE = -1.0
+"""Score where the map has too few labels under the image, or either of them shows the same all over."""
+
+CONVERGED = 0.02
+"""A step is the last one when it moves nothing by more than this share of a coarse pixel."""
 
 BLOCKS = 10
 """Blocks along each edge of the image that are taken to err independently (covariance)."""
@@ -33,7 +39,7 @@ class Pose:
     y: float
     heading_deg: float
     pixel_size_m: float
-    score: float = -1.0
+    score: float = NOT_COMPARABLE
 
 
 def axes(pose: Pose) -> np.ndarray:
@@ -60,20 +66,21 @@ def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose) -> Tuple[np
     return evidence, cv2.warpAffine(level.known, matrix, (width, height), flags=flags)
 
 
-def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float, steps: int) -> Tuple[Pose, np.ndarray]:
-    """The best pose of ``steps`` Gauss–Newton steps from ``pose``, with its score, and its (4, 4) covariance.
+def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float, steps: int) -> Pose:
+    """The best pose of at most ``steps`` Gauss–Newton steps from ``pose``, with its score.
 
-    ``quiet``: energy a pixel added to the map's own in the score. Covariance of (x in image pixels right, y down,
-    heading in radians, ln pixel size); to be calibrated.
+    ``quiet``: energy a pixel added to the map's own in the score.
     """
-    best, covariance = pose, np.full((4, 4), np.inf)
+    best = pose
     for step in range(steps + 1):
-        patch, known = map_under(image, pyramid, pose)
-        score, move, spread = _gauss_newton(image, patch, known, quiet)
-        pose = Pose(pose.x, pose.y, pose.heading_deg, pose.pixel_size_m, score)
-        if step == 0 or score > best.score:
-            best, covariance = pose, spread
-        if step == steps or move is None or score < best.score - 0.1:
+        fit = _linearized(image, pyramid, pose, quiet)
+        pose = replace(pose, score=fit.score)
+        if step == 0 or fit.score > best.score:
+            best = pose
+        if step == steps or fit.slopes is None or fit.score < best.score - 0.1:
+            break
+        move = _move(fit, image)
+        if (np.abs(move) < CONVERGED * _units(image)).all():
             break
         shift = axes(pose) @ move[:2]
         pose = Pose(
@@ -82,47 +89,81 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float, 
             (pose.heading_deg + float(np.degrees(move[2]))) % 360.0,
             pose.pixel_size_m * float(np.exp(move[3])),
         )
-    return best, covariance
+    return best
 
 
-def _gauss_newton(image: EvidenceLevel, patch: np.ndarray, known: np.ndarray, quiet: float):
-    """Score, next move (x, y in image pixels, radians, ln scale) or None, covariance (4, 4)."""
-    nowhere = np.full((4, 4), np.inf)
+def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> float:
+    """Correlation −1…1 of image and map at a pose as it is, or NOT_COMPARABLE."""
+    return _linearized(image, pyramid, pose, quiet).score
+
+
+def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> np.ndarray:
+    """(4, 4) covariance of (x in image pixels right, y down, heading in radians, ln pixel size), to be calibrated;
+    infinite where nothing tells the pose."""
+    fit = _linearized(image, pyramid, pose, quiet)
+    if fit.slopes is None:
+        return np.full((4, 4), np.inf)
+    inverse, units = _inverse(fit), _units(image)
+    pulls = _clustered(fit.slopes * fit.residual, (*image.known.shape, -1))
+    return inverse @ pulls @ inverse * np.outer(units, units)
+
+
+@dataclass(frozen=True)
+class _Fit:
+    """Score of a pose and, unless nothing tells where to go, the fit's slopes (4, h·w·C) by the parameters in
+    ``_units`` and its residual (h·w·C,)."""
+
+    score: float
+    slopes: Optional[np.ndarray] = None
+    residual: Optional[np.ndarray] = None
+
+
+def _units(image: EvidenceLevel) -> np.ndarray:
+    """One coarse pixel, at the image's edge, in each parameter: they differ by orders of magnitude."""
+    height, width = image.known.shape
+    return np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
+
+
+def _linearized(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> _Fit:
+    patch, known = map_under(image, pyramid, pose)
     if known.mean() < LEAST_KNOWN:
-        return -1.0, None, nowhere
+        return _Fit(NOT_COMPARABLE)
     seen = image.evidence - image.evidence.mean(axis=(0, 1))
     there = patch - patch.mean(axis=(0, 1))
     norm, energy = float((seen**2).sum()), float((there**2).sum())
     if norm <= 0 or energy <= 0:
-        return -1.0, None, nowhere
+        return _Fit(NOT_COMPARABLE)
     product = float((seen * there).sum())
     score = product / np.sqrt(norm * (energy + quiet * known.size))
     gain = product / norm
     if gain <= 0:
-        return score, None, nowhere
-    gradient_x = _difference(there + gain * seen, 1) / (2 * image.pixel[0])
-    gradient_y = _difference(there + gain * seen, 0) / (2 * image.pixel[1])
+        return _Fit(score)
+    both = there + gain * seen
+    # Slopes by one coarse pixel, and by the turn and the growth that move the edge's middle by one.
+    gradient_x, gradient_y = _difference(both, 1) / 2, _difference(both, 0) / 2
     height, width = known.shape
     x = ((np.arange(width, dtype=np.float32) - (width - 1) / 2) * image.pixel[0])[None, :, None]
     y = ((np.arange(height, dtype=np.float32) - (height - 1) / 2) * image.pixel[1])[:, None, None]
+    by_x, by_y = gradient_x / image.pixel[0], gradient_y / image.pixel[1]
     slopes = np.stack(
-        [gradient_x, gradient_y, gradient_y * x - gradient_x * y, gradient_x * x + gradient_y * y]
-    ).reshape(4, -1)
-    residual = (there - gain * seen).ravel()
-    # Parameters differ by orders of magnitude: solve in units of one coarse pixel at the image's edge.
-    units = np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
-    slopes = slopes.astype(np.float64) * units[:, None]
-    # einsum: BLAS would start threads for this and let them spin.
-    normal = np.einsum("ik,jk->ij", slopes, slopes)
-    trace = float(np.trace(normal))
-    if trace <= 0:
-        return score, None, nowhere
-    # OpenCV's: LAPACK would start threads for a 4 × 4 matrix.
-    inverse = cv2.invert(normal + 1e-4 * trace * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
+        [gradient_x, gradient_y, (by_y * x - by_x * y) * (2 / width), (by_x * x + by_y * y) * (2 / height)]
+    )
+    return _Fit(score, slopes.reshape(4, -1), (there - gain * seen).ravel())
+
+
+def _inverse(fit: _Fit) -> np.ndarray:
+    """(4, 4) of the normal equations, lightly damped."""
+    # OpenCV's product and inverse: BLAS and LAPACK would start threads for them and let them spin.
+    normal = cv2.mulTransposed(fit.slopes, False, dtype=cv2.CV_64F)
+    damping = 1e-4 * max(float(np.trace(normal)), 1e-30)
+    return cv2.invert(normal + damping * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
+
+
+def _move(fit: _Fit, image: EvidenceLevel) -> np.ndarray:
+    """(4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
+    pull = np.einsum("ik,k->i", fit.slopes, fit.residual).astype(np.float64)
     limit = LARGEST_STEP * np.array([*image.pixel, 1, 1])
-    move = np.clip(-(inverse @ np.einsum("ik,k->i", slopes, residual)) * units, -limit, limit)
-    covariance = inverse @ _clustered(slopes * residual, patch.shape) @ inverse * np.outer(units, units)
-    return score, move, covariance
+    return np.clip(-(_inverse(fit) @ pull) * _units(image), -limit, limit)
 
 
 def _clustered(pulls: np.ndarray, shape) -> np.ndarray:

@@ -7,73 +7,55 @@ from typing import Optional, Tuple
 
 import numpy as np
 
+from .automatic import checked_by_areas, checked_by_objects, confirmed, near, neither
 from .class_pyramid import MapPyramid
-from .constellation import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, ConstellationResult, Place, localize
+from .constellation import localize as solve
+from .constellation_check import check_objects
 from .constellation_index import ConstellationIndex, build_index
 from .correlation_places import Prior as CorrelationPrior
 from .database import ReferenceDatabase
 from .errors import DatabaseError, LabelMapError
 from .hypotheses import Prior
-from .map_correlation import MAP_CORRELATION, NOMINAL_RANGE, TOO_LITTLE_INFORMATION
+from .localization import (
+    AMBIGUOUS,
+    AUTOMATIC,
+    CONSTELLATION,
+    FIX,
+    METHODS,
+    NO_MATCH,
+    TOO_FEW_REFERENCES,
+    TOPOLOGY_VECTOR,
+    Localization,
+    PossiblePlace,
+    from_constellation,
+    from_correlation,
+)
+from .map_correlation import MAP_CORRELATION, NOMINAL_RANGE, agreement_at
 from .map_correlation import localize as correlate
 from .matching import DISTANCE_THRESHOLD, vector_confidence, vector_distances
-from .pose import PoseUncertainty
 from .reference_objects import ReferenceObjects, extract_reference_objects
 from .topology_vector import MINIMUM_REFERENCES, topology_vector
 from .window_grid import centered_square
 
-__all__ = ["AMBIGUOUS", "FIX", "NO_MATCH", "TOO_FEW_REFERENCES", "Localization", "Localizer", "Prior"]
-
-TOPOLOGY_VECTOR = "topology vector"
-CONSTELLATION = "constellation"
-
-AUTOMATIC = "automatic"
+__all__ = [
+    "AMBIGUOUS", "FIX", "NO_MATCH", "TOO_FEW_REFERENCES",
+    "AUTOMATIC", "CONSTELLATION", "MAP_CORRELATION", "METHODS", "TOPOLOGY_VECTOR",
+    "Localization", "Localizer", "PossiblePlace", "Prior",
+]  # fmt: skip
 
 SCALES = (0.4, 2.5)
 """Ground searched that an image may show without a prior, as multiples of a window's edge; the goal is 0.5 to 2."""
-
-METHODS = (AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION, MAP_CORRELATION)
 
 SMALLEST_OBJECT_PX = 9.0
 """Objects of an image below this contour area have neither a shape nor a centre to speak of."""
 
 
 def default_scales(method: str) -> Tuple[float, float]:
-    """Ground searched without a prior, as multiples of a window's edge: what the method was calibrated for."""
-    return NOMINAL_RANGE if method == MAP_CORRELATION else SCALES
+    """Ground searched without a prior, as multiples of a window's edge: what the method was calibrated for.
 
-
-@dataclass(frozen=True)
-class Localization:
-    """What is known of an image's position; None where a method doesn't tell.
-
-    status: ``fix``, ``ambiguous``, ``no_match`` or ``too_few_references``; reason: one sentence
-    without a fix, else empty;
-    position: map coordinates (x, y) of the image's centre; heading_deg: of the image's top, clockwise from grid north;
-    pixel_size_m: ground sampling distance; error_95_m: radius; distance: of topology vectors;
-    references: reference objects described; inliers: those that agree with the map.
-    confidence: of the constellation, the probability that the best place is the right one, calibrated on trials;
-    alternatives: places that fit almost as well; uncertainty: 95 % ellipse, deviations of heading and pixel size;
-    search_capped: the search left out the most common patterns, as it does in very large databases.
+    Automatic leaves each of its two methods its own.
     """
-
-    status: str
-    method: str
-    references: int
-    reason: str = ""
-    position: Optional[Tuple[float, float]] = None
-    heading_deg: Optional[float] = None
-    pixel_size_m: Optional[float] = None
-    confidence: float = 0.0
-    distance: Optional[float] = None
-    inliers: Optional[int] = None
-    log_odds: Optional[float] = None
-    error_95_m: Optional[float] = None
-    window: Optional[str] = None
-    window_index: Optional[int] = None
-    alternatives: Tuple[Place, ...] = ()
-    uncertainty: Optional[PoseUncertainty] = None
-    search_capped: bool = False
+    return NOMINAL_RANGE if method == MAP_CORRELATION else SCALES
 
 
 @dataclass(frozen=True)
@@ -171,21 +153,23 @@ class Localizer:
         return self._index
 
     def localize_by_constellation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
-        """The default method: reference objects as stars (DESIGN §3); position, heading and pixel size of any image.
+        """Reference objects as stars (DESIGN §3); position, heading and pixel size of any image.
 
         ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size,
         images are searched that show SCALES times a window's ground. Raises LabelMapError for an image without pixels.
         """
-        height, width = labels_hw.shape
-        if not height or not width:
-            raise LabelMapError("The image has no pixels.")
-        parameters = self._database.parameters
+        height, width = _shape(labels_hw)
         prior = prior or Prior()
         if not prior.pixel_size_range:
             prior = replace(prior, pixel_size_range=self.pixel_sizes(labels_hw.shape, SCALES))
-        smallest = max(parameters.minimum_area / prior.pixel_size_range[1] ** 2, SMALLEST_OBJECT_PX)
-        objects = extract_reference_objects(labels_hw, self._database.class_table.reference_values, smallest)
-        return _localization(localize(objects, width, height, self.index, prior, smallest))
+        objects, smallest = self._objects(labels_hw, prior.pixel_size_range[1])
+        return from_constellation(solve(objects, width, height, self.index, prior, smallest))
+
+    def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> Tuple[ReferenceObjects, float]:
+        """The image's reference objects, and the smallest contour area, px², that the map's may have in it."""
+        parameters = self._database.parameters
+        smallest = max(parameters.minimum_area / largest_pixel_size**2, SMALLEST_OBJECT_PX)
+        return extract_reference_objects(labels_hw, self._database.class_table.reference_values, smallest), smallest
 
     @property
     def pyramid(self) -> MapPyramid:
@@ -204,8 +188,7 @@ class Localizer:
         ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size the image is
         taken to show 0.7 to 1.4 times a window's ground. Takes seconds without a prior on the position.
         """
-        if not labels_hw.size:
-            raise LabelMapError("The image has no pixels.")
+        _shape(labels_hw)
         prior = prior or Prior()
         sizes = prior.pixel_size_range or self.pixel_sizes(labels_hw.shape, NOMINAL_RANGE)
         headings = None
@@ -214,19 +197,38 @@ class Localizer:
         place = CorrelationPrior(prior.position, prior.radius, headings) if prior.position else CorrelationPrior(
             headings_deg=headings
         )
-        result = correlate(labels_hw, self.pyramid, sizes, place)
-        found = result.status == FIX
-        return Localization(
-            NO_MATCH if result.status == TOO_LITTLE_INFORMATION else result.status,
-            MAP_CORRELATION,
-            0,
-            result.reason,
-            position=(float(result.position[0]), float(result.position[1])) if found else None,
-            heading_deg=float(result.heading_deg) if found else None,
-            pixel_size_m=float(result.pixel_size_m) if found else None,
-            confidence=float(result.confidence),
-            error_95_m=float(result.error_95_m) if found else None,
-        )
+        return from_correlation(correlate(labels_hw, self.pyramid, sizes, place))
+
+    @property
+    def has_overview(self) -> bool:
+        """Whether map correlation can be used."""
+        return self._database.overview is not None
+
+    def localize_automatically(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
+        """The constellation; where that has no fix, map correlation; each checked by the other's evidence (DESIGN §3).
+
+        ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size each
+        searches its own range. A database without overview leaves the constellation alone. Takes as long as map
+        correlation for images without a fix by the constellation. ``method`` of a fix: whose pose it is.
+        """
+        objects = self.localize_by_constellation(labels_hw, prior)
+        if not self.has_overview:
+            return objects
+        if objects.status == FIX:
+            pose = objects.position, objects.heading_deg, objects.pixel_size_m
+            return checked_by_areas(objects, agreement_at(labels_hw, self.pyramid, *pose))
+        areas = self.localize_by_map_correlation(labels_hw, prior)
+        if areas.status != FIX:
+            return neither(objects, areas)
+        areas = replace(areas, references=objects.references)
+        closer = near(areas, prior or Prior(), min(labels_hw.shape))
+        found = confirmed(areas, self.localize_by_constellation(labels_hw, closer), closer.radius)
+        return found or self._checked_by_objects(labels_hw, areas)
+
+    def _checked_by_objects(self, labels_hw: np.ndarray, fix: Localization) -> Localization:
+        visible, smallest = self._objects(labels_hw, fix.pixel_size_m)
+        pose = fix.position, fix.heading_deg, fix.pixel_size_m
+        return checked_by_objects(fix, check_objects(visible, labels_hw.shape, self.index, smallest, *pose))
 
     def pixel_sizes(self, shape_hw: Tuple[int, int], scales: Tuple[float, float]) -> Tuple[float, float]:
         """Smallest and largest pixel size of images whose shorter edge shows ``scales`` times a window's edge."""
@@ -244,11 +246,13 @@ class Localizer:
             )
 
     def localize(self, labels_hw: np.ndarray, method: str, prior: Optional[Prior] = None) -> Localization:
-        """By one of METHODS; automatic is the constellation, which says when it does not know."""
+        """By one of METHODS."""
         if method == TOPOLOGY_VECTOR:
             return self.localize_by_topology_vector(labels_hw)
         if method == MAP_CORRELATION:
             return self.localize_by_map_correlation(labels_hw, prior)
+        if method == AUTOMATIC:
+            return self.localize_automatically(labels_hw, prior)
         return self.localize_by_constellation(labels_hw, prior)
 
     def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:
@@ -262,22 +266,8 @@ class Localizer:
         )
 
 
-def _localization(result: ConstellationResult) -> Localization:
-    """As a result of the localiser: places without a fix are alternatives, never a position."""
-    place = result.place
-    common = {"status": result.status, "method": CONSTELLATION, "references": result.references}
-    common.update(reason=result.reason, search_capped=result.capped, confidence=result.confidence)
-    if place is None:
-        return Localization(**common)
-    common.update(log_odds=place.log_odds, inliers=place.inliers)
-    if result.status != FIX:
-        alternatives = (place, *result.alternatives) if result.status == AMBIGUOUS else ()
-        return Localization(**common, alternatives=alternatives)
-    return Localization(
-        **common,
-        position=place.position,
-        heading_deg=place.heading_deg,
-        pixel_size_m=place.pixel_size_m,
-        error_95_m=result.uncertainty.semi_major if result.uncertainty else None,
-        uncertainty=result.uncertainty,
-    )
+def _shape(labels_hw: np.ndarray) -> Tuple[int, int]:
+    """(height, width). Raises LabelMapError for an image without pixels."""
+    if not labels_hw.size:
+        raise LabelMapError("The image has no pixels.")
+    return labels_hw.shape[0], labels_hw.shape[1]

@@ -13,10 +13,11 @@ from typing import List, Optional, Tuple
 
 import numpy as np
 
-from .class_pyramid import MapPyramid, mirrored_level
+from .class_pyramid import MapPyramid, evidence_level, mirrored_level
 from .correlation_decision import FIX, NO_MATCH, Evidence, confidence_of, decide, position_error_95
 from .correlation_places import (
     COARSE_EDGE,
+    DECISION_EDGE,
     MOST_COMPARISONS,
     CorrelationSettings,
     Prior,
@@ -28,8 +29,9 @@ from .correlation_places import (
     missing_information,
     reduced_image,
     search_space,
+    size_for,
 )
-from .correlation_refine import Pose, axes
+from .correlation_refine import NOT_COMPARABLE, Pose, axes, score_at
 from .correlation_search import QUIET_ENERGY
 from .errors import LabelMapError
 
@@ -80,12 +82,6 @@ class CorrelationResult:
     method: str = MAP_CORRELATION
 
 
-def nominal_pixel_sizes(window_size_m: float, shape_hw: Tuple[int, int]) -> Tuple[float, float]:
-    """Smallest and largest pixel size (m) looked for when none is given: an image shows about one window."""
-    nominal = window_size_m / min(shape_hw)
-    return NOMINAL_RANGE[0] * nominal, NOMINAL_RANGE[1] * nominal
-
-
 def localize(
     labels_hw: np.ndarray,
     pyramid: MapPyramid,
@@ -97,7 +93,7 @@ def localize(
 
     ``labels_hw``: (H, W) uint8 labels of the map's class table, 0 = unknown; ``pyramid``: the map's overview, prepared
     once: ``MapPyramid(overview, (x0, y0, pixel size))``; ``pixel_sizes_m``: smallest and largest ground sampling
-    distance to look for (``nominal_pixel_sizes``). Raises LabelMapError for an image without pixels and ValueError for
+    distance to look for. Raises LabelMapError for an image without pixels and ValueError for
     a range of pixel sizes that is empty or not positive.
     """
     if labels_hw.size == 0:
@@ -125,6 +121,28 @@ def localize(
     evidence = Evidence(poses[0].score, poses[1].score if len(poses) > 1 else 0.0, decoys[0].score if decoys else 0.0)
     pose, covariance = finest_pose(image, pyramid, poses[0], quiet)
     return _result(pyramid, pose, covariance, evidence, poses[1:])
+
+
+def agreement_at(
+    labels_hw: np.ndarray,
+    pyramid: MapPyramid,
+    position: Tuple[float, float],
+    heading_deg: float,
+    pixel_size_m: float,
+) -> Optional[float]:
+    """Correlation −1…1 of a label image with the map at a pose that another method found; milliseconds.
+
+    Pose as in ``CorrelationResult``. None where class areas can't tell: the image has too few labels or hardly more
+    than one class, or the map has labels under less than half of it.
+    """
+    if not pyramid.space.channels:
+        return None
+    image = evidence_level(np.ascontiguousarray(labels_hw), pyramid.space, size_for(labels_hw.shape, DECISION_EDGE))
+    if missing_information(image, pyramid):
+        return None
+    x, y = position[0] - pyramid.frame[0], pyramid.frame[1] - position[1]
+    score = score_at(image, pyramid, Pose(x, y, heading_deg, pixel_size_m), QUIET_ENERGY * pyramid.energy)
+    return None if score == NOT_COMPARABLE else score
 
 
 def _result(

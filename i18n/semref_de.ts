@@ -136,8 +136,12 @@
    <translation>Automatisch</translation>
   </message>
   <message>
-   <source>Automatic takes the most reliable method, in this version the constellation. Map correlation compares areas instead of landmarks, for poor labels; it takes seconds an image. Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
-   <translation>Automatisch nimmt das zuverlässigste Verfahren, in dieser Version die Konstellation. Kartenkorrelation vergleicht Flächen statt Landmarken, für schlechte Klassenbilder; sie braucht Sekunden je Bild. Topologievektor ist das veröffentlichte Verfahren: der nächste Vektor aller Fenster, angenommen bis zum Abstand 2.</translation>
+   <source>Automatic takes the constellation of landmarks and, where that finds no place, map correlation; each checks what the other finds. Map correlation compares areas instead of landmarks, for poor labels; it takes seconds an image, and so does automatic where the constellation finds no place. Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
+   <translation>Automatisch nimmt die Konstellation der Landmarken und, wo diese keinen Ort findet, die Kartenkorrelation; jede prüft, was die andere findet. Kartenkorrelation vergleicht Flächen statt Landmarken, für schlechte Klassenbilder; sie braucht Sekunden je Bild, und so auch Automatisch, wo die Konstellation keinen Ort findet. Topologievektor ist das veröffentlichte Verfahren: der nächste Vektor aller Fenster, angenommen bis zum Abstand 2.</translation>
+  </message>
+  <message>
+   <source>Automatic uses the constellation alone, without map correlation: {reason}</source>
+   <translation>Automatisch nimmt nur die Konstellation, ohne Kartenkorrelation: {reason}</translation>
   </message>
   <message>
    <source>Build reference database</source>
@@ -410,10 +414,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Finds where images were taken: each label image is described by its landmarks and matched with a reference database.
 
-Every image gives one point; without a fix it has no geometry and its reason says why. The constellation method finds images anywhere on the map, at any heading, and verifies what it finds. The topology vector method finds images centered on a window and accepts images from elsewhere: check what it finds.</source>
+Every image gives one point; without a fix it has no geometry and its reason says why. Automatic and the constellation find images anywhere on the map, at any heading, and verify what they find. The topology vector method finds images centered on a window and accepts images from elsewhere: check what it finds.</source>
    <translation>Findet, wo Bilder aufgenommen wurden: Jedes Klassenbild wird durch seine Landmarken beschrieben und mit einer Referenzdatenbank verglichen.
 
-Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, und seine Begründung sagt, warum. Die Konstellation findet Bilder überall auf der Karte, in jeder Ausrichtung, und prüft, was sie findet. Der Topologievektor findet Bilder, die mittig auf einem Fenster liegen, und nimmt Bilder von anderswo an: seine Treffer sind zu prüfen.</translation>
+Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, und seine Begründung sagt, warum. Automatisch und die Konstellation finden Bilder überall auf der Karte, in jeder Ausrichtung, und prüfen, was sie finden. Der Topologievektor findet Bilder, die mittig auf einem Fenster liegen, und nimmt Bilder von anderswo an: seine Treffer sind zu prüfen.</translation>
   </message>
   <message>
    <source>Fix</source>
@@ -456,8 +460,8 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Gelände, das ein Bild zeigt, als Vielfaches der Fenstergröße.</translation>
   </message>
   <message>
-   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation. A narrow range is searched faster.</source>
-   <translation>Gelände, das die kürzere Kante eines Bildes zeigt, als Vielfaches der Fenstergröße der Datenbank. Ohne Angabe: 0,4 bis 2,5 bei der Konstellation, 0,7 bis 1,4 bei der Kartenkorrelation. Ein enger Bereich wird schneller durchsucht.</translation>
+   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, also when automatic uses them. A narrow range is searched faster.</source>
+   <translation>Gelände, das die kürzere Kante eines Bildes zeigt, als Vielfaches der Fenstergröße der Datenbank. Ohne beide Angaben: 0,4 bis 2,5 bei der Konstellation, 0,7 bis 1,4 bei der Kartenkorrelation, auch wenn Automatisch sie nimmt. Ein enger Bereich wird schneller durchsucht.</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -1180,8 +1184,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Form ist nicht die von {source}; das Bild wird genommen, wie es ist.</translation>
   </message>
   <message>
-   <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); swap them.</source>
-   <translation>Der kleinste Maßstab ({smallest:g}) liegt über dem größten ({largest:g}); bitte vertauschen.</translation>
+   <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.</source>
+   <translation>Der kleinste Maßstab ({smallest:g}) liegt über dem größten ({largest:g}); bitte beide angeben, den kleineren zuerst.</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>

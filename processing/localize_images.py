@@ -92,9 +92,9 @@ class LocalizeImages(SemRefAlgorithm):
         return tr(
             "Finds where images were taken: each label image is described by its landmarks and matched with a "
             "reference database.\n\n"
-            "Every image gives one point; without a fix it has no geometry and its reason says why. The constellation "
-            "method finds images anywhere on the map, at any heading, and verifies what it finds. The topology vector "
-            "method finds images centered on a window and accepts images from elsewhere: check what it finds."
+            "Every image gives one point; without a fix it has no geometry and its reason says why. Automatic and the "
+            "constellation find images anywhere on the map, at any heading, and verify what they find. The topology "
+            "vector method finds images centered on a window and accepts images from elsewhere: check what it finds."
         )
 
     def initAlgorithm(self, config=None):
@@ -131,9 +131,10 @@ class LocalizeImages(SemRefAlgorithm):
                 defaultValue=self.AUTOMATIC,
             ),
             tr(
-                "Automatic takes the most reliable method, in this version the constellation. Map correlation compares "
-                "areas instead of landmarks, for poor labels; it takes seconds an image. Topology vector is the "
-                "published method: the nearest vector of all windows, accepted up to distance 2."
+                "Automatic takes the constellation of landmarks and, where that finds no place, map correlation; each "
+                "checks what the other finds. Map correlation compares areas instead of landmarks, for poor labels; it "
+                "takes seconds an image, and so does automatic where the constellation finds no place. Topology vector "
+                "is the published method: the nearest vector of all windows, accepted up to distance 2."
             ),
         )
         self.offer(
@@ -143,7 +144,7 @@ class LocalizeImages(SemRefAlgorithm):
         )
         number = QgsProcessingParameterNumber
         self.offer(
-            number(self.PRIOR_RADIUS, tr("Radius around it (map units)"), number.Double, 1000.0, minValue=0.0),
+            number(self.PRIOR_RADIUS, tr("Radius around it (map units)"), number.Double, 1000.0, minValue=0.01),
             tr("Only with an approximate position: places farther away are not searched."),
             advanced=True,
         )
@@ -162,8 +163,8 @@ class LocalizeImages(SemRefAlgorithm):
                 number(key, title, number.Double, None, optional=True, minValue=0.01, maxValue=100),
                 tr(
                     "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. "
-                    "If left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation. A narrow range is "
-                    "searched faster."
+                    "If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, "
+                    "also when automatic uses them. A narrow range is searched faster."
                 ),
                 advanced=True,
             )
@@ -206,18 +207,24 @@ class LocalizeImages(SemRefAlgorithm):
         possible, reason = super().checkParameterValues(parameters, context)
         if not possible:
             return False, reason
-        smallest, largest = self._scales(parameters, context, (0.0, float("inf")))
+        smallest, largest = self._scales(parameters, context) or (0.0, 0.0)
         if smallest > largest:
-            return False, tr("The smallest scale ({smallest:g}) is above the largest ({largest:g}); swap them.").format(
-                smallest=smallest, largest=largest
-            )
+            return False, tr(
+                "The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first."
+            ).format(smallest=smallest, largest=largest)
         return True, ""
 
-    def _scales(self, parameters, context, defaults):
-        """(smallest, largest) as given, else of the defaults."""
+    def _scales(self, parameters, context):
+        """(smallest, largest) as given, the other one by default; None, each method's own, when neither is given."""
+        from ..core.localizer import METHODS, default_scales
+
+        keys = (self.SCALE_MINIMUM, self.SCALE_MAXIMUM)
+        if all(parameters.get(key) in (None, "") for key in keys):
+            return None
+        defaults = default_scales(METHODS[self.parameterAsEnum(parameters, self.METHOD, context)])
         return tuple(
             default if parameters.get(key) in (None, "") else self.parameterAsDouble(parameters, key, context)
-            for key, default in zip((self.SCALE_MINIMUM, self.SCALE_MAXIMUM), defaults)
+            for key, default in zip(keys, defaults)
         )
 
     def work(self, parameters, context, feedback):
@@ -227,8 +234,11 @@ class LocalizeImages(SemRefAlgorithm):
         from .exchange.rasters import image_files
 
         feedback.setProgressText(tr("Reading the database"))
-        correlating = self.parameterAsEnum(parameters, self.METHOD, context) == self.MAP_CORRELATION
-        database = read_database(self.parameterAsFile(parameters, self.DATABASE, context), with_overview=correlating)
+        method = self.parameterAsEnum(parameters, self.METHOD, context)
+        path = self.parameterAsFile(parameters, self.DATABASE, context)
+        database = read_database(path, with_overview=method == self.MAP_CORRELATION)
+        if method == self.AUTOMATIC:
+            database = _with_overview(database, path, feedback)
         crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
         if not crs.isValid():
             raise DatabaseError(f"{database.source} has no readable parameter crs; build it again.")
@@ -239,7 +249,7 @@ class LocalizeImages(SemRefAlgorithm):
             raise ParameterError("IMAGES is empty; choose at least one image or a folder with images.")
         table = self.parameterAsFile(parameters, self.ATTITUDE, context)
         cameras = cancelable(read_cameras, paths, table, feedback=feedback)
-        if self.parameterAsEnum(parameters, self.METHOD, context) == self.TOPOLOGY_VECTOR:
+        if method == self.TOPOLOGY_VECTOR:
             # The published method, exactly: images as they are.
             cameras = [replace(camera, attitude=None, problem="") for camera in cameras]
         localized = []
@@ -272,7 +282,7 @@ class LocalizeImages(SemRefAlgorithm):
 
         method = METHODS[self.parameterAsEnum(parameters, self.METHOD, context)]
         localizer.check(method)
-        scales = self._scales(parameters, context, default_scales(method))
+        scales = self._scales(parameters, context)
         position = radius = None
         if parameters.get(self.PRIOR_POINT) not in (None, ""):
             point = self.parameterAsPoint(parameters, self.PRIOR_POINT, context, crs)
@@ -282,7 +292,9 @@ class LocalizeImages(SemRefAlgorithm):
             heading = self.parameterAsDouble(parameters, self.PRIOR_HEADING, context)
 
         def localize(labels_hw, way):
-            sizes = localizer.pixel_sizes(labels_hw.shape, scales)
+            # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
+            ground = scales or (way and default_scales(method))
+            sizes = ground and localizer.pixel_sizes(labels_hw.shape, ground)
             prior = Prior(position, radius, heading, heading_range, sizes)
             if way is None:
                 return LeveledLocalization(localizer.localize(labels_hw, method, prior))
@@ -333,6 +345,18 @@ class LocalizeImages(SemRefAlgorithm):
                 polygon = QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners]])
                 sink.add(polygon, {name: value for name, value in _row(item).items() if name in names})
         return sink.close()
+
+
+def _with_overview(database, path, feedback):
+    """The database with its overview; without one automatic has the constellation alone, and says so."""
+    from .exchange.geopackage import read_overview
+
+    try:
+        return replace(database, overview=read_overview(path))
+    except DatabaseError as error:
+        warning = tr("Automatic uses the constellation alone, without map correlation: {reason}").format(reason=error)
+        feedback.pushWarning(warning)
+        return database
 
 
 def _localize(path, localize, read_labels, camera) -> LocalizedImage:

@@ -3,17 +3,24 @@
     python tools/measure_correlation.py country [--half north|south] [--trials 100] [--elsewhere 100]
     python tools/measure_correlation.py aerial [--trials 60]
     python tools/measure_correlation.py times [--trials 12]
+    python tools/measure_correlation.py automatic [--half north|south] [--trials 200] [--elsewhere 150] [--evidence]
 
 Reads $SEMREF_DATA or ../shared/data. ``country``: Liechtenstein 2021 at 1 m, overview 4 m, images of 1,280 px at 0.8 to
 1.25 m with any heading, labels degraded (core/label_noise.py); the map is the whole country, the images come from one
 half of it (thresholds were fitted on the northern, the southern is the test). False accepts: images from the other half
 on a map of one half only, and mirrored images. ``aerial``: the annotated tiles of dubai_aerial, turned crops off any
-grid. ``--rows FILE`` adds one JSON line a trial, from which ``fit`` proposes the constants of correlation_decision.
+grid. ``automatic``: METHOD 0 on Liechtenstein, with a database whose reference objects are buildings, bare land and
+water from 100 m² on: objects missed, invented and misnamed, 8 to 12 objects, degraded labels; false accepts as for
+``country``, as many of each kind as ``--elsewhere``. ``--evidence`` also records what each road says of the other's
+best place, which sets the constants of core/automatic.py. ``radius``: errors of poses refined from the right place
+against their deviation, which set the 95 % radius. ``--rows FILE`` adds one JSON line a trial, from which ``fit``
+proposes the constants of correlation_decision.
 """
 
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import importlib.util
 import json
 import multiprocessing
@@ -31,7 +38,9 @@ ROOT = Path(__file__).resolve().parent.parent
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 FOOTPRINT_PX = 1280
 RIGHT_SHARE = 0.02  # of the footprint
+STRIP = 1200
 LEAST_LABELED = 0.7  # of an image: the rest lies over the border
+MINIMUM_AREA_M2 = 100.0
 AERIAL_PIXEL_M = 0.5  # assumed; the tiles state none
 STATE = {}
 
@@ -46,12 +55,23 @@ def load_package() -> None:
 
 
 load_package()
+from semref.core import constellation, trials  # noqa: E402
+from semref.core.build import BuildSettings, DatabaseBuilder, MapFrame  # noqa: E402
 from semref.core.class_pyramid import MapPyramid  # noqa: E402
+from semref.core.class_table import ClassTable, LandCoverClass  # noqa: E402
+from semref.core.constellation_check import check_objects  # noqa: E402
 from semref.core.label_noise import MODEST, STRONG, degrade_labels  # noqa: E402
-from semref.core.map_correlation import CorrelationSettings, Prior, localize  # noqa: E402
+from semref.core.label_source import ArrayLabels  # noqa: E402
+from semref.core.localizer import AUTOMATIC, Localizer  # noqa: E402
+from semref.core.map_correlation import CorrelationSettings, Prior, agreement_at, localize  # noqa: E402
 from semref.core.overview import most_frequent_labels  # noqa: E402
 from semref.core.rates import wilson  # noqa: E402
+from semref.core.reference_objects import extract_reference_objects  # noqa: E402
 
+OBJECT_CLASSES = (1, 2, 3)  # building, bare land, water
+OBJECT_NOISE = trials.ObjectNoise(missed=0.2, invented=0.2, misnamed=0.05)
+FEW_OBJECTS = (8, 12)
+AUTOMATIC_KINDS = ("objects", "few objects", "modest", "strong")
 NOISES = {"true labels": None, "modest": MODEST, "strong": STRONG}
 
 
@@ -142,26 +162,30 @@ def trial(job) -> dict:
     return row
 
 
-def prepare_country(half: str) -> None:
-    """Maps of the whole country and of each half; images come from ``half``."""
+def read_halves(half: str):
+    """The country's labels; rows of the half and of the other one; the labels without what images of the other half
+    show: they never reach over the middle by more than their half diagonal."""
     labels = country_labels()
     middle = labels.shape[0] // 2
     halves = {"north": (0, middle), "south": (middle, labels.shape[0])}
     other = {"north": "south", "south": "north"}[half]
-    overview = most_frequent_labels(labels)
-    cut = middle // 4
-    lonely = overview.copy()
-    # Images of the other half never reach over the middle by more than their half diagonal: clear that strip too.
-    strip = 300
+    lonely = labels.copy()
     if half == "north":
-        lonely[cut - strip :] = 0
+        lonely[middle - STRIP:] = 0
     else:
-        lonely[: cut + strip] = 0
+        lonely[: middle + STRIP] = 0
+    return labels, halves[half], halves[other], lonely
+
+
+def prepare_country(half: str) -> None:
+    """Maps of the whole country and of one half; images come from ``half``."""
+    labels, rows, other, lonely = read_halves(half)
+    overview, lonely = most_frequent_labels(labels), most_frequent_labels(lonely)
     whole = MapPyramid(overview, (0.0, 0.0, 4.0))
     STATE.update(
         labels=labels, size=FOOTPRINT_PX, pixels=(0.8, 1.25), search=(0.7, 1.4), meters=1.0, least=LEAST_LABELED
     )
-    STATE["rows"] = {"right": halves[half], "elsewhere": halves[other], "mirrored": halves[half]}
+    STATE["rows"] = {"right": rows, "elsewhere": other, "mirrored": rows}
     STATE["pyramids"] = {"right": whole, "elsewhere": MapPyramid(lonely, (0.0, 0.0, 4.0)), "mirrored": whole}
 
 
@@ -173,7 +197,128 @@ def prepare_aerial(tile: Path) -> None:
     STATE["pyramids"] = {"right": pyramid, "mirrored": pyramid}
 
 
-def run(jobs, processes: int, rows_file) -> list[dict]:
+def prepare_automatic(half: str) -> None:
+    """Databases of the whole country and of one half; images come from ``half``."""
+    labels, rows, other, lonely = read_halves(half)
+    whole = country_localizer(labels)
+    STATE.update(labels=labels, whole=whole, rows={"elsewhere": other}, half=rows)
+    STATE["localizers"] = {"elsewhere": country_localizer(lonely)}
+
+
+def country_localizer(labels: np.ndarray) -> Localizer:
+    """Of a database as ``builddatabase`` would make it; y of the map is minus the row."""
+    names = ("building", "bare_land", "water", "forest", "cultivated", "grass_scrub", "built_up")
+    table = ClassTable(
+        tuple(
+            LandCoverClass(value, name, "#808080", "reference" if value in OBJECT_CLASSES else "background")
+            for value, name in enumerate(names, 1)
+        )
+    )
+    settings = BuildSettings(FOOTPRINT_PX, FOOTPRINT_PX, MINIMUM_AREA_M2)
+    frame = MapFrame("", (0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
+    builder = DatabaseBuilder(ArrayLabels(labels), frame, table, settings, "0")
+    for _ in builder.steps():
+        pass
+    localizer = Localizer(dataclasses.replace(builder.database, overview=builder.overview))
+    localizer.index, localizer.pyramid  # noqa: B018 - made here, once for all processes
+    return localizer
+
+
+def automatic_image(kind: str, seed: int):
+    """An image of one kind, its centre (pixels of the map), heading and pixel size."""
+    rng = np.random.default_rng([seed, *kind.encode()])
+    rows, labels = STATE["rows"].get(kind, STATE["half"]), STATE["labels"]
+    size = FOOTPRINT_PX, FOOTPRINT_PX
+    while True:
+        image, center, heading, pixel = random_image(labels, rng, rows, size, (0.8, 1.25), LEAST_LABELED)
+        if kind != "few objects" or FEW_OBJECTS[0] <= whole_objects(image, pixel) <= FEW_OBJECTS[1]:
+            break
+    if kind == "mirrored":
+        image = np.ascontiguousarray(image[:, ::-1])
+    noise = kind if kind in NOISES else ("objects", "modest", "strong")[seed % 3]
+    if kind in ("few objects", "objects"):
+        noise = "objects"
+    if noise == "objects":
+        donor, _, _, _ = random_image(labels, rng, rows, size, (pixel, pixel), LEAST_LABELED)
+        least = MINIMUM_AREA_M2 / pixel**2
+        image = trials.spoil_label_objects(image, OBJECT_NOISE, rng, OBJECT_CLASSES, donor, least)
+    else:
+        image = degrade_labels(image, pixel, NOISES[noise], seed)
+    return image, center, heading, pixel
+
+
+def whole_objects(image: np.ndarray, pixel: float) -> int:
+    return int((~extract_reference_objects(image, OBJECT_CLASSES, MINIMUM_AREA_M2 / pixel**2).touches_edge).sum())
+
+
+def automatic_trial(job) -> dict:
+    """One image localised by METHOD 0; a JSON row."""
+    kind, seed, with_evidence = job
+    image, center, heading, pixel = automatic_image(kind, seed)
+    localizer = STATE["localizers"].get(kind, STATE["whole"])
+
+    def error(position) -> float:
+        return float(np.hypot(position[0] - center[0], position[1] + center[1]))
+
+    started = time.perf_counter()
+    found = localizer.localize(image, AUTOMATIC)
+    row = {"kind": kind, "seed": seed, "status": found.status, "method": found.method, "reason": found.reason}
+    row.update(seconds=time.perf_counter() - started, footprint=FOOTPRINT_PX * pixel, confidence=found.confidence)
+    if found.position is not None:
+        row.update(error=error(found.position), error_95=found.error_95_m)
+        row["heading_error"] = abs((found.heading_deg - heading + 180) % 360 - 180)
+        row["scale_error"] = abs(found.pixel_size_m / pixel - 1)
+    if with_evidence:
+        row["evidence"] = both_evidences(localizer, image, error)
+    return row
+
+
+def both_evidences(localizer: Localizer, image: np.ndarray, error) -> dict:
+    """What each road says of its own best place and of the other's, fix or not."""
+    smallest = max(MINIMUM_AREA_M2 / 2.5**2, 9.0)
+    objects = extract_reference_objects(image, OBJECT_CLASSES, smallest)
+    sizes = localizer.pixel_sizes(image.shape, (0.4, 2.5))
+    stars = constellation.localize(
+        objects, *image.shape[::-1], localizer.index, constellation.Prior(pixel_size_range=sizes), smallest
+    )
+    evidence = {"constellation": stars.status, "confidence": stars.confidence}
+    if stars.place is not None:
+        place = stars.place
+        evidence.update(log_odds=place.log_odds, inliers=place.inliers, constellation_error=error(place.position))
+        pose = place.position, place.heading_deg, place.pixel_size_m
+        evidence["agreement"] = agreement_at(image, localizer.pyramid, *pose)
+    areas = localize(image, localizer.pyramid, localizer.pixel_sizes(image.shape, (0.7, 1.4)))
+    evidence.update(correlation=areas.status, score=areas.score, runner_up=areas.runner_up, decoy=areas.decoy)
+    if areas.position is not None:
+        evidence.update(correlation_error=error(areas.position), error_95=areas.error_95_m)
+        evidence["deviation"] = float(np.sqrt(max(np.linalg.eigvalsh(np.array(areas.covariance_m2)).max(), 0)))
+        pose = areas.position, areas.heading_deg, areas.pixel_size_m
+        check = check_objects(objects, image.shape, localizer.index, smallest, *pose)
+        evidence["check"] = dataclasses.asdict(check)
+    return evidence
+
+
+def print_automatic(rows: list[dict], half: str) -> None:
+    print(f"\n### Automatic, Liechtenstein, images from the {half}\n")
+    print("| images | right fix | by constellation, by correlation | wrong fix | no fix | median error | "
+          "95 % radius holds | median s |")  # fmt: skip
+    print("|---|---|---|---|---|---|---|---|")
+    for kind in sorted({row["kind"] for row in rows}):
+        group = [row for row in rows if row["kind"] == kind]
+        fixes = [row for row in group if row["status"] == "fix"]
+        right = [row for row in fixes if kind in AUTOMATIC_KINDS and is_right(row)]
+        roads = [sum(row["method"] == method for row in right) for method in ("constellation", "map correlation")]
+        error = f"{np.median([row['error'] for row in right]):.2f} m" if right else "–"
+        held = rate_text(sum(row["error"] <= row["error_95"] for row in right), len(right))
+        count, wrong = len(group), len(fixes) - len(right)
+        print(
+            f"| {kind} | {rate_text(len(right), count)} | {roads[0]}, {roads[1]} | {rate_text(wrong, count)} | "
+            f"{rate_text(count - len(fixes), count)} | {error} | {held} | "
+            f"{np.median([row['seconds'] for row in group]):.2f} |"
+        )
+
+
+def run(jobs, processes: int, rows_file, trial=trial) -> list[dict]:
     """All trials, in processes that share the prepared maps."""
     cv2.setNumThreads(1)
     STATE["threads"] = 1 if processes > 1 else 2
@@ -257,13 +402,14 @@ def logistic_fit(x: np.ndarray, y: np.ndarray, steps: int = 50):
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=("country", "aerial", "times", "fit"))
+    parser.add_argument("what", choices=("country", "aerial", "times", "automatic", "fit"))
     parser.add_argument("--half", choices=("north", "south"), default="south")
     parser.add_argument("--trials", type=int, default=100)
     parser.add_argument("--elsewhere", type=int, default=100)
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--seed", type=int, default=1671)
     parser.add_argument("--rows")
+    parser.add_argument("--evidence", action="store_true")
     options = parser.parse_args()
     seeds = range(options.seed, options.seed + options.trials)
     if options.what == "fit":
@@ -276,6 +422,12 @@ def main() -> None:
         for seed in range(options.seed, options.seed + options.elsewhere // 4):
             jobs += [("mirrored", "modest", seed, None)]
         print_table(run(jobs, options.processes, options.rows), f"Liechtenstein, images from the {options.half}")
+    elif options.what == "automatic":
+        prepare_automatic(options.half)
+        jobs = [(kind, seed, options.evidence) for kind in AUTOMATIC_KINDS for seed in seeds]
+        others = range(options.seed, options.seed + options.elsewhere)
+        jobs += [(kind, seed, options.evidence) for kind in ("elsewhere", "mirrored") for seed in others]
+        print_automatic(run(jobs, options.processes, options.rows, automatic_trial), options.half)
     elif options.what == "aerial":
         every = []
         for tile in sorted((DATA / "dubai_aerial").glob("tile*_label.tif")):

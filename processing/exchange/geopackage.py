@@ -247,12 +247,12 @@ def read_database(path: str, with_overview: bool = False) -> ReferenceDatabase:
         raise DatabaseError(
             f"{path} is damaged or cut short ({error}); build it again or fetch another copy."
         ) from None
-    overview = _read_overview(path) if with_overview else None
+    overview = read_overview(path) if with_overview else None
     return ReferenceDatabase(windows, references, table, parameters, path, overview)
 
 
-def _read_overview(path: str) -> np.ndarray:
-    """(h, w) uint8 class values."""
+def read_overview(path: str) -> np.ndarray:
+    """(h, w) uint8 class values. Raises DatabaseError for a database that has none."""
     with gdal_failures() as failures:
         dataset = gdal.OpenEx(f"GPKG:{path}:{OVERVIEW}", gdal.OF_RASTER)
         overview = None if dataset is None else dataset.GetRasterBand(1).ReadAsArray()

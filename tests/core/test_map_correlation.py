@@ -9,7 +9,7 @@ import pytest
 from semref.core.class_pyramid import MapPyramid
 from semref.core.errors import LabelMapError
 from semref.core.label_noise import MODEST, STRONG, degrade_labels
-from semref.core.map_correlation import CorrelationSettings, Prior, localize, nominal_pixel_sizes
+from semref.core.map_correlation import CorrelationSettings, Prior, agreement_at, localize
 from semref.core.overview import most_frequent_labels
 
 ORIGIN = 500_000.0, 5_200_000.0
@@ -173,5 +173,19 @@ def test_the_same_image_gives_the_same_result(labels, pyramid):
     assert localize(image, pyramid, SIZES) == localize(image, pyramid, SIZES)
 
 
-def test_nominal_pixel_sizes_lie_around_window_size_over_image_size():
-    assert nominal_pixel_sizes(1280.0, (640, 800)) == pytest.approx((1.4, 2.8))
+def test_agreement_at_a_pose_is_high_where_the_image_lies_and_nowhere_else(labels, pyramid):
+    image = degrade_labels(view(labels, (1500, 700), 123, 0.9), 0.9, MODEST, 1)
+    right = ORIGIN[0] + 1500, ORIGIN[1] - 700
+    assert agreement_at(image, pyramid, right, 123.0, 0.9) > 0.6
+    for position, heading in ((right, 303.0), ((ORIGIN[0] + 900, ORIGIN[1] - 1200), 123.0)):
+        assert abs(agreement_at(image, pyramid, position, heading, 0.9)) < 0.25
+
+
+def test_agreement_cannot_be_told_of_one_class_or_beside_the_map(labels, pyramid):
+    here = ORIGIN[0] + 1500, ORIGIN[1] - 700
+    assert agreement_at(np.full((560, 560), 4, np.uint8), pyramid, here, 0.0, 1.0) is None
+    assert agreement_at(np.zeros((560, 560), np.uint8), pyramid, here, 0.0, 1.0) is None
+    image = view(labels, (1500, 700), 123, 0.9)
+    assert agreement_at(image, pyramid, (ORIGIN[0] - 5000, ORIGIN[1]), 123.0, 0.9) is None
+    one_class = MapPyramid(np.full((300, 300), 3, np.uint8), (*ORIGIN, 4.0))
+    assert agreement_at(image, one_class, here, 123.0, 0.9) is None

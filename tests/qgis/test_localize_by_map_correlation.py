@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
+import shutil
+import sqlite3
 import sys
 from pathlib import Path
 
@@ -48,12 +51,12 @@ def database(run_algorithm, tmp_path_factory):
 
 
 @pytest.fixture
-def localize(run_algorithm, database, tmp_path):
+def localize(run_algorithm, database, tmp_path, feedback):
     def run(labels, **parameters):
         path = write_raster(tmp_path / "photo.png", labels, transform=None)
         defaults = {"DATABASE": database, "IMAGES": [str(path)], "METHOD": 3}
         output = {"OUTPUT": str(tmp_path / "positions.gpkg")}
-        source = ogr.Open(run_algorithm(LOCALIZE, {**defaults, **output, **parameters})["OUTPUT"])
+        source = ogr.Open(run_algorithm(LOCALIZE, {**defaults, **output, **parameters}, feedback)["OUTPUT"])
         (row,) = [feature.items() for feature in source.GetLayer(0)]
         return row
 
@@ -77,6 +80,40 @@ def test_an_image_is_found_by_its_areas(localize, column, row, heading):
 def test_an_image_of_another_place_gets_a_reason(localize):
     found = localize(np.ascontiguousarray(landscape(4)[:SIZE, :SIZE]))
     assert found["status"] in ("no_match", "ambiguous") and found["reason"] and found["x"] is None
+
+
+def test_automatic_finds_it_where_landmarks_are_too_poor(localize):
+    labels = view(700, 600, 20)
+    # All landmarks in pieces.
+    labels[::12], labels[:, ::12] = 4, 4
+    assert localize(labels, METHOD=2)["status"] != "fix"
+    found = localize(labels, METHOD=0)
+    assert found["status"] == "fix" and found["method"] == "map correlation"
+    assert (found["x"], found["y"]) == pytest.approx((WEST + 700, NORTH - 600), abs=8)
+
+
+def test_automatic_tells_the_reasons_of_both_methods(localize):
+    found = localize(np.ascontiguousarray(landscape(4)[:SIZE, :SIZE]), METHOD=0)
+    assert found["status"] != "fix" and "Map correlation has no fix either: " in found["reason"]
+
+
+@pytest.fixture
+def database_without_overview(database, tmp_path):
+    """As a database whose overview is lost."""
+    path = shutil.copy(database, tmp_path / "old.gpkg")
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("DELETE FROM gpkg_contents WHERE table_name = 'overview'")
+        connection.execute("DROP TABLE overview")
+    return str(path)
+
+
+def test_automatic_says_that_a_database_without_overview_leaves_the_constellation_alone(
+    localize, database_without_overview, feedback
+):
+    found = localize(LABELS[300:300 + SIZE, 400:400 + SIZE].copy(), METHOD=0, DATABASE=database_without_overview)
+    assert found["status"] == "fix" and found["method"] == "constellation"
+    said = feedback.textLog()
+    assert "Automatic uses the constellation alone, without map correlation: " in said and "overview" in said
 
 
 def test_an_image_of_one_class_gets_a_reason(localize):
