@@ -22,8 +22,9 @@ MARGIN = 8.0
 MARGIN_SHARE = 0.2
 """By how much a fix must beat every other place and its own mirror: log odds, and share of its own log odds."""
 
-LARGEST_ERROR = 0.02
-"""A fix must have a 95 % ellipse within this share of the image's diagonal."""
+LARGEST_ERROR = 0.01
+"""A fix must have a 95 % ellipse within this share of the image's diagonal. Calibrated on Liechtenstein 2021, northern
+half: of 218 fixes with 8–12 objects in view the larger ones are two right ones and two that are 13 and 18 m off."""
 
 EVEN_LOG_ODDS = 4.0
 LOG_ODDS_UNIT = 3.0

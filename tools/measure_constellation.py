@@ -1,11 +1,13 @@
 """Measure constellation localisation on Liechtenstein 2021 and print a Markdown table.
 
     python tools/measure_constellation.py [--trials 300] [--half south|north|both] [--only goal,hard] [--seed 1]
+    python tools/measure_constellation.py --elsewhere FILE.csv [--images 30000]
 
 Reads ../shared/data/osm_liechtenstein_2021 (or SEMREF_DATA), rasterises it at 1 m with gdal_rasterize into a temporary
 folder. Thresholds were calibrated with --half north; the figures to quote are those of --half south.
 One core is used; times are processor times, so that other programs don't count.
-Rates come with counts and Wilson 95 % intervals.
+Rates come with counts and Wilson 95 % intervals. --elsewhere tries images that are not of the map, in turn mirrored
+ones, lattices and other regions, writes a line an image and goes on where the file ends.
 """
 
 from __future__ import annotations
@@ -130,6 +132,9 @@ def main() -> int:
     started = time.perf_counter()
     index = build_index(area.references(), 1.0)
     print(f"{len(index)} objects, {len(index.keys)} triangles, built in {time.perf_counter() - started:.2f} s\n")
+    if options.elsewhere:
+        try_elsewhere(area, index, options)
+        return 0
     sample = sample_labels(options.seed) if "sample" in options.only else None
     print_header()
     for name in options.only:
@@ -152,6 +157,8 @@ def parse() -> argparse.Namespace:
     parser.add_argument("--only", default=",".join(ROWS), help="rows, separated by commas")
     parser.add_argument("--sizes", default="10000,100000,1000000", help="catalogue sizes for the time table")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--elsewhere", type=Path, help="file of outcomes of images that are not of the map")
+    parser.add_argument("--images", type=int, default=30_000, help="images of --elsewhere, those in the file included")
     parser.add_argument("--save", type=Path, help="folder for one .npz of outcomes a row")
     options = parser.parse_args()
     options.only = [name for name in options.only.split(",") if name]
@@ -239,20 +246,85 @@ def trial(area: Area, row: Row, index, rng: np.random.Generator, sample) -> Outc
     return outcome
 
 
-def lattice(rng: np.random.Generator) -> ReferenceObjects:
-    """Plots in rows, as in a new estate: equal spacing, little jitter, equal sizes, a few missing."""
+LATTICES = ("square", "rectangular", "hexagonal", "twin rows", "two classes")
+
+
+def lattice(rng: np.random.Generator, kind: str = "") -> ReferenceObjects:
+    """Plots in rows, as in a new estate: equal spacing, little jitter, equal sizes, a few missing.
+
+    kind: one of LATTICES, by default square or rectangular; twin rows are houses on both sides of streets.
+    """
     spacing = rng.uniform(40, 160)
-    other = spacing * rng.choice([1.0, rng.uniform(0.5, 2)])
+    other = spacing * (1.0 if kind == "square" else rng.choice([1.0, rng.uniform(0.5, 2)]))
     turn = np.exp(1j * rng.uniform(0, 2 * np.pi))
     columns, rows = np.meshgrid(np.arange(-40, 41), np.arange(-40, 41))
-    points = (columns * spacing + 1j * rows * other).ravel() * turn
-    points = points + rng.normal(0, 1, len(points)) + 1j * rng.normal(0, 1, len(points)) + (640 + 640j)
-    inside = (np.abs(points.real - 640) < 625) & (np.abs(points.imag - 640) < 625)
-    points = points[inside & (rng.random(len(points)) > 0.15)]
+    if kind == "hexagonal":
+        points = (columns + rows % 2 / 2) * spacing + 1j * rows * spacing * np.sqrt(0.75)
+    elif kind == "twin rows":
+        points = columns * spacing + 1j * (rows // 2 * 2 + rows % 2 * rng.uniform(0.5, 0.9)) * other
+    else:
+        points = columns * spacing + 1j * rows * other
+    jitter = rng.normal(0, 1, (2, points.size))
+    points = points.ravel() * turn + jitter[0] + 1j * jitter[1] + (640 + 640j)
+    inside = (np.abs(points.real - 640) < 625) & (np.abs(points.imag - 640) < 625) & (rng.random(points.size) > 0.15)
+    classes = np.where((kind == "two classes") & ((columns + rows).ravel() % 2 == 1), 2, 1).astype(np.uint8)[inside]
+    points = points[inside]
     count = len(points)
     areas = rng.uniform(100, 400) * np.exp(rng.normal(0, 0.1, count))
     centers = np.column_stack([points.real, points.imag])
-    return ReferenceObjects(centers, np.ones(count, np.uint8), areas, np.zeros((count, 4), int), np.zeros(count, bool))
+    return ReferenceObjects(centers, classes, areas, np.zeros((count, 4), int), np.zeros(count, bool))
+
+
+def try_elsewhere(area: Area, index, options: argparse.Namespace) -> None:
+    """Goes through images that are not of the map; image n depends on seed and n alone."""
+    regions = [("sample area", sample_labels(options.seed), (0.8, 1.25)), *dubai_regions()]
+    done = len(options.elsewhere.read_text().splitlines()) if options.elsewhere.exists() else 0
+    with options.elsewhere.open("a") as file:
+        for number in range(done, options.images):
+            rng = np.random.default_rng([options.seed, 77, number])
+            kind, objects = image_from_elsewhere(area, regions, number, rng)
+            found = localize(objects, IMAGE_PX, IMAGE_PX, index, Prior(pixel_size_range=PIXEL_SIZES_M))
+            log_odds = found.place.log_odds if found.place is not None else np.nan
+            file.write(f"{number};{kind};{len(objects)};{found.status};{log_odds:.1f}\n")
+            file.flush()
+    print_elsewhere(options.elsewhere)
+
+
+def image_from_elsewhere(area: Area, regions: list, number: int, rng: np.random.Generator) -> tuple:
+    """(kind, objects) of the image with this number: mirrored, lattice and other region in turn."""
+    turn, which = number % 3, number // 3
+    if turn == 0:
+        objects = area.query(ROWS[("goal", "hard", "scale")[which % 3]], rng)[1]
+        return "mirrored", replace(objects, centers_xy=np.abs((IMAGE_PX, 0) - objects.centers_xy))
+    if turn == 1:
+        kind = LATTICES[which % len(LATTICES)]
+        return f"lattice, {kind}", lattice(rng, kind)
+    # Every other one of the sample area, as it is the only one of its kind.
+    tiles = regions[1:] or regions
+    name, labels, scales = regions[0] if which % 2 else tiles[which // 2 % len(tiles)]
+    height, width = labels.shape
+    view = trials.random_view(rng, (0.3 * width, 0.3 * height, 0.7 * width, 0.7 * height), (IMAGE_PX, IMAGE_PX), scales)
+    return name, extract_reference_objects(trials.cut_view(ArrayLabels(labels), view), CLASSES, 16)
+
+
+def dubai_regions() -> list:
+    """(name, labels, scales) of the aerial label maps of Dubai, their classes renamed to those of the map."""
+    from osgeo import gdal
+
+    table = np.zeros(256, np.uint8)
+    table[[1, 2, 5]] = CLASSES
+    paths = sorted((DATA / "dubai_aerial").glob("tile*_label.tif"))
+    return [("Dubai", table[gdal.Open(str(path)).ReadAsArray()], (0.4, 1.25)) for path in paths]
+
+
+def print_elsewhere(path: Path) -> None:
+    lines = [line.split(";") for line in path.read_text().splitlines()]
+    print("| images from elsewhere | fixes | ambiguous | highest log odds |\n|---|---|---|---|")
+    for kind in ["", *sorted({line[1] for line in lines})]:
+        chosen = [line for line in lines if kind in ("", line[1])]
+        fixes, ambiguous = (sum(line[3] == status for line in chosen) for status in (FIX, "ambiguous"))
+        highest = np.nanmax([float(line[4]) for line in chosen] + [-np.inf])
+        print(f"| {kind or 'all'} | {rate_text(fixes, len(chosen))} | {ambiguous} | {highest:.1f} |")
 
 
 def sample_labels(seed: int) -> np.ndarray:

@@ -10,8 +10,10 @@ from semref.core.constellation_index import build_index
 from semref.core.database import MapReferences
 from semref.core.hypotheses import Prior
 from semref.core.label_source import ArrayLabels
+from semref.core.pose import Pose, fit_similarity, pose_uncertainty, tilted_uncertainty
 from semref.core.reference_objects import ReferenceObjects, extract_reference_objects
 from semref.core.trials import ObjectNoise, View, cut_view, spoil_objects
+from semref.core.verification import noise_factor
 
 SIZE = 640
 CLASSES = (1, 2, 3)
@@ -223,3 +225,62 @@ def test_objects_at_the_border_do_no_harm(ground):
     moved = objects.centers_xy + np.where(objects.touches_edge[:, None], 9.0, 0.0)
     result = solve(ground, dataclasses.replace(objects, centers_xy=moved))
     assert result.place == solve(ground, objects).place
+
+
+def scattered(rng, count):
+    return rng.uniform(-600, 600, count) + 1j * rng.uniform(-600, 600, count)
+
+
+def noise(rng, count, deviation=1.5):
+    return deviation * (rng.normal(size=count) + 1j * rng.normal(size=count))
+
+
+@pytest.mark.parametrize("count", [5, 8, 40])
+def test_the_ellipse_holds_in_95_percent_of_fits_however_few_the_matches(count):
+    rng = np.random.default_rng(count)
+    held = 0
+    for _ in range(600):
+        image, deviations = scattered(rng, count), rng.uniform(1, 2, count)
+        on_map = image + noise(rng, count)
+        center, turn = fit_similarity(image, on_map, deviations**-2)
+        uncertainty = pose_uncertainty(image, center + turn * image - on_map, deviations, complex(turn))
+        held += abs(center) <= uncertainty.semi_major
+    assert 0.92 <= held / 600 <= 0.985
+
+
+def test_a_far_match_that_drew_the_pose_to_itself_makes_the_ellipse_larger():
+    rng = np.random.default_rng(0)
+    image = np.append(noise(rng, 9, 100.0), 500 + 0j)
+    ellipses = []
+    for off in (0, 15):
+        on_map = image + noise(np.random.default_rng(1), 10)
+        on_map[-1] += off
+        center, turn = fit_similarity(image, on_map, np.ones(10))
+        ellipses.append(pose_uncertainty(image, center + turn * image - on_map, np.full(10, 1.5), complex(turn)))
+    assert ellipses[1].heading_deviation_deg > 1.5 * ellipses[0].heading_deviation_deg
+
+
+def test_a_tilted_ellipse_of_a_level_camera_is_a_little_larger_than_a_level_one():
+    rng = np.random.default_rng(2)
+    image, deviations = scattered(rng, 60), np.full(60, 1.5)
+    on_map = image + noise(rng, 60)
+    center, turn = (complex(value) for value in fit_similarity(image, on_map, deviations**-2))
+    level = pose_uncertainty(image, center + turn * image - on_map, deviations, turn)
+    tilted = tilted_uncertainty(image, on_map, deviations, Pose(center, turn, 0j, 1e-12 + 0j), 1700.0)
+    assert level.semi_major < tilted.semi_major < 3 * level.semi_major
+
+
+@pytest.mark.parametrize("count", [5, 12, 200])
+def test_noise_is_measured_without_bias_from_few_matches_or_many(count):
+    rng = np.random.default_rng(count)
+    factors = []
+    for _ in range(300):
+        image = scattered(rng, count)
+        on_map = image + noise(rng, count, 1.0)
+        center, turn = fit_similarity(image, on_map, np.ones(count))
+        factors.append(noise_factor(np.abs(center + turn * image - on_map), 4) ** 2)
+    assert np.mean(factors) == pytest.approx(1, abs=0.08)
+
+
+def test_a_few_exact_matches_do_not_make_the_noise_vanish():
+    assert noise_factor(np.zeros(4), 4) > 0.7 > noise_factor(np.zeros(40), 4)
