@@ -24,7 +24,6 @@ SLOPE_DEVIATION = 0.08
 image's diagonal, a slope of 0.14."""
 
 
-
 @dataclass(frozen=True)
 class PoseUncertainty:
     """95 % ellipse of the position (semi-axes in map units; orientation of the longer one, degrees clockwise from grid
