@@ -73,17 +73,17 @@ class SegmentationModel:
         outputs = self._run(images)
         if self._gives_numbers:
             return self._votes(outputs)
+        found = outputs.astype(np.float32, copy=False)
         # Checked on the sum: any NaN or infinity is in it.
-        if not np.isfinite(outputs.sum(dtype=np.float64)):
+        if not np.isfinite(found.sum()):
             raise ModelError(
                 f"{self.path} gives values that are not numbers (NaN or infinite); it is damaged, or its "
                 "standardization_mean and standardization_std are not those it was trained with."
             )
         if self._gives_probability:
-            found = outputs.reshape(len(images), 1, *self.tile_hw)
-            threshold = np.full_like(found, self.settings.threshold, np.float32)
-            return np.concatenate([threshold, found], axis=1, dtype=np.float32)
-        return outputs.astype(np.float32, copy=False)
+            found = found.reshape(len(images), 1, *self.tile_hw)
+            return np.concatenate([np.full_like(found, self.settings.threshold), found], axis=1)
+        return found
 
     def _votes(self, outputs: np.ndarray) -> np.ndarray:
         """One for the class that the network names, zero for the others."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Iterator, List, Optional, Sequence, Tuple
 
@@ -49,7 +49,8 @@ def segment(
     neighbour at least. A tile's weight falls over the overlap towards its border, where a network sees
     least of the surroundings; each pixel gets the class with the highest weighted sum of scores (the weights need no
     normalising: they are the same for all classes of a pixel). Pixels without data are 0, tiles without any are not
-    given to the network. Held in memory: two tiles, and the scores of the overlap of two rows of tiles.
+    given to the network. Held in memory: three groups of
+    tiles, and the scores of the overlap of two rows of tiles.
 
     Raises ImageError for an image of a few pixels, and what ``source`` and ``model`` raise.
     """
@@ -65,19 +66,34 @@ def segment(
     blending = _Blending(columns, rows, (height, width), model.tile_hw, np.asarray(values, np.uint8), overlap)
     groups = [places[n:n + model.tiles_at_once] for n in range(0, len(places), model.tiles_at_once)]
     done = 0
-    # One thread reads the next tiles while the network looks at these.
-    with ThreadPoolExecutor(1) as reader:
-        reading = reader.submit(_read_tiles, source, groups[0], model.tile_hw)
-        for number in range(len(groups)):
-            tiles = reading.result()
-            if number + 1 < len(groups):
-                reading = reader.submit(_read_tiles, source, groups[number + 1], model.tile_hw)
-            with_data = [tile.image for tile in tiles if not tile.is_empty]
-            scores = iter(model.scores(with_data) if with_data else ())
-            for tile in tiles:
-                finished = blending.add(tile, None if tile.is_empty else next(scores))
-                done += 1
-                yield done / len(places), finished
+    # While these tiles are blended here, the network looks at the next ones and those after them are read.
+    with ThreadPoolExecutor(1) as reader, ThreadPoolExecutor(1) as network:
+
+        def look_at(places):
+            return network.submit(_look, model, reader.submit(_read_tiles, source, places, model.tile_hw))
+
+        ahead = [look_at(group) for group in groups[:2]]
+        try:
+            for number in range(len(groups)):
+                seen = ahead.pop(0).result()
+                if number + 2 < len(groups):
+                    ahead.append(look_at(groups[number + 2]))
+                for tile, scores in seen:
+                    finished = blending.add(tile, scores)
+                    done += 1
+                    yield done / len(places), finished
+        finally:
+            # Who stops listening must not wait for tiles that nobody has begun to look at.
+            for future in ahead:
+                future.cancel()
+
+
+def _look(model: SegmentationModel, reading: Future) -> List[Tuple[_Tile, Optional[np.ndarray]]]:
+    """Tiles with their (C, H, W) scores, None for tiles without data."""
+    tiles = reading.result()
+    with_data = [tile.image for tile in tiles if not tile.is_empty]
+    scores = iter(model.scores(with_data) if with_data else ())
+    return [(tile, None if tile.is_empty else next(scores)) for tile in tiles]
 
 
 def tile_starts(length: int, tile: int, overlap: float) -> List[int]:
@@ -160,9 +176,8 @@ def _best_channel(scores: np.ndarray) -> np.ndarray:
     best = scores[0].copy()
     channel = np.zeros(best.shape, np.uint8)
     for number in range(1, len(scores)):
-        higher = scores[number] > best
-        np.copyto(best, scores[number], where=higher)
-        channel[higher] = number
+        np.copyto(channel, number, where=scores[number] > best)
+        np.maximum(best, scores[number], out=best)
     return channel
 
 

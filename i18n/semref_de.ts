@@ -24,6 +24,10 @@
    <translation>Ein neuer oder leerer Ordner; der eines früheren Exports wird ersetzt.</translation>
   </message>
   <message>
+   <source>A page with the confusion matrix as a picture and the figures of each class.</source>
+   <translation>Eine Seite mit der Verwechslungsmatrix als Bild und den Zahlen jeder Klasse.</translation>
+  </message>
+  <message>
    <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
    <translation>Ein Punkt je Versuch und Verfahren an der wahren Position, mit dem, was gefunden wurde, und wie weit es daneben liegt.</translation>
   </message>
@@ -232,6 +236,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Klassentabelle</translation>
   </message>
   <message>
+   <source>Classes</source>
+   <translation>Klassen</translation>
+  </message>
+  <message>
    <source>Classes that only the predicted map has: {names}.</source>
    <translation>Klassen, die nur die vorhergesagte Karte hat: {names}.</translation>
   </message>
@@ -272,8 +280,16 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
    <translation>Fenster werden verglichen</translation>
   </message>
   <message>
+   <source>Comparison of label maps</source>
+   <translation>Vergleich von Klassenkarten</translation>
+  </message>
+  <message>
    <source>Confidence</source>
    <translation>Konfidenz</translation>
+  </message>
+  <message>
+   <source>Confusion matrix</source>
+   <translation>Verwechslungsmatrix</translation>
   </message>
   <message>
    <source>Constellation</source>
@@ -514,6 +530,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Inspect</source>
    <translation>Untersuchen</translation>
+  </message>
+  <message>
+   <source>IoU</source>
+   <translation>IoU</translation>
   </message>
   <message>
    <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
@@ -1296,6 +1316,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Wo es gelingt</translation>
   </message>
   <message>
+   <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
+   <translation>Wohin die annotierten Pixel jeder Klasse gingen, als Anteile ihrer Zeile; die Diagonale ist richtig.</translation>
+  </message>
+  <message>
    <source>Where the images are known to be, roughly. It speeds up the search and is never needed.</source>
    <translation>Wo die Bilder ungefähr liegen. Das beschleunigt die Suche und ist nie nötig.</translation>
   </message>
@@ -1372,6 +1396,14 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Auf Treffer zoomen</translation>
   </message>
   <message>
+   <source>annotated</source>
+   <translation>annotiert</translation>
+  </message>
+  <message>
+   <source>annotated pixels</source>
+   <translation>annotierte Pixel</translation>
+  </message>
+  <message>
    <source>confidence</source>
    <translation>Konfidenz</translation>
   </message>
@@ -1408,6 +1440,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>falsch angenommen</translation>
   </message>
   <message>
+   <source>found</source>
+   <translation>gefunden</translation>
+  </message>
+  <message>
    <source>heading</source>
    <translation>Ausrichtung</translation>
   </message>
@@ -1436,6 +1472,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>übersehene Landmarken</translation>
   </message>
   <message>
+   <source>mean IoU</source>
+   <translation>mittlere IoU</translation>
+  </message>
+  <message>
    <source>median error</source>
    <translation>medianer Fehler</translation>
   </message>
@@ -1444,12 +1484,24 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>der richtigen Fixe</translation>
   </message>
   <message>
+   <source>of the classes that are annotated</source>
+   <translation>der annotierten Klassen</translation>
+  </message>
+  <message>
    <source>offset from the nearest window, share of the stride</source>
    <translation>Versatz zum nächsten Fenster, Anteil der Schrittweite</translation>
   </message>
   <message>
+   <source>overall accuracy</source>
+   <translation>Gesamtgenauigkeit</translation>
+  </message>
+  <message>
    <source>pixel size {value:.3g} m</source>
    <translation>Pixelgröße {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>predicted</source>
+   <translation>vorhergesagt</translation>
   </message>
   <message>
    <source>right among the fixes</source>
@@ -1458,6 +1510,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>right fixes</source>
    <translation>richtige Fixe</translation>
+  </message>
+  <message>
+   <source>right where predicted</source>
+   <translation>richtig, wo vorhergesagt</translation>
   </message>
   <message>
    <source>scale</source>
@@ -1490,6 +1546,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
    <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
+  </message>
+  <message>
+   <source>{count} pixels compared</source>
+   <translation>{count} Pixel verglichen</translation>
   </message>
   <message>
    <source>{count} places disagree.</source>
@@ -1538,6 +1598,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
    <translation>{path} ist keine SemRef-Referenzdatenbank; eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
+  </message>
+  <message>
+   <source>{predicted} against {reference}</source>
+   <translation>{predicted} gegen {reference}</translation>
   </message>
   <message>
    <source>{seconds:.0f} s.</source>

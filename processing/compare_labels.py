@@ -6,6 +6,7 @@ import numpy as np
 from qgis.core import (
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFileDestination,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
 )
@@ -30,6 +31,7 @@ class CompareLabels(SemRefAlgorithm):
     PREDICTED = "PREDICTED"
     MINIMUM_AREA = "MINIMUM_AREA"
     DISAGREEMENTS = "DISAGREEMENTS"
+    REPORT = "REPORT"
     MEAN_IOU = "MEAN_IOU"
     OVERALL_ACCURACY = "OVERALL_ACCURACY"
 
@@ -63,6 +65,12 @@ class CompareLabels(SemRefAlgorithm):
             QgsProcessingParameterFeatureSink(self.DISAGREEMENTS, tr("Disagreements"), SOURCE_POLYGON),
             tr("One polygon a connected place where the same two classes are confused, ranked by area."),
         )
+        self.offer(
+            QgsProcessingParameterFileDestination(
+                self.REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=False
+            ),
+            tr("A page with the confusion matrix as a picture and the figures of each class."),
+        )
         self.addOutput(QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")))
         self.addOutput(QgsProcessingOutputNumber(self.OVERALL_ACCURACY, tr("Overall accuracy")))
 
@@ -85,7 +93,8 @@ class CompareLabels(SemRefAlgorithm):
             comparison = LabelComparison(self._count(pair, match, disagreements, feedback))
             feedback.setProgressText(tr("Outlining the disagreements"))
             polygons = self._polygons(parameters, context, disagreements, feedback)
-        result = {self.DISAGREEMENTS: self._write(parameters, context, polygons, match, feedback)}
+        result = self._write_report(parameters, context, comparison, match)
+        result[self.DISAGREEMENTS] = self._write(parameters, context, polygons, match, feedback)
         result[self.MEAN_IOU] = comparison.mean_iou
         result[self.OVERALL_ACCURACY] = comparison.overall_accuracy
         _say(comparison, match, feedback)
@@ -135,6 +144,19 @@ class CompareLabels(SemRefAlgorithm):
             feedback.setProgress(80 + 16 * len(found) / len(ranked))
         check_canceled(feedback)
         return found
+
+    def _write_report(self, parameters, context, comparison, match):
+        """{REPORT: path}, nothing when no report is wanted."""
+        from .exchange.files import written_beside
+        from .reports.comparison_report import comparison_html
+
+        path = self.parameterAsFileOutput(parameters, self.REPORT, context)
+        if not path:
+            return {}
+        names = [layer.path for layer in self._layers]
+        with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
+            file.write(comparison_html(comparison, match, *names))
+        return {self.REPORT: path}
 
     def _write(self, parameters, context, polygons, match, feedback):
         from ..core.label_comparison import decode_disagreement

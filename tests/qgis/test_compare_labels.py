@@ -95,6 +95,17 @@ def test_noise_gives_valid_polygons_of_the_whole_area(compare, tmp_path):
     assert sum(row["area"] for row in found) == (labels != noise).sum()
 
 
+def test_the_report_shows_the_matrix_and_every_class(compare, maps, tmp_path):
+    path = tmp_path / "report.html"
+    _, results = compare(*maps[:2], REPORT=str(path))
+    text = path.read_text(encoding="utf-8")
+    assert results["REPORT"] == str(path)
+    for key in ("OVERALL_ACCURACY", "MEAN_IOU"):
+        assert f"{100 * results[key]:.1f}\u00a0%" in text
+    assert text.count("<svg") == 1 and all(name in text for name in NAMES)
+    assert "predicted.tif against annotated.tif" in text
+
+
 def test_equal_maps_have_no_disagreement(compare, maps):
     found, results = compare(maps[0], maps[0])
     assert (found, results["MEAN_IOU"], results["OVERALL_ACCURACY"]) == ([], 1, 1)

@@ -24,8 +24,8 @@ PARAMETERS = {
     ),
     "comparelabels": (
         "annotation",
-        "REFERENCE PREDICTED [MINIMUM_AREA] DISAGREEMENTS",
-        "DISAGREEMENTS MEAN_IOU OVERALL_ACCURACY",
+        "REFERENCE PREDICTED [MINIMUM_AREA] DISAGREEMENTS [REPORT]",
+        "DISAGREEMENTS REPORT MEAN_IOU OVERALL_ACCURACY",
     ),
     "segmentimage": ("annotation", "INPUT MODEL [OVERLAP] [RESOLUTION] OUTPUT", "OUTPUT"),
     "builddatabase": (

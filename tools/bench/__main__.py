@@ -3,7 +3,7 @@
     .venv/bin/python tools/bench NAME... [--data FOLDER] [--work FOLDER] [--repetitions N] [--count N] [--write]
 
 NAME is one of rasterize, build, memory, matching, sizes, published, localization, two_dates, elsewhere,
-catalogue_sizes, correlation_times, astroalign, or all. Times are compared within one run: the
+catalogue_sizes, correlation_times, astroalign, segment, or all. Times are compared within one run: the
 candidates take turns, and the ratio of each turn is what counts. Without the real data (--data, ../shared/data) the
 sample area of tools/make_sample.py is measured instead, and the text says so. --work keeps label maps and databases
 from one run for the next; without it they go into a temporary folder that is removed.
@@ -26,7 +26,7 @@ sys.path[0] = str(TOOLS)
 
 NAMES = (
     "rasterize", "build", "memory", "matching", "sizes", "published",
-    "localization", "two_dates", "elsewhere", "catalogue_sizes", "correlation_times", "astroalign",
+    "localization", "two_dates", "elsewhere", "catalogue_sizes", "correlation_times", "astroalign", "segment",
 )  # fmt: skip
 MINIMUM_REPETITIONS = 5
 

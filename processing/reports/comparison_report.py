@@ -1,0 +1,61 @@
+"""The report of Compare label maps: key figures, the confusion matrix as a picture, the figures of each class."""
+
+from __future__ import annotations
+
+import os
+
+from ...core.label_comparison import ClassMatch, LabelComparison
+from ..translation import tr
+from . import charts, page
+
+
+def comparison_html(comparison: LabelComparison, match: ClassMatch, reference: str, predicted: str) -> str:
+    """The whole page; ``reference``, ``predicted``: paths of the maps."""
+    count = tr("{count} pixels compared").format(count=f"{comparison.pixels:,}")
+    figures = page.key_figures(
+        [
+            (page.percent(comparison.overall_accuracy), tr("overall accuracy"), count),
+            (page.percent(comparison.mean_iou), tr("mean IoU"), tr("of the classes that are annotated")),
+        ]
+    )
+    matrix = page.figure(
+        _matrix(comparison, match),
+        tr("Where the annotated pixels of each class went, as shares of its row; the diagonal is right."),
+    )
+    title = tr("Comparison of label maps")
+    subtitle = tr("{predicted} against {reference}").format(
+        predicted=os.path.basename(predicted), reference=os.path.basename(reference)
+    )
+    return page.page(
+        title,
+        subtitle,
+        figures,
+        page.section(tr("Confusion matrix"), matrix),
+        page.section(tr("Classes"), _classes(comparison, match)),
+    )
+
+
+def _matrix(comparison: LabelComparison, match: ClassMatch) -> str:
+    columns = list(comparison.values)
+    # The chart counts rows from the bottom.
+    rows = [value for value in columns if comparison.annotated[value]][::-1]
+    shares = [[float(comparison.counts[row, c] / comparison.annotated[row]) for c in columns] for row in rows]
+    texts = [[page.percent(share, 0) for share in line] for line in shares]
+    names = ([match.name(value) for value in values] for values in (rows, columns))
+    return charts.heat_map(shares, texts, *names, tr("annotated"), tr("predicted"), tr("Confusion matrix"))
+
+
+def _classes(comparison: LabelComparison, match: ClassMatch) -> str:
+    header = [tr("Class"), tr("IoU"), tr("found"), tr("right where predicted"), tr("annotated pixels")]
+    rows = [
+        [
+            match.name(value),
+            page.percent(comparison.iou(value)),
+            page.percent(comparison.recall(value)),
+            page.percent(comparison.precision(value)),
+            f"{int(comparison.annotated[value]):,}",
+        ]
+        for value in comparison.values
+        if value
+    ]
+    return page.table(header, rows, range(1, len(header)))
