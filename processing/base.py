@@ -28,6 +28,17 @@ CANCEL_EVERY_S = 0.2
 """How often a cancel is looked for during work that can't be interrupted."""
 
 _PACKAGES = {"numpy": "numpy", "cv2": "opencv-python-headless"}
+"""What every algorithm needs: what pip calls each, by the name it is imported by."""
+
+SHAPELY = {"shapely": "'shapely>=2'", "shapely.constructive": "'shapely>=2'"}
+"""For MORE_PACKAGES. Shapely has the second module since version 2; Debian 12 brings an older one."""
+
+_DEBIAN_PACKAGES = {
+    "numpy": "python3-numpy",
+    "opencv-python-headless": "python3-opencv",
+    "onnxruntime": "python3-onnxruntime",
+    "'shapely>=2'": "python3-shapely",
+}
 
 
 class Canceled(Exception):
@@ -104,14 +115,12 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return paragraphs + "".join(f"<h3>{title}</h3><p>{text}</p>" for title, text in entries)
 
     def canExecute(self):
-        packages = {**_PACKAGES, **self.MORE_PACKAGES}
-        missing = [package for module, package in packages.items() if importlib.util.find_spec(module) is None]
+        missing = _missing_packages({**_PACKAGES, **self.MORE_PACKAGES})
         if missing:
             return False, tr(
                 "SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with "
-                "“python3 -m pip install {packages}”, or “apt install python3-opencv python3-onnxruntime” on Debian "
-                "and Ubuntu."
-            ).format(packages=" ".join(missing))
+                "“python3 -m pip install {packages}”, or “apt install {debian_packages}” on Debian and Ubuntu."
+            ).format(packages=" ".join(missing), debian_packages=" ".join(_DEBIAN_PACKAGES[name] for name in missing))
         return True, ""
 
     def prepareAlgorithm(self, parameters, context, feedback) -> bool:
@@ -136,6 +145,15 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             if error.errno not in _DISK_ERRORS:
                 raise
             raise QgsProcessingException(_disk_sentence(error)) from error
+
+
+def _missing_packages(packages: Dict[str, str]) -> List[str]:
+    """What pip has to install, each once; a module after its parent, which find_spec has to find first."""
+    missing = []
+    for module, package in packages.items():
+        if package not in missing and importlib.util.find_spec(module) is None:
+            missing.append(package)
+    return missing
 
 
 _DISK_ERRORS = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EPERM, errno.EFBIG)
@@ -163,6 +181,17 @@ def cancelable(function: Callable, *arguments, feedback: QgsProcessingFeedback):
         return running.result()
     finally:
         pool.shutdown(wait=False)
+
+
+def interruptible(
+    steps: Generator[Tuple[str, float], None, None], feedback: QgsProcessingFeedback
+) -> Generator[Tuple[str, float], None, None]:
+    """The same steps, each in a thread of its own: a cancel is heeded in the midst of a long one."""
+    while True:
+        step = cancelable(next, steps, None, feedback=feedback)
+        if step is None:
+            return
+        yield step
 
 
 def follow(

@@ -11,13 +11,14 @@ except ImportError:
 _FIELD_TYPES = {
     "text": ("QString", "String"),
     "integer": ("Int", "Int"),
+    "long": ("LongLong", "LongLong"),
     "real": ("Double", "Double"),
     "boolean": ("Bool", "Bool"),
 }
 
 
 def make_field(name: str, kind: str) -> QgsField:
-    """A field of a kind in _FIELD_TYPES; QGIS 3.38 replaced QVariant types by QMetaType's."""
+    """A field of a kind of _FIELD_TYPES; ``long`` has 64 bits. QGIS 3.38 replaced QVariant types by QMetaType's."""
     meta_name, variant_name = _FIELD_TYPES[kind]
     if Qgis.QGIS_VERSION_INT >= 33800:
         return QgsField(name, getattr(QMetaType.Type, meta_name))
@@ -43,6 +44,7 @@ def is_metric(crs: QgsCoordinateReferenceSystem) -> bool:
 
 
 POLYGON = Qgis.WkbType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.Polygon
+MULTI_POLYGON = Qgis.WkbType.MultiPolygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.MultiPolygon
 POINT = Qgis.WkbType.Point if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.Point
 POLYGON_GEOMETRY = Qgis.GeometryType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.PolygonGeometry
 LINE_GEOMETRY = Qgis.GeometryType.Line if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.LineGeometry

@@ -9,6 +9,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from .base import ICON_PATH, REFERENCE_DATABASE
 from .build_database import BuildDatabase
+from .check_annotation import CheckAnnotation
 from .compare_labels import CompareLabels
 from .decode_color_labels import DecodeColorLabels
 from .describe_image import DescribeImage
@@ -16,6 +17,7 @@ from .evaluate_localization import EvaluateLocalization
 from .export_training_tiles import ExportTrainingTiles
 from .localize_images import LocalizeImages
 from .rasterize_annotation import RasterizeAnnotation
+from .repair_annotation import RepairAnnotation
 from .segment_image import SegmentImage
 from .translation import tr
 
@@ -23,6 +25,8 @@ MODELS = Path(__file__).resolve().parent.parent / "models"
 """Ready-made models (.model3) that are offered beside the algorithms."""
 
 ALGORITHMS = (
+    CheckAnnotation,
+    RepairAnnotation,
     RasterizeAnnotation,
     DecodeColorLabels,
     CompareLabels,

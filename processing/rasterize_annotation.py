@@ -7,20 +7,17 @@ import math
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsProcessingFeatureSourceDefinition,
     QgsProcessingOutputNumber,
     QgsProcessingParameterCrs,
     QgsProcessingParameterExtent,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterField,
-    QgsProcessingParameterFile,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterDestination,
 )
 
 from ..core.errors import ParameterError
-from .base import ANNOTATION, SemRefAlgorithm, check_canceled, follow
-from .compat import SOURCE_POLYGON, wkt_for_gdal
+from .annotation_algorithm import AnnotationAlgorithm
+from .base import check_canceled, follow
+from .compat import wkt_for_gdal
 from .translation import tr
 
 MAXIMUM_PIXELS = 1_000_000_000_000
@@ -30,15 +27,10 @@ READING_SHARE = 30.0
 """Percent of the progress that reading the polygons takes."""
 
 
-class RasterizeAnnotation(SemRefAlgorithm):
+class RasterizeAnnotation(AnnotationAlgorithm):
     ID = "rasterizeannotation"
-    GROUP = ANNOTATION
     TAGS = ("rasterize", "burn", "land cover", "label map", "polygons", "shapefile")
 
-    INPUT = "INPUT"
-    CLASS_FIELD = "CLASS_FIELD"
-    PRIORITY_FIELD = "PRIORITY_FIELD"
-    CLASS_TABLE = "CLASS_TABLE"
     PIXEL_SIZE = "PIXEL_SIZE"
     EXTENT = "EXTENT"
     TARGET_CRS = "TARGET_CRS"
@@ -58,32 +50,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
         )
 
     def initAlgorithm(self, config=None):
-        self.offer(
-            QgsProcessingParameterFeatureSource(self.INPUT, tr("Annotation layer"), [SOURCE_POLYGON]),
-            tr("Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional."),
-        )
-        self.offer(
-            QgsProcessingParameterField(self.CLASS_FIELD, tr("Class field"), parentLayerParameterName=self.INPUT),
-            tr("Text or number field that tells the class of each polygon."),
-        )
-        self.offer(
-            QgsProcessingParameterField(
-                self.PRIORITY_FIELD, tr("Priority field"), parentLayerParameterName=self.INPUT, optional=True
-            ),
-            tr(
-                "Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw "
-                "order of the class table counts, else later polygons lie on top."
-            ),
-        )
-        self.offer(
-            QgsProcessingParameterFile(
-                self.CLASS_TABLE, tr("Class table"), fileFilter=tr("CSV files (*.csv)"), optional=True
-            ),
-            tr(
-                "CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. "
-                "Every class value of the layer must be in it."
-            ),
-        )
+        self.offer_annotation()
         self.offer(
             QgsProcessingParameterNumber(
                 self.PIXEL_SIZE, tr("Pixel size (m)"), QgsProcessingParameterNumber.Double, 1.0, minValue=0.001
@@ -105,21 +72,6 @@ class RasterizeAnnotation(SemRefAlgorithm):
         self.addOutput(QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes on the map")))
         self.addOutput(QgsProcessingOutputNumber(self.LABELED_FRACTION, tr("Fraction of the map that is labeled")))
 
-    def read_layers(self, parameters, context, feedback):
-        from .exchange.annotation import annotation_source
-
-        definition = parameters[self.INPUT]
-        if isinstance(definition, QgsProcessingFeatureSourceDefinition):
-            layer = self.parameterAsVectorLayer({self.INPUT: definition.source}, self.INPUT, context)
-        else:
-            layer = self.parameterAsVectorLayer(parameters, self.INPUT, context)
-        self._source = annotation_source(
-            layer,
-            definition,
-            self.parameterAsString(parameters, self.CLASS_FIELD, context),
-            self.parameterAsString(parameters, self.PRIORITY_FIELD, context),
-        )
-
     def work(self, parameters, context, feedback):
         from .exchange.burning import LabelMapBurning
         from .exchange.files import written_beside
@@ -140,7 +92,7 @@ class RasterizeAnnotation(SemRefAlgorithm):
         extent = self.parameterAsExtent(parameters, self.EXTENT, context, crs)
         bounds = (extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum())
         if extent.isEmpty():
-            bounds = _union([p.bounds for p in polygons])
+            bounds = union_of_bounds([p.bounds for p in polygons])
         width, height, geotransform = pixel_grid(bounds, pixel_size)
         output = self.parameterAsOutputLayer(parameters, self.OUTPUT, context)
         feedback.pushInfo(
@@ -173,13 +125,10 @@ class RasterizeAnnotation(SemRefAlgorithm):
 
     def _polygons(self, parameters, context, feedback, crs: QgsCoordinateReferenceSystem):
         """Polygons to burn and the class table; says what was repaired and skipped."""
-        from .exchange.annotation import AnnotationCounts, burn_polygons, class_lookup, require_known_classes
-        from .exchange.rasters import read_class_table
+        from .exchange.annotation import AnnotationCounts, burn_polygons, require_known_classes
 
         source = self._source
-        table_path = self.parameterAsFile(parameters, self.CLASS_TABLE, context)
-        lookup = class_lookup(source, read_class_table(table_path) if table_path else None, feedback.isCanceled)
-        check_canceled(feedback)
+        lookup = self.classes(parameters, context, feedback)
         transform = None
         if crs != source.crs:
             transform = QgsCoordinateTransform(source.crs, crs, context.transformContext())
@@ -216,6 +165,7 @@ def pixel_grid(bounds, pixel_size: float):
     return width, height, (left * pixel_size, pixel_size, 0.0, top * pixel_size, 0.0, -pixel_size)
 
 
-def _union(bounds):
+def union_of_bounds(bounds):
+    """(left, bottom, right, top) around all of such bounds."""
     lefts, bottoms, rights, tops = zip(*bounds)
     return min(lefts), min(bottoms), max(rights), max(tops)

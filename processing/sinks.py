@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Optional, Sequence, Tuple
+from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
 from qgis.core import QgsFeature, QgsFeatureSink, QgsFields, QgsGeometry
 
 from ..core.errors import ParameterError
 from .compat import make_field
 
-Schema = Sequence[Tuple[str, str]]
-"""(name, kind) of each field; kinds as in ``compat.make_field``."""
+Schema = Union[Sequence[Tuple[str, str]], QgsFields]
+"""(name, kind) of each field, kinds as in ``compat.make_field``; or the fields of another layer."""
+
+_NEW_KEYS = QgsFeatureSink.RegeneratePrimaryKey
+"""A key among another layer's fields, which several features may now share, is numbered anew."""
 
 
 class Sink:
@@ -19,10 +22,8 @@ class Sink:
     def __init__(self, algorithm, parameters, name: str, context, schema: Schema, geometry, crs) -> None:
         """Raises ParameterError when the output can't be made; ``is_wanted`` is False for one that was left out."""
         self._name = name
-        self._fields = QgsFields()
-        for field_name, kind in schema:
-            self._fields.append(make_field(field_name, kind))
-        made = algorithm.parameterAsSink(parameters, name, context, self._fields, geometry, crs)
+        self._fields = schema if isinstance(schema, QgsFields) else _fields(schema)
+        made = algorithm.parameterAsSink(parameters, name, context, self._fields, geometry, crs, _NEW_KEYS)
         self._sink, self.destination = made
         if self._sink is None and parameters.get(name) is not None:
             raise self._failure()
@@ -39,6 +40,16 @@ class Sink:
         for name, value in values.items():
             if value is not None:
                 feature[name] = value
+        self._add(feature)
+
+    def add_row(self, geometry: QgsGeometry, attributes: Sequence[Any]) -> None:
+        """Adds a feature with the value of each field."""
+        feature = QgsFeature(self._fields)
+        feature.setGeometry(geometry)
+        feature.setAttributes(list(attributes))
+        self._add(feature)
+
+    def _add(self, feature: QgsFeature) -> None:
         if not self._sink.addFeature(feature, QgsFeatureSink.FastInsert):
             raise self._failure()
 
@@ -49,3 +60,10 @@ class Sink:
 
     def _failure(self) -> ParameterError:
         return ParameterError(f"{self._name} can't be written; choose another place, or see whether the disk is full.")
+
+
+def _fields(schema: Sequence[Tuple[str, str]]) -> QgsFields:
+    fields = QgsFields()
+    for name, kind in schema:
+        fields.append(make_field(name, kind))
+    return fields

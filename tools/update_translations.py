@@ -16,10 +16,13 @@ ROOT = Path(__file__).resolve().parent.parent
 CONTEXT = "SemRef"
 ROOMS = ("processing", "ui")
 STEP_FILES = (
+    "core/annotation_check.py",
+    "core/annotation_repair.py",
     "core/build.py",
     "processing/exchange/burning.py",
     "processing/exchange/geopackage.py",
     "processing/exchange/rasters.py",
+    "processing/exchange/region_burning.py",
     "processing/exchange/training_tiles.py",
 )
 """Where steps are yielded: their texts are translated by whoever shows them."""

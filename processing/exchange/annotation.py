@@ -11,6 +11,7 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCsException,
+    QgsFeature,
     QgsFeatureRequest,
     QgsGeometry,
     QgsProcessingFeatureSourceDefinition,
@@ -177,19 +178,21 @@ class ClassLookup:
     def __init__(self, table: ClassTable, by_raw: Optional[Dict[str, int]] = None) -> None:
         """``by_raw``: class values by the text of the raw value; without it the table's own names and values."""
         self.table = table
+        self.draw_orders = {c.value: c.draw_order for c in table if c.draw_order is not None}
         self._known: Dict[object, Optional[int]] = dict(by_raw or {})
         self._fixed = by_raw is not None
 
     def value(self, raw: object) -> Optional[int]:
         """The class value of an attribute, or None when the table does not have it."""
-        text = _raw_text(raw)
+        text = raw_text(raw)
         if text not in self._known:
             found = None if self._fixed else self.table.find(text)
             self._known[text] = found.value if found else None
         return self._known[text]
 
 
-def _raw_text(raw: object) -> str:
+def raw_text(raw: object) -> str:
+    """An attribute as text; whole numbers without their point."""
     if isinstance(raw, float) and raw.is_integer():
         return str(int(raw))
     return str(raw).strip()
@@ -202,7 +205,7 @@ def class_lookup(source: AnnotationSource, given: Optional[ClassTable], canceled
     found = source.styled or [((value,), str(value), "") for value in _distinct_values(source, canceled)]
     if not found and not canceled():
         raise AnnotationError(f"“{source.name}” has no feature with a class; fill its class field first.")
-    texts = [_raw_text(values[0]) for values, _, _ in found]
+    texts = [raw_text(values[0]) for values, _, _ in found]
     as_values = source.class_is_number and all(t.isdigit() and 1 <= int(t) <= 255 for t in texts)
     labels = [label for _, label, _ in found]
     if len(set(labels)) < len(labels):
@@ -212,7 +215,7 @@ def class_lookup(source: AnnotationSource, given: Optional[ClassTable], canceled
     classes = []
     for number, label, (_, _, color) in zip(numbers, labels, found):
         classes.append(LandCoverClass(number, label, color or base.by_value(number).color))
-    by_raw = {_raw_text(value): number for number, (values, _, _) in zip(numbers, found) for value in values}
+    by_raw = {raw_text(value): number for number, (values, _, _) in zip(numbers, found) for value in values}
     return ClassLookup(ClassTable(tuple(classes)), by_raw)
 
 
@@ -222,8 +225,8 @@ def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> 
     found: Dict[str, object] = {}
     for feature in source.features.getFeatures(request):
         raw = feature.attribute(source.class_index)
-        if not is_null(raw) and _raw_text(raw):
-            found.setdefault(_raw_text(raw), raw)
+        if not is_null(raw) and raw_text(raw):
+            found.setdefault(raw_text(raw), raw)
         if canceled():
             return []
     numeric = all(text.lstrip("-").isdigit() for text in found)
@@ -237,7 +240,6 @@ def burn_polygons(
     counts: AnnotationCounts,
 ) -> Iterator[List[BurnPolygon]]:
     """The polygons of each feature, one list a feature (empty when it is skipped); ``counts`` is kept up to date."""
-    order_of_class = {c.value: c.draw_order for c in lookup.table if c.draw_order is not None}
     for feature in source.features.getFeatures(source.request):
         raw = feature.attribute(source.class_index)
         geometry = feature.geometry()
@@ -245,7 +247,7 @@ def burn_polygons(
             counts.empty += 1
             yield []
             continue
-        if is_null(raw) or not _raw_text(raw):
+        if is_null(raw) or not raw_text(raw):
             counts.without_class += 1
             yield []
             continue
@@ -254,14 +256,19 @@ def burn_polygons(
             if source.styled and source.unstyled_allowed:
                 counts.not_in_style += 1
             else:
-                counts.unknown[_raw_text(raw)] += 1
+                counts.unknown[raw_text(raw)] += 1
             yield []
             continue
-        priority = order_of_class.get(value, 0.0)
-        if source.priority_index >= 0:
-            raw_priority = feature.attribute(source.priority_index)
-            priority = _NO_PRIORITY if is_null(raw_priority) else float(raw_priority)
+        priority = drawing_priority(feature, source, lookup.draw_orders.get(value, 0.0))
         yield [BurnPolygon(wkb, value, priority, bounds) for wkb, bounds in _parts(geometry, transform, counts)]
+
+
+def drawing_priority(feature: QgsFeature, source: AnnotationSource, draw_order: float) -> float:
+    """Higher lies on top: the priority field if there is one, else the class's draw order."""
+    if source.priority_index < 0:
+        return draw_order
+    raw = feature.attribute(source.priority_index)
+    return _NO_PRIORITY if is_null(raw) else float(raw)
 
 
 def _parts(

@@ -35,7 +35,7 @@ class LabelMapBurning:
         self._geotransform = geotransform
         self._crs_wkt = crs_wkt
         self._table = table
-        self._layer = _BurnLayer(polygons, crs_wkt)
+        self._layer = BurnLayer(polygons, crs_wkt)
         self.counts = np.zeros(256, np.int64)
 
     def steps(self) -> Iterator[Tuple[str, float]]:
@@ -65,7 +65,7 @@ class LabelMapBurning:
         return strip.ReadAsArray()
 
 
-class _BurnLayer:
+class BurnLayer:
     """Polygons in memory, bottom first, to be burnt strip by strip with GDAL."""
 
     def __init__(self, polygons: List[BurnPolygon], crs_wkt: str) -> None:

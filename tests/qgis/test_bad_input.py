@@ -788,6 +788,20 @@ def test_a_missing_opencv_is_told_with_how_to_install_it_and_the_algorithms_stay
         assert "opencv-python-headless" in reason and "python3-opencv" in reason
 
 
+@pytest.mark.parametrize("module", ["shapely", "shapely.constructive"], ids=["missing", "older than 2"])
+@pytest.mark.parametrize("algorithm", ["semref:checkannotation", "semref:repairannotation"])
+def test_a_missing_or_old_shapely_is_told_where_it_is_needed(qgis_app, monkeypatch, module, algorithm):
+    find_spec = importlib.util.find_spec
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None if name == module else find_spec(name, *a))
+    registry = QgsApplication.processingRegistry()
+    needy = registry.createAlgorithmById(algorithm)
+    possible, reason = needy.canExecute()
+    assert not possible
+    assert reason.count("'shapely>=2'") == 2 and "python3-shapely" in reason
+    rasterize = registry.createAlgorithmById(RASTERIZE)
+    assert rasterize.canExecute()[0]
+
+
 def test_provider_and_dock_can_be_made_without_opencv_shapely_and_onnxruntime(repository):
     code = (
         "import sys, importlib.util\n"
@@ -811,4 +825,4 @@ def test_provider_and_dock_can_be_made_without_opencv_shapely_and_onnxruntime(re
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=False)
     assert answer.returncode == 0, answer.stderr
-    assert "'builddatabase', 'comparelabels', 'decodecolorlabels', 'describeimage'" in answer.stdout
+    assert "'builddatabase', 'checkannotation', 'comparelabels', 'decodecolorlabels', 'describeimage'" in answer.stdout

@@ -84,6 +84,18 @@ def jobs(run_algorithm, tmp_path_factory):
             "OUTPUT",
             "out.tif",
         ),
+        "check": (
+            "semref:checkannotation",
+            {"INPUT": str(folder / "annotation.shp"), "CLASS_FIELD": "class", "PIXEL_SIZE": 0.2},
+            "ISSUES",
+            "out.gpkg",
+        ),
+        "repair": (
+            "semref:repairannotation",
+            {"INPUT": str(folder / "annotation.shp"), "CLASS_FIELD": "class"},
+            "OUTPUT",
+            "out.gpkg",
+        ),
         "decode": (
             "semref:decodecolorlabels",
             {"INPUT": str(color), "CLASS_TABLE": str(write_text(folder / "classes.csv", CLASSES_CSV)), "METHOD": 1},
@@ -117,7 +129,7 @@ def run(job, folder: Path, feedback):
     return instance.run({**parameters, key: str(folder / name)}, QgsProcessingContext(), feedback, {}, False)
 
 
-JOBS = ("rasterize", "decode", "build", "localize", "segment", "compare")
+JOBS = ("rasterize", "check", "repair", "decode", "build", "localize", "segment", "compare")
 
 
 @pytest.mark.parametrize("percent", [0, 1, 10, 31, 50, 76, 86, 94])

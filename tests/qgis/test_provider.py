@@ -16,6 +16,16 @@ PARAMETERS = {
         "INPUT CLASS_FIELD [PRIORITY_FIELD] [CLASS_TABLE] PIXEL_SIZE [EXTENT] [TARGET_CRS] OUTPUT",
         "OUTPUT CLASS_COUNT LABELED_FRACTION",
     ),
+    "checkannotation": (
+        "annotation",
+        "INPUT CLASS_FIELD [PRIORITY_FIELD] [CLASS_TABLE] [MINIMUM_AREA] [PIXEL_SIZE] ISSUES",
+        "ISSUES ISSUE_COUNT ERROR_COUNT",
+    ),
+    "repairannotation": (
+        "annotation",
+        "INPUT CLASS_FIELD [PRIORITY_FIELD] [CLASS_TABLE] [MAXIMUM_GAP] [MINIMUM_AREA] OUTPUT [CHANGES]",
+        "OUTPUT CHANGES",
+    ),
     "decodecolorlabels": ("annotation", "INPUT CLASS_TABLE METHOD OUTPUT", "OUTPUT"),
     "exporttrainingtiles": (
         "annotation",

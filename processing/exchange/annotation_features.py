@@ -1,0 +1,133 @@
+"""Annotation layers as features to check and repair: nothing skipped, nothing repaired, everything told."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Iterator, List, Optional
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCoordinateTransformContext,
+    QgsCsException,
+    QgsFeature,
+    QgsFeatureRequest,
+    QgsFields,
+    QgsGeometry,
+    QgsRectangle,
+    QgsWkbTypes,
+)
+
+from ...core.annotation_findings import (
+    ERROR,
+    INFORMATION,
+    NO_CLASS,
+    NOTHING,
+    OUTSIDE_CRS,
+    THREE_DIMENSIONAL,
+    UNKNOWN_CLASS,
+    WARNING,
+    Finding,
+)
+from ...core.annotation_polygons import AnnotatedFeature
+from ..compat import is_null
+from .annotation import AnnotationSource, ClassLookup, drawing_priority, raw_text
+from .reference_systems import WGS84
+
+
+@dataclass
+class AnnotationReading:
+    """The features of a layer in a metric CRS, what is wrong with them one by one, and their attributes if wanted."""
+
+    features: List[AnnotatedFeature] = field(default_factory=list)
+    findings: List[Finding] = field(default_factory=list)
+    attributes: List[list] = field(default_factory=list)
+
+
+def read_features(
+    source: AnnotationSource,
+    lookup: ClassLookup,
+    crs: QgsCoordinateReferenceSystem,
+    transform_context: QgsCoordinateTransformContext,
+    reading: AnnotationReading,
+    with_attributes: bool = False,
+) -> Iterator[int]:
+    """Fills ``reading``, with geometries in ``crs`` (metric); yields the number of features read."""
+    transform = QgsCoordinateTransform(source.crs, crs, transform_context) if crs != source.crs else None
+    area = _AreaOfUse(source, transform_context)
+    request = QgsFeatureRequest(source.request)
+    if with_attributes:
+        request.setSubsetOfAttributes(list(range(len(source.features.fields()))))
+    for number, feature in enumerate(source.features.getFeatures(request), start=1):
+        geometry = feature.geometry()
+        outside = not geometry.isNull() and not geometry.isEmpty() and not area.touches(geometry.boundingBox())
+        placed = _placed(geometry, transform)
+        wkb = None if placed is None else placed.asWkb().data()
+        about = {"wkb": wkb, "feature_id": feature.id(), "area": placed.area() if placed else None}
+        if outside or (placed is None and not geometry.isNull()):
+            reading.findings.append(Finding(OUTSIDE_CRS, ERROR if placed is None else WARNING, **about))
+        if QgsWkbTypes.hasZ(geometry.wkbType()):
+            reading.findings.append(Finding(THREE_DIMENSIONAL, INFORMATION, **about))
+        value = _class_value(feature, source, lookup, about, reading.findings)
+        yield number
+        if placed is None and not geometry.isNull():
+            continue
+        priority = drawing_priority(feature, source, lookup.draw_orders.get(value, 0.0))
+        reading.features.append(AnnotatedFeature(feature.id(), wkb, value, priority))
+        if with_attributes:
+            reading.attributes.append(feature.attributes())
+
+
+def fields_of(source: AnnotationSource) -> QgsFields:
+    """The fields of the layer."""
+    return source.features.fields()
+
+
+def _class_value(
+    feature: QgsFeature, source: AnnotationSource, lookup: ClassLookup, about: dict, findings: List[Finding]
+) -> int:
+    """The class value, NOTHING without one that counts; appends what is wrong with it."""
+    raw = feature.attribute(source.class_index)
+    if is_null(raw) or not raw_text(raw):
+        findings.append(Finding(NO_CLASS, ERROR, **about))
+        return NOTHING
+    value = lookup.value(raw)
+    if value is None:
+        # A style with a category for all other values leaves them unlabeled on purpose.
+        severity = WARNING if source.styled and source.unstyled_allowed else ERROR
+        findings.append(Finding(UNKNOWN_CLASS, severity, **about, reason=raw_text(raw)))
+        return NOTHING
+    return value
+
+
+def _placed(geometry: QgsGeometry, transform: Optional[QgsCoordinateTransform]) -> Optional[QgsGeometry]:
+    """The geometry without arcs in the metric CRS; None without a geometry or where it can't be reprojected."""
+    if geometry.isNull():
+        return None
+    placed = QgsGeometry(geometry)
+    placed.convertToStraightSegment()
+    if transform is not None:
+        try:
+            placed.transform(transform)
+        except QgsCsException:
+            return None
+    return placed
+
+
+class _AreaOfUse:
+    """Where a layer's CRS is meant to be used."""
+
+    def __init__(self, source: AnnotationSource, transform_context: QgsCoordinateTransformContext) -> None:
+        self._bounds = source.crs.bounds()
+        self._to_degrees = QgsCoordinateTransform(source.crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
+        # Nearly always the whole layer lies inside: no feature has to be looked at.
+        self._all_inside = self._bounds.isEmpty() or self._bounds.contains(self._degrees(source.extent))
+
+    def touches(self, box: QgsRectangle) -> bool:
+        return self._all_inside or self._bounds.intersects(self._degrees(box))
+
+    def _degrees(self, box: QgsRectangle) -> QgsRectangle:
+        try:
+            return self._to_degrees.transformBoundingBox(box)
+        except QgsCsException:
+            return QgsRectangle()
