@@ -36,6 +36,11 @@ def sentence(finding: Finding, class_names: Dict[int, str]) -> str:
     return _filled(_check_template(finding), finding, class_names)
 
 
+def severity_title(severity: str) -> str:
+    """A severity in the user's language."""
+    return {kinds.ERROR: tr("errors"), kinds.WARNING: tr("warnings"), kinds.INFORMATION: tr("information")}[severity]
+
+
 def change_sentence(finding: Finding, class_names: Dict[int, str]) -> str:
     """What a repair says it has done about a finding."""
     return _filled(_change_templates()[finding.kind], finding, class_names)

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 
-from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterFeatureSink, QgsProcessingParameterNumber
+from qgis.core import (
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+)
 
 from ..core.annotation_findings import CHECKED_KINDS, ERROR
 from .annotation_algorithm import AnnotationAlgorithm, geometry_of
@@ -28,6 +33,7 @@ class CheckAnnotation(AnnotationAlgorithm):
     MAXIMUM_GAP = "MAXIMUM_GAP"
     PIXEL_SIZE = "PIXEL_SIZE"
     ISSUES = "ISSUES"
+    REPORT = "REPORT"
     ISSUE_COUNT = "ISSUE_COUNT"
     ERROR_COUNT = "ERROR_COUNT"
 
@@ -67,6 +73,12 @@ class CheckAnnotation(AnnotationAlgorithm):
             QgsProcessingParameterFeatureSink(self.ISSUES, tr("Issues"), SOURCE_POLYGON),
             tr("One feature a finding, in the coordinate reference system of the label map."),
         )
+        self.offer(
+            QgsProcessingParameterFileDestination(
+                self.REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=False
+            ),
+            tr("Findings by kind and class in one file to read and print."),
+        )
         self.addOutput(QgsProcessingOutputNumber(self.ISSUE_COUNT, tr("Number of findings")))
         self.addOutput(QgsProcessingOutputNumber(self.ERROR_COUNT, tr("Number of errors")))
 
@@ -87,7 +99,21 @@ class CheckAnnotation(AnnotationAlgorithm):
             feedback.pushInfo(f"{kind} ({severity}): {number}")
         errors = sum(finding.severity == ERROR for finding in findings)
         feedback.pushInfo(tr("{issues} findings, {errors} of them errors").format(issues=len(findings), errors=errors))
-        return {self.ISSUES: sink.close(), self.ISSUE_COUNT: len(findings), self.ERROR_COUNT: errors}
+        results = {self.ISSUES: sink.close(), self.ISSUE_COUNT: len(findings), self.ERROR_COUNT: errors}
+        report = self.parameterAsFileOutput(parameters, self.REPORT, context)
+        if report:
+            results[self.REPORT] = self._write_report(report, findings, names)
+        return results
+
+    def _write_report(self, path, findings, names) -> str:
+        from .exchange.files import written_beside
+        from .reports.annotation_report import AnnotationReport
+
+        source = self._source
+        html = AnnotationReport(source.name, source.count, findings, names).html()
+        with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
+            file.write(html)
+        return path
 
     def _checked(self, features, lookup, parameters, context, feedback, crs):
         """Findings on how the features lie, and what pixels do to them if their size is given."""

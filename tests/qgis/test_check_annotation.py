@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections import Counter
 from pathlib import Path
@@ -190,6 +191,24 @@ def test_a_layer_in_degrees_is_checked_in_meters(issues, tmp_path, feedback):
 def test_a_layer_without_class_is_refused(check, tmp_path):
     with pytest.raises(QgsProcessingException, match="no feature with a class"):
         check(write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), None)]))
+
+
+def test_the_report_counts_by_kind_and_class_and_tells_the_largest(check, tmp_path, classes_csv):
+    features = [(square(0, 0, 10), "field"), (square(6, 0, 10), "water"), (square(40, 0, 5), None)]
+    layer = write_layer(tmp_path / "a.gpkg", features)
+    results = check(layer, CLASS_TABLE=classes_csv, REPORT=str(tmp_path / "report.html"))
+    text = Path(results["REPORT"]).read_text(encoding="utf-8")
+    assert "a: 3 features" in text and "claim the same 40.00 m²" in text
+    bad = "</td><td class=\"number bad\">1</td>"
+    for cells in (f"<td>overlap{bad}", f"<td>no class{bad}"):
+        assert cells in text
+    assert not re.search(r"(?i)<script|http(?!://www\.w3\.org/2000/svg)", text)
+
+
+def test_the_report_of_a_clean_layer_says_so(check, tmp_path):
+    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field")])
+    results = check(layer, REPORT=str(tmp_path / "report.html"))
+    assert "Nothing was found." in Path(results["REPORT"]).read_text(encoding="utf-8")
 
 
 # --- agreement with the label map ---

@@ -18,8 +18,8 @@ PARAMETERS = {
     ),
     "checkannotation": (
         "annotation",
-        "INPUT CLASS_FIELD [PRIORITY_FIELD] [CLASS_TABLE] [MINIMUM_AREA] [PIXEL_SIZE] ISSUES",
-        "ISSUES ISSUE_COUNT ERROR_COUNT",
+        "INPUT CLASS_FIELD [PRIORITY_FIELD] [CLASS_TABLE] [MINIMUM_AREA] [PIXEL_SIZE] ISSUES [REPORT]",
+        "ISSUES REPORT ISSUE_COUNT ERROR_COUNT",
     ),
     "repairannotation": (
         "annotation",

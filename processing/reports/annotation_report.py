@@ -1,0 +1,92 @@
+"""The report of a check: findings by kind, severity and class, and what each kind means."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from typing import Dict, List, Sequence
+
+from ...core.annotation_findings import CHECKED_KINDS, ERROR, NOTHING, SEVERITIES, Finding
+from ..annotation_messages import sentence, severity_title
+from ..translation import tr
+from . import charts, page
+from .charts import Series
+
+EXAMPLES = 3
+"""Findings of each kind that are told in words: those with the largest area."""
+
+
+@dataclass(frozen=True)
+class AnnotationReport:
+    """What the report is made from. layer: its name; features: how many; class_names: by class value."""
+
+    layer: str
+    features: int
+    findings: Sequence[Finding]
+    class_names: Dict[int, str]
+
+    def html(self) -> str:
+        """The whole page."""
+        return page.page(
+            tr("Check of an annotation"),
+            tr("{layer}: {features} features").format(layer=self.layer, features=self.features),
+            self._key_figures(),
+            page.section(tr("Findings by kind"), self._kinds_chart(), self._kinds_table()),
+            page.section(tr("Findings by class"), self._classes_table()),
+            page.section(tr("The largest of each kind"), *self._examples()),
+        )
+
+    def _key_figures(self) -> str:
+        counts = Counter(finding.severity for finding in self.findings)
+        return page.key_figures([(str(counts[severity]), severity_title(severity), "") for severity in SEVERITIES])
+
+    def _kinds(self) -> List[str]:
+        found = {finding.kind for finding in self.findings}
+        return [kind for kind in CHECKED_KINDS if kind in found]
+
+    def _kinds_chart(self) -> str:
+        kinds = self._kinds()
+        if not kinds:
+            return page.paragraph(tr("Nothing was found."))
+        counts = Counter((finding.kind, finding.severity) for finding in self.findings)
+        series = [
+            Series(severity_title(severity), range(len(kinds)), [max(counts[kind, severity], 0.5) for kind in kinds])
+            for severity in SEVERITIES
+        ]
+        largest = max(counts.values())
+        # Numbers below the bars: the names of the kinds stand in the table.
+        groups = [str(n) for n in range(1, len(kinds) + 1)]
+        y_axis = charts.logarithmic_axis(tr("findings"), 1.0, float(largest))
+        title = tr("Findings by kind")
+        chart = charts.bar_chart(groups, series, tr("kind, see the table"), y_axis, title)
+        return page.figure(chart, tr("Findings of each kind, by severity; the scale is logarithmic."))
+
+    def _kinds_table(self) -> str:
+        rows = []
+        for n, kind in enumerate(self._kinds(), start=1):
+            own = [finding for finding in self.findings if finding.kind == kind]
+            counts = Counter(finding.severity for finding in own)
+            cells = [_count(counts[severity], severity) for severity in SEVERITIES]
+            rows.append([str(n), kind, *cells, page.number(sum(f.area or 0.0 for f in own), "m²", 6)])
+        header = ["", tr("kind"), *(severity_title(severity) for severity in SEVERITIES), tr("area")]
+        return page.table(header, rows, numbers=(0, 2, 3, 4, 5))
+
+    def _classes_table(self) -> str:
+        counts = Counter((f.class_value, f.severity) for f in self.findings)
+        rows = [
+            [name, *(_count(counts[value, severity], severity) for severity in SEVERITIES)]
+            for value, name in [*self.class_names.items(), (NOTHING, tr("no class"))]
+            if any(counts[value, severity] for severity in SEVERITIES)
+        ]
+        return page.table([tr("class"), *(severity_title(s) for s in SEVERITIES)], rows, numbers=(1, 2, 3))
+
+    def _examples(self) -> List[str]:
+        parts = []
+        for kind in self._kinds():
+            own = sorted((f for f in self.findings if f.kind == kind), key=lambda f: -(f.area or 0.0))
+            parts += [page.paragraph(f"{kind}: {sentence(f, self.class_names)}") for f in own[:EXAMPLES]]
+        return parts
+
+
+def _count(number: int, severity: str) -> str:
+    return page.Marked(str(number), False) if number and severity == ERROR else str(number)
