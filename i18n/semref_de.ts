@@ -20,6 +20,14 @@
    <translation>Ein Fix ist richtig, wenn er höchstens so weit daneben liegt, wie unter „Einstellungen“ steht; beim Topologievektor, der nur Fenster kennt, wenn er das Fenster nennt, das der Bildmitte am nächsten liegt. Falsch angenommen sind gespiegelte Bilder der Karte, die einen Fix bekamen: Sie können nie richtig sein. CEP50 und CEP95: Die Hälfte und 95 % der richtigen Fixe liegen höchstens so weit daneben. Ausrichtung und Maßstab: mediane Fehler der richtigen Fixe.</translation>
   </message>
   <message>
+   <source>A gap of {area:.2f} m² lies between neighbors; its longest border is with {other_name}.</source>
+   <translation>Zwischen Nachbarn liegt eine Lücke von {area:.2f} m²; ihre längste Grenze hat sie mit {other_name}.</translation>
+  </message>
+  <message>
+   <source>A gap of {area:.2f} m² was given to {other_name}.</source>
+   <translation>Eine Lücke von {area:.2f} m² ging an {other_name}.</translation>
+  </message>
+  <message>
    <source>A new or empty folder; one of an earlier export is replaced.</source>
    <translation>Ein neuer oder leerer Ordner; der eines früheren Exports wird ersetzt.</translation>
   </message>
@@ -38,6 +46,14 @@
   <message>
    <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
    <translation>Ein Segmentierungsnetz: Die Bilder sind dann Fotos. Seine Klassen sind die der Datenbank mit demselben Namen; Klassen, die die Datenbank nicht hat, gelten als ohne Klasse.</translation>
+  </message>
+  <message>
+   <source>A sliver of {name} of {area:.2f} m² (feature {id}) was given to {other_name}.</source>
+   <translation>Ein Splitter von {name} mit {area:.2f} m² (Objekt {id}) ging an {other_name}.</translation>
+  </message>
+  <message>
+   <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
+   <translation>Ein Splitter von {name} mit {area:.2f} m² liegt neben {other_name} (Objekt {id}).</translation>
   </message>
   <message>
    <source>Add a folder of label images</source>
@@ -152,6 +168,10 @@
    <translation>Referenzdatenbank erstellen</translation>
   </message>
   <message>
+   <source>Burning landmarks</source>
+   <translation>Landmarken werden gerastert</translation>
+  </message>
+  <message>
    <source>Burning polygons</source>
    <translation>Polygone werden gerastert</translation>
   </message>
@@ -206,6 +226,18 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Canceling…</source>
    <translation>Wird abgebrochen…</translation>
+  </message>
+  <message>
+   <source>Changes</source>
+   <translation>Änderungen</translation>
+  </message>
+  <message>
+   <source>Check annotation</source>
+   <translation>Annotation prüfen</translation>
+  </message>
+  <message>
+   <source>Check of an annotation</source>
+   <translation>Prüfung einer Annotation</translation>
   </message>
   <message>
    <source>Choose a GeoPackage</source>
@@ -332,6 +364,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Abweichungen</translation>
   </message>
   <message>
+   <source>Dissolving neighbors</source>
+   <translation>Nachbarn werden vereinigt</translation>
+  </message>
+  <message>
    <source>Distance</source>
    <translation>Abstand</translation>
   </message>
@@ -412,6 +448,66 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Anteil falsch angenommener Bilder</translation>
   </message>
   <message>
+   <source>Feature {id} and feature {other} had the same outline; one is left.</source>
+   <translation>Objekt {id} und Objekt {other} hatten denselben Umriss; eines ist geblieben.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has heights (Z), which are left out.</source>
+   <translation>Objekt {id} hat Höhen (Z), die weggelassen werden.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no area and is skipped.</source>
+   <translation>Objekt {id} hat keine Fläche und wird übersprungen.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no class.</source>
+   <translation>Objekt {id} hat keine Klasse.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no geometry and is skipped.</source>
+   <translation>Objekt {id} hat keine Geometrie und wird übersprungen.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has the class “{reason}”, which is not among the classes.</source>
+   <translation>Objekt {id} hat die Klasse „{reason}“, die nicht zu den Klassen gehört.</translation>
+  </message>
+  <message>
+   <source>Feature {id} lies outside the area that the layer’s CRS is made for.</source>
+   <translation>Objekt {id} liegt außerhalb des Gebiets, für das das KBS des Layers gemacht ist.</translation>
+  </message>
+  <message>
+   <source>Feature {id} repeats feature {other}: same outline, same class {name}.</source>
+   <translation>Objekt {id} wiederholt Objekt {other}: derselbe Umriss, dieselbe Klasse {name}.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: feature {other} covers it.</source>
+   <translation>Objekt {id} wurde weggelassen: Objekt {other} verdeckt es.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it can’t be reprojected.</source>
+   <translation>Objekt {id} wurde weggelassen: es lässt sich nicht umprojizieren.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no area.</source>
+   <translation>Objekt {id} wurde weggelassen: es hat keine Fläche.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no class.</source>
+   <translation>Objekt {id} wurde weggelassen: es hat keine Klasse.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no geometry.</source>
+   <translation>Objekt {id} wurde weggelassen: es hat keine Geometrie.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: its class “{reason}” has no category in the style.</source>
+   <translation>Objekt {id} wurde weggelassen: seine Klasse „{reason}“ hat keine Kategorie im Stil.</translation>
+  </message>
+  <message>
+   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border: they become one landmark.</source>
+   <translation>Die Objekte {id} und {other} sind beide {name} und haben {number:.2f} m gemeinsame Grenze: sie werden eine Landmarke.</translation>
+  </message>
+  <message>
    <source>Fewer than three landmarks: no vector.</source>
    <translation>Weniger als drei Landmarken: kein Vektor.</translation>
   </message>
@@ -424,8 +520,36 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Dateiname des Bildes</translation>
   </message>
   <message>
+   <source>Filling gaps and merging slivers</source>
+   <translation>Lücken werden gefüllt, Splitter vereinigt</translation>
+  </message>
+  <message>
    <source>Finding reference objects</source>
    <translation>Referenzobjekte werden gesucht</translation>
+  </message>
+  <message>
+   <source>Findings by class</source>
+   <translation>Befunde nach Klasse</translation>
+  </message>
+  <message>
+   <source>Findings by kind</source>
+   <translation>Befunde nach Art</translation>
+  </message>
+  <message>
+   <source>Findings by kind and class in one file to read and print.</source>
+   <translation>Befunde nach Art und Klasse in einer Datei zum Lesen und Drucken.</translation>
+  </message>
+  <message>
+   <source>Findings of each kind, by severity; the scale is logarithmic.</source>
+   <translation>Befunde jeder Art nach Schwere; der Maßstab ist logarithmisch.</translation>
+  </message>
+  <message>
+   <source>Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that touch, are too small, or that pixels of a given size would lose, merge or split.
+
+Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” mends most of it.</source>
+   <translation>Findet, was an einem Layer der Landbedeckung falsch ist, bevor er zur Klassenkarte wird: ungültige Geometrien, Überlappungen, über die nichts entscheidet, Duplikate, Lücken und Splitter, fehlende und unbekannte Klassen sowie Landmarken, die sich berühren, zu klein sind oder die Pixel einer gegebenen Größe verlieren, verschmelzen oder zerteilen würden.
+
+Jeder Befund ist ein Objekt mit Art, Schwere (error, warning, information), einem Satz und den IDs der betroffenen Objekte. Ein Modell kann anhalten, wenn die Zahl der Fehler nicht 0 ist. „Annotation reparieren“ behebt das meiste.</translation>
   </message>
   <message>
    <source>Finds where images were taken: each label image is described by its landmarks and matched with a reference database.
@@ -536,6 +660,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>IoU</translation>
   </message>
   <message>
+   <source>Issues</source>
+   <translation>Befunde</translation>
+  </message>
+  <message>
    <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
    <translation>Mit {speed:g} Karteneinheiten pro Sekunde ist er von den Standorten davor und danach nicht zu erreichen.</translation>
   </message>
@@ -592,12 +720,20 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Landmarken je Vektor</translation>
   </message>
   <message>
+   <source>Largest gap (m²)</source>
+   <translation>Größte Lücke (m²)</translation>
+  </message>
+  <message>
    <source>Largest scale</source>
    <translation>Größter Maßstab</translation>
   </message>
   <message>
    <source>Lay image on map</source>
    <translation>Bild auf die Karte legen</translation>
+  </message>
+  <message>
+   <source>Laying polygons on each other</source>
+   <translation>Polygone werden übereinandergelegt</translation>
   </message>
   <message>
    <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
@@ -632,8 +768,36 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Bilder werden lokalisiert</translation>
   </message>
   <message>
+   <source>Looking at geometries</source>
+   <translation>Geometrien werden geprüft</translation>
+  </message>
+  <message>
+   <source>Looking at landmarks</source>
+   <translation>Landmarken werden geprüft</translation>
+  </message>
+  <message>
+   <source>Looking at neighbors of one class</source>
+   <translation>Nachbarn derselben Klasse werden geprüft</translation>
+  </message>
+  <message>
+   <source>Looking for gaps and slivers</source>
+   <translation>Lücken und Splitter werden gesucht</translation>
+  </message>
+  <message>
+   <source>Looking for overlaps</source>
+   <translation>Überlappungen werden gesucht</translation>
+  </message>
+  <message>
    <source>Looks like</source>
    <translation>Sieht aus wie</translation>
+  </message>
+  <message>
+   <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
+
+Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
+   <translation>Bereinigt einen Layer der Landbedeckung: Geometrien werden gültig, Überlappungen gehen an ein Polygon, winzige Lücken und Splitter an den Nachbarn mit der längsten gemeinsamen Grenze, und Polygone derselben Klasse, die sich berühren, werden eines. Das Ergebnis hat ein Polygon für jede Landmarke.
+
+Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das kleinere Polygon, sonst der niedrigere Klassenwert. Jedes Polygon behält die Attribute des Objekts, das den größten Teil davon bedeckt. Einen reparierten Layer zu reparieren ändert nichts.</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -720,12 +884,28 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Dort liegt kein Fenster der Datenbank.</translation>
   </message>
   <message>
+   <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
+   <translation>Von {name} (Objekt {id}) ist nichts zu sehen: Objekt {other} liegt darüber.</translation>
+  </message>
+  <message>
+   <source>Nothing was found.</source>
+   <translation>Nichts gefunden.</translation>
+  </message>
+  <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
    <translation>Zahlenfeld: Wo sich Polygone überlappen, liegt das mit dem höheren Wert oben. Ohne dieses Feld zählt die Zeichenreihenfolge der Klassentabelle, sonst liegen spätere Polygone oben.</translation>
   </message>
   <message>
    <source>Number of classes on the map</source>
    <translation>Anzahl der Klassen auf der Karte</translation>
+  </message>
+  <message>
+   <source>Number of errors</source>
+   <translation>Zahl der Fehler</translation>
+  </message>
+  <message>
+   <source>Number of findings</source>
+   <translation>Zahl der Befunde</translation>
   </message>
   <message>
    <source>Number of fixes</source>
@@ -766,6 +946,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
    <translation>Ein GeoPackage mit den Layern windows, references, overview, classes und parameters.</translation>
+  </message>
+  <message>
+   <source>One feature a change: what was changed where, and which features it concerns.</source>
+   <translation>Ein Objekt je Änderung: was wo geändert wurde und welche Objekte es betrifft.</translation>
+  </message>
+  <message>
+   <source>One feature a finding, in the coordinate reference system of the label map.</source>
+   <translation>Ein Objekt je Befund, im Koordinatenbezugssystem der Klassenkarte.</translation>
   </message>
   <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
@@ -920,6 +1108,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Entfernen</translation>
   </message>
   <message>
+   <source>Repair annotation</source>
+   <translation>Annotation reparieren</translation>
+  </message>
+  <message>
+   <source>Repaired annotation</source>
+   <translation>Reparierte Annotation</translation>
+  </message>
+  <message>
    <source>Report</source>
    <translation>Bericht</translation>
   </message>
@@ -930,6 +1126,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Resolution (cm per pixel)</source>
    <translation>Auflösung (cm je Pixel)</translation>
+  </message>
+  <message>
+   <source>Resolving overlaps</source>
+   <translation>Überlappungen werden aufgelöst</translation>
   </message>
   <message>
    <source>Results</source>
@@ -1008,8 +1208,8 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>SemRef-Bildausschnitte</translation>
   </message>
   <message>
-   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install python3-opencv python3-onnxruntime” on Debian and Ubuntu.</source>
-   <translation>SemRef braucht das Python-Paket {packages}. Es muss für das Python von QGIS installiert sein, zum Beispiel mit „python3 -m pip install {packages}“ oder unter Debian und Ubuntu mit „apt install python3-opencv python3-onnxruntime“.</translation>
+   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install {debian_packages}” on Debian and Ubuntu.</source>
+   <translation>SemRef braucht das Python-Paket {packages}. Es muss für das Python von QGIS installiert sein, zum Beispiel mit „python3 -m pip install {packages}“ oder unter Debian und Ubuntu mit „apt install {debian_packages}“.</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -1082,6 +1282,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
    <translation>Kleinere Abweichungen ergeben kein Polygon; in quadrierten Karteneinheiten, ohne Georeferenz in Pixeln.</translation>
+  </message>
+  <message>
+   <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
+   <translation>Kleinere Landmarken werden gemeldet: „Referenzdatenbank bauen“ lässt sie weg.</translation>
+  </message>
+  <message>
+   <source>Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin pieces are merged at any area.</source>
+   <translation>Kleinere Stücke, die einen Nachbarn berühren, werden mit ihm vereinigt; Stücke, die allein stehen, bleiben. Schmale Stücke werden bei jeder Fläche vereinigt.</translation>
   </message>
   <message>
    <source>Smaller regions are no landmarks.</source>
@@ -1160,6 +1368,18 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Datenträger ist beim Schreiben voll geworden ({name}); Platz schaffen oder einen anderen Ort wählen.</translation>
   </message>
   <message>
+   <source>The geometry of feature {id} is invalid: {reason}.</source>
+   <translation>Die Geometrie von Objekt {id} ist ungültig: {reason}.</translation>
+  </message>
+  <message>
+   <source>The geometry of feature {id} was made valid: {reason}.</source>
+   <translation>Die Geometrie von Objekt {id} wurde gültig gemacht: {reason}.</translation>
+  </message>
+  <message>
+   <source>The heights (Z) of feature {id} were left out.</source>
+   <translation>Die Höhen (Z) von Objekt {id} wurden weggelassen.</translation>
+  </message>
+  <message>
    <source>The hit lies outside the area of the project’s CRS; choose another one to see it.</source>
    <translation>Der Treffer liegt außerhalb des Gültigkeitsbereichs des Projekt-KBS; ein anderes KBS wählen, um ihn zu sehen.</translation>
   </message>
@@ -1170,6 +1390,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>Die Klassenkarte enthält keine Klassennamen; ihre Klassen werden nach ihren Werten benannt.</translation>
+  </message>
+  <message>
+   <source>The largest of each kind</source>
+   <translation>Die größten jeder Art</translation>
   </message>
   <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
@@ -1186,6 +1410,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>Das Modell nennt seine Auflösung nicht: Das Bild wird genommen, wie es ist.</translation>
+  </message>
+  <message>
+   <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
+   <translation>Die Pixelgröße, mit der der Layer gerastert werden soll: Landmarken, die solche Pixel verlieren, verschmelzen oder zerteilen würden, werden ebenfalls gemeldet. Ohne Angabe wird nicht danach gesehen.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
@@ -1272,12 +1500,24 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
 Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegenden Farbe bleibt Schwarz ohne Klasse, außer eine Klasse ist schwarz.</translation>
   </message>
   <message>
+   <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
+   <translation>Unbedeckte, von Polygonen umschlossene Stellen bis zu dieser Fläche werden gefüllt; schmale bei jeder Fläche.</translation>
+  </message>
+  <message>
+   <source>Uncovered places up to this area, enclosed by polygons, are gaps; thin ones are at any area.</source>
+   <translation>Unbedeckte, von Polygonen umschlossene Stellen bis zu dieser Fläche sind Lücken; schmale bei jeder Fläche.</translation>
+  </message>
+  <message>
    <source>Unreadable</source>
    <translation>Nicht lesbar</translation>
   </message>
   <message>
    <source>Unverified match</source>
    <translation>Ungeprüfter Treffer</translation>
+  </message>
+  <message>
+   <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
+   <translation>Gültige einzelne Polygone mit den Feldern des Annotationslayers, in Metern.</translation>
   </message>
   <message>
    <source>Validation fraction</source>
@@ -1404,6 +1644,14 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>annotierte Pixel</translation>
   </message>
   <message>
+   <source>area</source>
+   <translation>Fläche</translation>
+  </message>
+  <message>
+   <source>class</source>
+   <translation>Klasse</translation>
+  </message>
+  <message>
    <source>confidence</source>
    <translation>Konfidenz</translation>
   </message>
@@ -1436,8 +1684,16 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Fehler, m</translation>
   </message>
   <message>
+   <source>errors</source>
+   <translation>Fehler</translation>
+  </message>
+  <message>
    <source>false accepts</source>
    <translation>falsch angenommen</translation>
+  </message>
+  <message>
+   <source>findings</source>
+   <translation>Befunde</translation>
   </message>
   <message>
    <source>found</source>
@@ -1460,6 +1716,18 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>in der 95-%-Ellipse</translation>
   </message>
   <message>
+   <source>information</source>
+   <translation>Hinweise</translation>
+  </message>
+  <message>
+   <source>kind</source>
+   <translation>Art</translation>
+  </message>
+  <message>
+   <source>kind, see the table</source>
+   <translation>Art, siehe Tabelle</translation>
+  </message>
+  <message>
    <source>landmarks in the window</source>
    <translation>Landmarken im Fenster</translation>
   </message>
@@ -1478,6 +1746,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>median error</source>
    <translation>medianer Fehler</translation>
+  </message>
+  <message>
+   <source>no class</source>
+   <translation>keine Klasse</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -1524,6 +1796,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Ausgabe</translation>
   </message>
   <message>
+   <source>warnings</source>
+   <translation>Warnungen</translation>
+  </message>
+  <message>
    <source>window {value}</source>
    <translation>Fenster {value}</translation>
   </message>
@@ -1534,6 +1810,14 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>wrong fixes</source>
    <translation>falsche Fixe</translation>
+  </message>
+  <message>
+   <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
+   <translation>{area:.2f} m², die zwei beanspruchten, gehören {name} (Objekt {id}), nicht mehr Objekt {other}.</translation>
+  </message>
+  <message>
+   <source>{before} features became {after} polygons; {changes} changes</source>
+   <translation>Aus {before} Objekten wurden {after} Polygone; {changes} Änderungen</translation>
   </message>
   <message>
    <source>{count} images to localize.</source>
@@ -1572,12 +1856,20 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>{image}: Abstand {distance:.3f}, Konfidenz {confidence:.2f}</translation>
   </message>
   <message>
+   <source>{issues} findings, {errors} of them errors</source>
+   <translation>{issues} Befunde, davon {errors} Fehler</translation>
+  </message>
+  <message>
    <source>{jumps} of {checked} fixes with a time are jumps.</source>
    <translation>{jumps} von {checked} Standorten mit Zeit sind Sprünge.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
    <translation>{lacking} Fenster ({share:.0%}) zeigen weniger als drei Landmarken und haben keinen Vektor.</translation>
+  </message>
+  <message>
+   <source>{layer}: {features} features</source>
+   <translation>{layer}: {features} Objekte</translation>
   </message>
   <message>
    <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
@@ -1588,12 +1880,44 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>{model}: {classes}; gerechnet mit {provider}, Kacheln von {width} × {height} Pixeln.</translation>
   </message>
   <message>
+   <source>{name} (feature {id}) and {other_name} (feature {other}) claim the same {area:.2f} m², and only the order of the features says which lies on top.</source>
+   <translation>{name} (Objekt {id}) und {other_name} (Objekt {other}) beanspruchen dieselben {area:.2f} m², und nur die Reihenfolge der Objekte sagt, was oben liegt.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) covers {area:.2f} m², less than the minimum area: it is no landmark.</source>
+   <translation>{name} (Objekt {id}) bedeckt {area:.2f} m², weniger als die Mindestfläche: es ist keine Landmarke.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) falls into {number:.0f} pieces of pixels.</source>
+   <translation>{name} (Objekt {id}) zerfällt in {number:.0f} Stücke aus Pixeln.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) has the same outline as {other_name} (feature {other}).</source>
+   <translation>{name} (Objekt {id}) hat denselben Umriss wie {other_name} (Objekt {other}).</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) lies on {area:.2f} m² of {other_name} (feature {other}), as their order says.</source>
+   <translation>{name} (Objekt {id}) liegt auf {area:.2f} m² von {other_name} (Objekt {other}), wie ihre Reihenfolge es sagt.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}, {area:.2f} m²): the outline of its pixels stays under the minimum area, so it is no landmark.</source>
+   <translation>{name} (Objekt {id}, {area:.2f} m²): der Umriss der Pixel bleibt unter der Mindestfläche, es ist also keine Landmarke.</translation>
+  </message>
+  <message>
+   <source>{name} (features {id} and {other}): their pixels touch, so they become one landmark.</source>
+   <translation>{name} (Objekte {id} und {other}): ihre Pixel berühren sich, sie werden also eine Landmarke.</translation>
+  </message>
+  <message>
    <source>{name} can’t be written; choose a place where you may write.</source>
    <translation>{name} lässt sich nicht schreiben; einen Ort mit Schreibrecht wählen.</translation>
   </message>
   <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}: IoU {iou:.1%}, {pixels} Pixel annotiert</translation>
+  </message>
+  <message>
+   <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
+   <translation>{number:.0f} Objekte von {name}, die sich berühren, sind ein Polygon mit den Attributen von Objekt {id}.</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
@@ -1614,6 +1938,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>{source} does not measure in meters; the label map is made in {target}.</source>
    <translation>{source} misst nicht in Metern; die Klassenkarte wird in {target} erstellt.</translation>
+  </message>
+  <message>
+   <source>{source} does not measure in meters; the result is in {target}.</source>
+   <translation>{source} misst nicht in Metern; das Ergebnis ist in {target}.</translation>
   </message>
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>

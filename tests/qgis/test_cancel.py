@@ -48,6 +48,7 @@ def jobs(run_algorithm, tmp_path_factory):
     folder = tmp_path_factory.mktemp("inputs")
     random = np.random.default_rng(4)
     features = [(square(*random.uniform(0, 900, 2), 12), f"class {n % 7}") for n in range(3000)]
+    write_layer(folder / "overlapping.shp", features[:1200])
     labels = write_raster(folder / "labels.tif", scattered_objects(700, 700, 500, seed=6), names=NAMES)
     color = write_raster(folder / "color.tif", random.integers(0, 255, (3, 700, 700)).astype(np.uint8))
     build = {
@@ -86,13 +87,13 @@ def jobs(run_algorithm, tmp_path_factory):
         ),
         "check": (
             "semref:checkannotation",
-            {"INPUT": str(folder / "annotation.shp"), "CLASS_FIELD": "class", "PIXEL_SIZE": 0.2},
+            {"INPUT": str(folder / "overlapping.shp"), "CLASS_FIELD": "class", "PIXEL_SIZE": 1},
             "ISSUES",
             "out.gpkg",
         ),
         "repair": (
             "semref:repairannotation",
-            {"INPUT": str(folder / "annotation.shp"), "CLASS_FIELD": "class"},
+            {"INPUT": str(folder / "overlapping.shp"), "CLASS_FIELD": "class"},
             "OUTPUT",
             "out.gpkg",
         ),
