@@ -49,6 +49,7 @@ class SemRefDock(QgsDockWidget):
         self.tabs = QTabWidget()
         self._shelf = DatabaseShelf()
         self._pictures = Reader(self)
+        self._model_used = ""
         self._databases = Reader(self)
         self._lay_out()
         self._connect()
@@ -132,7 +133,11 @@ class SemRefDock(QgsDockWidget):
             self.state.show_text(tr("Canceling…"))
             self.run.cancel()
             return
-        if self.run.start(self.database.path(), self.images.paths(), self.method.method(), self.prior.parameters()):
+        settings = self.prior.parameters()
+        if self.images.model_path():
+            settings["MODEL"] = self.images.model_path()
+        if self.run.start(self.database.path(), self.images.paths(), self.method.method(), settings):
+            self._model_used = self.images.model_path()
             self._set_running(True)
             self.state.show_text(tr("Starting…"))
 
@@ -200,7 +205,8 @@ class SemRefDock(QgsDockWidget):
             self.results.image.clear(tr("The selected image appears here."))
             return
         self.results.image.clear(tr("Reading…"))
-        self._pictures.read(tr("Reading an image"), _picture, self._shelf, self.database.path(), finding.image)
+        arguments = self._shelf, self.database.path(), finding.image, self._model_used
+        self._pictures.read(tr("Reading an image"), _picture, *arguments)
 
     def _show_picture(self, picture: ImagePicture) -> None:
         self.results.image.show_picture(picture)
@@ -246,9 +252,9 @@ class SemRefDock(QgsDockWidget):
             self._messages.error(str(error))
 
 
-def _picture(shelf: DatabaseShelf, database: str, image: str) -> ImagePicture:
+def _picture(shelf: DatabaseShelf, database: str, image: str, model: str) -> ImagePicture:
     """In the background."""
-    return read_picture(image, shelf.read(database))
+    return read_picture(image, shelf.read(database), model)
 
 
 class _ShorteningLabel(QLabel):

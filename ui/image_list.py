@@ -59,7 +59,7 @@ class ImageList(QListWidget):
     def paintEvent(self, event):
         super().paintEvent(event)
         if not self.count():
-            paint_placeholder(self, tr("Add label images, or drop files and folders here."))
+            paint_placeholder(self, tr("Add photos or label images, or drop files and folders here."))
 
     def keyPressEvent(self, event):
         if event.matches(QKeySequence.StandardKey.Delete):

@@ -6,7 +6,7 @@ from typing import Optional
 
 from qgis.core import QgsSettings
 from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt
-from qgis.PyQt.QtGui import QColor, QPainter, QPen, QPixmap, QTransform
+from qgis.PyQt.QtGui import QColor, QImage, QPainter, QPen, QPixmap, QTransform
 from qgis.PyQt.QtWidgets import (
     QCheckBox,
     QGraphicsItem,
@@ -49,7 +49,7 @@ class ImageView(QWidget):
         self.star = QCheckBox(tr("Vector"))
         self.star.setToolTip(tr("The lines from the center to the landmarks of the topology vector"))
         settings = QgsSettings()
-        self.opacity.setValue(settings.value(_OPACITY_SETTING, 100, type=int))
+        self.opacity.setValue(settings.value(_OPACITY_SETTING, 60, type=int))
         self.landmarks.setChecked(settings.value(_LANDMARKS_SETTING, True, type=bool))
         self.star.setChecked(settings.value(_STAR_SETTING, False, type=bool))
         row = QHBoxLayout()
@@ -100,15 +100,22 @@ class _Canvas(QGraphicsView):
         scene = self.scene()
         scene.clear()
         self._text = ""
-        self._labels = scene.addPixmap(QPixmap.fromImage(picture.labels))
-        scale = picture.width / max(picture.labels.width(), 1), picture.height / max(picture.labels.height(), 1)
-        self._labels.setTransform(QTransform.fromScale(*scale))
+        if picture.photo is not None:
+            self._add(picture.photo, picture)
+        self._labels = self._add(picture.labels, picture)
         self._star = _Star(picture)
         self._landmarks = _Landmarks(picture)
         scene.addItem(self._star)
         scene.addItem(self._landmarks)
         scene.setSceneRect(QRectF(0, 0, picture.width, picture.height))
         self.fit()
+
+    def _add(self, image: QImage, picture: ImagePicture) -> QGraphicsItem:
+        """Spans the picture's own pixels, however much it was reduced."""
+        item = self.scene().addPixmap(QPixmap.fromImage(image))
+        scale = picture.width / max(image.width(), 1), picture.height / max(image.height(), 1)
+        item.setTransform(QTransform.fromScale(*scale))
+        return item
 
     def clear(self, text: str) -> None:
         self.scene().clear()

@@ -17,6 +17,7 @@ MARGIN_PX = 5
 
 _DATABASE_SETTING = "semref/dock/database"
 _METHOD_SETTING = "semref/dock/method"
+_MODEL_SETTING = "semref/dock/model"
 _FOLDER_SETTING = "semref/dock/image_folder"
 
 
@@ -66,6 +67,12 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.add_files = QPushButton(tr("Add files…"))
         self.add_folder = QPushButton(tr("Add folder…"))
         self.remove = QPushButton(tr("Remove"))
+        self.model = QgsFileWidget()
+        self.model.setFilter(tr("ONNX models (*.onnx)"))
+        self.model.setDialogTitle(tr("Choose a segmentation model"))
+        self.model.lineEdit().setPlaceholderText(tr("Model, for photos"))
+        self.model.setToolTip(tr("The network that makes labels of photos; leave empty for label images"))
+        self.model.setFilePath(QgsSettings().value(_MODEL_SETTING, "", type=str))
         buttons = QHBoxLayout()
         for button in (self.add_files, self.add_folder, self.remove):
             buttons.addWidget(button)
@@ -73,6 +80,8 @@ class ImageBox(QgsCollapsibleGroupBox):
         layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
         layout.addWidget(self.list)
         layout.addLayout(buttons)
+        layout.addWidget(self.model)
+        self.model.fileChanged.connect(self._remember_model)
         self.add_files.clicked.connect(self._choose_files)
         self.add_folder.clicked.connect(self._choose_folder)
         self.remove.clicked.connect(self.list.remove_selected)
@@ -83,16 +92,24 @@ class ImageBox(QgsCollapsibleGroupBox):
     def paths(self) -> List[str]:
         return self.list.paths()
 
+    def model_path(self) -> str:
+        """Of the network for photos; empty for label images."""
+        return self.model.filePath().strip()
+
+    def _remember_model(self) -> None:
+        QgsSettings().setValue(_MODEL_SETTING, self.model_path())
+        self.changed.emit()
+
     def _enable_remove(self) -> None:
         self.remove.setEnabled(bool(self.list.selectedItems()))
 
     def _choose_files(self) -> None:
         filters = QgsProviderRegistry.instance().fileRasterFilters()
-        paths, _ = QFileDialog.getOpenFileNames(self, tr("Add label images"), _last_folder(), filters)
+        paths, _ = QFileDialog.getOpenFileNames(self, tr("Add images"), _last_folder(), filters)
         self._add(paths)
 
     def _choose_folder(self) -> None:
-        self._add([QFileDialog.getExistingDirectory(self, tr("Add a folder of label images"), _last_folder())])
+        self._add([QFileDialog.getExistingDirectory(self, tr("Add a folder of images"), _last_folder())])
 
     def _add(self, paths: List[str]) -> None:
         if any(paths):

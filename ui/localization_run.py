@@ -48,8 +48,8 @@ class LocalizationRun(QObject):
     def running(self) -> bool:
         return self._task is not None
 
-    def start(self, database: str, images: List[str], method: int, prior: dict) -> bool:
-        """``method``: METHOD of the algorithm; ``prior``: its PRIOR_… parameters.
+    def start(self, database: str, images: List[str], method: int, settings: dict) -> bool:
+        """``method``: METHOD of the algorithm; ``settings``: others of its parameters.
 
         False when it can't even begin; then ``failed`` has said why.
         """
@@ -65,7 +65,7 @@ class LocalizationRun(QObject):
             "DATABASE": database,
             "IMAGES": images,
             "METHOD": method,
-            **prior,
+            **settings,
             "OUTPUT": "memory:" + tr("SemRef positions"),
             "FOOTPRINTS": "memory:" + tr("SemRef footprints"),
         }

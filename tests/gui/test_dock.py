@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import gc
+import sys
 import time
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_models import RGB, metadata, painted, write_model
 
 PIXELS = 600
 WINDOW = 200
@@ -611,3 +615,26 @@ def test_the_locator_bar_finds_windows_by_name(dock, iface, area):
     wait_until(lambda: dock.inspect.numbers.rowCount(), "the window")
     assert dock.tabs.currentWidget() is dock.inspect
     assert dock.inspect.name.text() == "150_250"
+
+
+def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path):
+    from osgeo import gdal
+    from qgis.PyQt.QtGui import QColor
+    from qgis.PyQt.QtWidgets import QGraphicsPixmapItem
+
+    model = write_model(tmp_path / "colors.onnx", metadata=metadata(class_names={"0": "1", "1": "2", "2": "3"}))
+    labels = np.zeros((80, 120), np.uint8)
+    labels[20:40, 30:60] = 2
+    photo = gdal.GetDriverByName("GTiff").Create(str(tmp_path / "photo.tif"), 120, 80, 3, gdal.GDT_Byte)
+    photo.WriteArray(np.moveaxis(painted(labels), 2, 0))
+    # Written when it is closed.
+    del photo
+    dock.images.model.setFilePath(str(model))
+    localize(dock, area.database, [str(tmp_path / "photo.tif")])
+    canvas = dock.results.image.canvas
+    wait_until(lambda: canvas.scene().items(), "the photo")
+    pictures = [item for item in canvas.scene().items() if isinstance(item, QGraphicsPixmapItem)]
+    shown_labels, shown_photo = (item.pixmap().toImage() for item in pictures)
+    assert QColor(shown_photo.pixel(45, 30)).getRgb()[:3] == RGB["water"]
+    assert (canvas.sceneRect().width(), canvas.sceneRect().height()) == (120, 80)
+    assert QColor(shown_labels.pixel(45, 30)) != QColor(shown_labels.pixel(5, 5))
