@@ -56,8 +56,8 @@
    <translation>Ein Splitter von {name} mit {area:.2f} m² liegt neben {other_name} (Objekt {id}).</translation>
   </message>
   <message>
-   <source>Add a folder of label images</source>
-   <translation>Verzeichnis mit Klassenbildern hinzufügen</translation>
+   <source>Add a folder of images</source>
+   <translation>Einen Ordner mit Bildern hinzufügen</translation>
   </message>
   <message>
    <source>Add database to map</source>
@@ -72,16 +72,16 @@
    <translation>Verzeichnis…</translation>
   </message>
   <message>
+   <source>Add images</source>
+   <translation>Bilder hinzufügen</translation>
+  </message>
+  <message>
    <source>Add images.</source>
    <translation>Bilder hinzufügen.</translation>
   </message>
   <message>
-   <source>Add label images</source>
-   <translation>Klassenbilder hinzufügen</translation>
-  </message>
-  <message>
-   <source>Add label images, or drop files and folders here.</source>
-   <translation>Klassenbilder hinzufügen oder Dateien und Verzeichnisse hier ablegen.</translation>
+   <source>Add photos or label images, or drop files and folders here.</source>
+   <translation>Fotos oder Klassenbilder hinzufügen, oder Dateien und Ordner hierher ziehen.</translation>
   </message>
   <message>
    <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
@@ -254,6 +254,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Choose a reference database</source>
    <translation>Referenzdatenbank wählen</translation>
+  </message>
+  <message>
+   <source>Choose a segmentation model</source>
+   <translation>Ein Segmentierungsmodell wählen</translation>
   </message>
   <message>
    <source>Class</source>
@@ -852,6 +856,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Modell</translation>
   </message>
   <message>
+   <source>Model, for photos</source>
+   <translation>Modell, für Fotos</translation>
+  </message>
+  <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
    <translation>Faktoren für Fenstergröße und Schrittweite, getrennt durch „;“: 1;2 ergänzt doppelt so große Fenster für doppelt so hohe Flüge.</translation>
   </message>
@@ -1410,6 +1418,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>Das Modell nennt seine Auflösung nicht: Das Bild wird genommen, wie es ist.</translation>
+  </message>
+  <message>
+   <source>The network that makes labels of photos; leave empty for label images</source>
+   <translation>Das Netz, das aus Fotos Klassen macht; bei Klassenbildern leer lassen</translation>
   </message>
   <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
