@@ -27,9 +27,11 @@ places of the northern trials the highest leads were 0.09, 0.08 and 0.08, of 136
 CONFIDENCE_CURVE = (-4.3, 46.0)
 """Logistic curve of the margin: offset, slope a unit of z."""
 
-ERROR_FACTOR = 4.5
-"""95 % radius in units of the larger axis' standard deviation, as the refinement gives it; on the northern trials
-it held 96 % of modest and 95 % of strong noise (independent Gaussian errors would give 2.4)."""
+ERROR_FACTOR = 2.5
+LEAST_NOISE = 0.4
+"""95 % radius in units of the larger axis' standard deviation, as the refinement gives it, times the ratio of noise to
+signal that a correlation s tells, 1/s² − 1 (or LEAST_NOISE): the worse the labels, the farther their errors reach, and
+the less they are independent as that deviation takes them to be. Fitted on northern trials and aerial label maps."""
 
 ERROR_FLOOR_PX = 0.15
 """Least 95 % radius, in overview pixels: the most frequent class of a block says no more."""
@@ -90,9 +92,11 @@ def confidence_of(evidence: Evidence) -> float:
     return float(chance * min(1.0, max(0.0, evidence.score / LEAST_SCORE)))
 
 
-def position_error_95(covariance_m2: np.ndarray, overview_pixel_m: float) -> float:
-    """Radius in metres that holds the true position in 95 % of fixes, from the (2, 2) covariance of the position."""
+def position_error_95(covariance_m2: np.ndarray, score: float, overview_pixel_m: float) -> float:
+    """Radius in metres that holds the true position in 95 % of fixes, from the (2, 2) covariance of the position and
+    the correlation."""
     if not np.isfinite(covariance_m2).all():
         return float("inf")
     deviation = float(np.sqrt(max(np.linalg.eigvalsh(covariance_m2).max(), 0.0)))
-    return float(np.hypot(ERROR_FACTOR * deviation, ERROR_FLOOR_PX * overview_pixel_m))
+    noise = max(1 / max(score, 0.1) ** 2 - 1, LEAST_NOISE)
+    return float(np.hypot(ERROR_FACTOR * noise * deviation, ERROR_FLOOR_PX * overview_pixel_m))

@@ -20,10 +20,6 @@ DECISION_EDGE = 2 * COARSE_EDGE
 FINEST_EDGE = 512
 """The last refinement uses no more pixels than this along an edge: bounds the time on large images."""
 
-COVARIANCE_EDGE = 2 * DECISION_EDGE
-"""Pixels along an edge up to which the covariance is taken: finer ones promise an accuracy that poor labels don't keep
-(measured: error / deviation at 95 % 5.9 at 128 pixels, 13 at 512)."""
-
 TURN_STEP_DEG = 7.2
 """Step of the headings: moves the middle of the image's edges by one coarse pixel either way."""
 
@@ -164,17 +160,20 @@ def distinct(poses: List[Pose], distance_m: float, count: int) -> List[Pose]:
 
 
 def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> Tuple[Pose, np.ndarray]:
-    """The pose refined at finer and finer pixels, to the map's overview pixel at most, and its covariance."""
+    """The pose refined at finer and finer pixels, to the map's overview pixel at most, and its covariance.
+
+    That is taken at the decision's pixels: finer ones promise an accuracy that poor labels don't keep (measured with
+    strong noise: 95 % of the errors are below 3.5 deviations at 64 pixels along an edge, below 7.9 at 128).
+    """
     height, width = image.known.shape
-    edge, covariance = DECISION_EDGE, np.full((4, 4), np.inf)
+    decision = reduced_image(image, DECISION_EDGE)
+    edge = DECISION_EDGE
     ground_m = np.sqrt(height * width * image.pixel[0] * image.pixel[1]) * pose.pixel_size_m
     last = min(np.sqrt(height * width), ground_m / pyramid.frame[2])
     while True:
-        reduced = reduced_image(image, edge)
-        moved = refine(reduced, pyramid, pose, quiet, 4)
+        moved = refine(reduced_image(image, edge), pyramid, pose, quiet, 4)
         if moved.score > 0:
             pose = replace(moved, score=pose.score)
-            covariance = pose_covariance(reduced, pyramid, pose, quiet) if edge <= COVARIANCE_EDGE else covariance
         if edge * 2 > max(last * 1.2, DECISION_EDGE):
-            return pose, covariance
+            return pose, pose_covariance(decision, pyramid, pose, quiet)
         edge *= 2

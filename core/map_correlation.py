@@ -165,7 +165,7 @@ def _result(
         heading_deg=pose.heading_deg,
         pixel_size_m=pose.pixel_size_m,
         confidence=confidence_of(evidence) if status == FIX else 0.0,
-        error_95_m=position_error_95(spread, pyramid.frame[2]),
+        error_95_m=position_error_95(spread, evidence.score, pyramid.frame[2]),
         covariance_m2=tuple(tuple(float(number) for number in row) for row in spread),
         score=evidence.score,
         runner_up=evidence.runner_up,

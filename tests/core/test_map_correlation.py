@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from semref.core.class_pyramid import MapPyramid
+from semref.core.correlation_decision import position_error_95
 from semref.core.errors import LabelMapError
 from semref.core.label_noise import MODEST, STRONG, degrade_labels
 from semref.core.map_correlation import CorrelationSettings, Prior, agreement_at, localize
@@ -189,3 +190,11 @@ def test_agreement_cannot_be_told_of_one_class_or_beside_the_map(labels, pyramid
     assert agreement_at(image, pyramid, (ORIGIN[0] - 5000, ORIGIN[1]), 123.0, 0.9) is None
     one_class = MapPyramid(np.full((300, 300), 3, np.uint8), (*ORIGIN, 4.0))
     assert agreement_at(image, one_class, here, 123.0, 0.9) is None
+
+
+def test_the_error_radius_grows_as_image_and_map_agree_less():
+    spread = np.diag([4.0, 1.0])
+    radii = [position_error_95(spread, score, 4.0) for score in (0.9, 0.8, 0.6, 0.4)]
+    assert radii == sorted(radii) and radii[0] > 1 and radii[-1] > 5 * radii[1]
+    assert position_error_95(np.zeros((2, 2)), 0.9, 4.0) == pytest.approx(0.6)
+    assert position_error_95(np.full((2, 2), np.inf), 0.9, 4.0) == np.inf
