@@ -208,7 +208,8 @@ def compare_overlaps(folder: Path, source: str, layer: Layer, common: dict) -> s
     for row, _ in rows_of(issues):
         if row["kind"] == "overlap":
             found[frozenset((row["feature_id"], row["other_id"]))] += row["area"]
-    shapes = [(f.GetFID(), f[layer.class_field], f.GetGeometryRef().Clone()) for f in ogr.Open(subset)[0]]
+    opened = ogr.Open(subset)
+    shapes = [(f.GetFID(), f[layer.class_field], f.GetGeometryRef().Clone()) for f in opened[0]]
     shapes = [(fid, value, shape if shape.IsValid() else shape.MakeValid()) for fid, value, shape in shapes]
     plain = {}
     for (one, class_one, first), (other, class_other, second) in combinations(shapes, 2):

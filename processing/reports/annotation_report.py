@@ -31,7 +31,7 @@ class AnnotationReport:
             tr("Check of an annotation"),
             tr("{layer}: {features} features").format(layer=self.layer, features=self.features),
             self._key_figures(),
-            page.section(tr("Findings by kind"), self._kinds_chart(), self._kinds_table()),
+            page.section(tr("Findings by kind"), page.columns(self._kinds_table(), self._kinds_chart())),
             page.section(tr("Findings by class"), self._classes_table()),
             page.section(tr("The largest of each kind"), *self._examples()),
         )
@@ -49,10 +49,10 @@ class AnnotationReport:
         if not kinds:
             return page.paragraph(tr("Nothing was found."))
         counts = Counter((finding.kind, finding.severity) for finding in self.findings)
-        series = [
-            Series(severity_title(severity), range(len(kinds)), [max(counts[kind, severity], 0.5) for kind in kinds])
-            for severity in SEVERITIES
-        ]
+        series = []
+        for severity in SEVERITIES:
+            places = [n for n, kind in enumerate(kinds) if counts[kind, severity]]
+            series.append(Series(severity_title(severity), places, [counts[kinds[n], severity] for n in places]))
         largest = max(counts.values())
         # Numbers below the bars: the names of the kinds stand in the table.
         groups = [str(n) for n in range(1, len(kinds) + 1)]
