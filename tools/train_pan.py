@@ -1,9 +1,10 @@
 """Train a Pyramid Attention Network on tiles from semref:exporttrainingtiles and write it as an ONNX model.
 
-    python tools/train_pan.py TILES [TILES …] --output MODEL.onnx [--epochs 60] [--resume]
+    python tools/train_pan.py TILES [TILES …] --output MODEL.onnx [--epochs 60] [--test TILES] [--resume]
 
 TILES are folders of exported tiles with the same classes. Beside the model a folder MODEL.training holds the curves
-(curves.csv), the best weights and what --resume needs. Set-up: bash tools/setup_training.sh; docs/training.md explains.
+(curves.csv), the best weights and what --resume needs. --test tells how good the model is on tiles of another place,
+in torch and in onnxruntime. Set-up: bash tools/setup_training.sh; docs/training.md explains.
 """
 
 from __future__ import annotations
@@ -33,6 +34,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tiles", type=Path, nargs="+", metavar="TILES")
     parser.add_argument("--output", type=Path, required=True, help="ONNX file to write")
+    parser.add_argument("--test", type=Path, nargs="+", default=[], metavar="TILES", help="tiles of another place")
     parser.add_argument("--encoder", default="tu-mobilenetv3_small_100", help="default %(default)s")
     parser.add_argument("--depth", type=int, choices=(3, 4, 5), default=5, help="of the encoder; default %(default)s")
     parser.add_argument("--pretrained", action="store_true", help="start from ImageNet's weights (downloads them)")
@@ -58,7 +60,7 @@ def train(options: argparse.Namespace) -> None:
     """Trains, exports and checks. Raises TrainingError."""
     import numpy as np
     import torch
-    from training import export, loop, network, tiles
+    from training import export, loop, metrics, network, tiles
 
     folders = tiles.open_folders(options.tiles)
     classes = [export.UNLABELED, *folders[0].classes]
@@ -98,7 +100,7 @@ def train(options: argparse.Namespace) -> None:
     net = network.pyramid_attention_network(options.encoder, options.depth, len(classes), options.pretrained)
     folder = options.output.with_suffix(".training")
     folder.mkdir(parents=True, exist_ok=True)
-    weights = loop.class_weights(pixels)
+    weights = metrics.class_weights(pixels)
     trainer = loop.Trainer(net, mean, deviation, [c.name for c in classes], weights, settings, folder)
     print(
         f"{len(readers['train'])} tiles to train on, {len(readers['validation'])} to validate on, {trainer.device}; "
@@ -111,6 +113,14 @@ def train(options: argparse.Namespace) -> None:
     sizes = {f.manifest["pixel_size"] for f in folders}
     resolution = options.resolution or (sizes.pop() if len(sizes) == 1 else None)
     finish(options, trainer, classes, (mean, deviation), tile_size, resolution, readers["train"])
+    for test in tiles.open_folders(options.test):
+        pairs = test.tiles("train") + test.tiles("validation")
+        reader = tiles.TileReader(pairs, values, options.learn_unlabeled)
+        by_torch, by_onnx, same = export.compared(trainer.network, options.output, reader, mean, deviation)
+        print(f"\n{test.path}, {len(reader)} tiles, {same:.4%} of the pixels alike in torch and onnxruntime\n")
+        print("| class | IoU in torch | IoU in onnxruntime |\n|---|---|---|")
+        pairs = zip([c.name for c in classes], *(metrics.intersection_over_union(m) for m in (by_torch, by_onnx)))
+        print("\n".join(f"| {name} | {a:.4f} | {b:.4f} |" for name, a, b in pairs if np.isfinite(a)))
 
 
 def finish(options, trainer, classes, standardization, tile_size: int, resolution, reader) -> None:

@@ -10,7 +10,8 @@ import onnx
 import onnxruntime
 import torch
 
-from .tiles import ClassRow, TrainingError
+from .metrics import confusion_matrix
+from .tiles import ClassRow, TileReader, TrainingError
 
 OPSET, IR_VERSION = 17, 8  # the newest that onnxruntime 1.14 reads
 LARGEST_DIFFERENCE = 1e-3  # of logits, between torch and onnxruntime
@@ -73,3 +74,22 @@ def largest_difference(network: torch.nn.Module, target: Path, images: list[np.n
     if largest > LARGEST_DIFFERENCE:
         raise TrainingError(f"{target} answers otherwise than the network it was made of, by {largest:.2g} in a logit.")
     return largest
+
+
+def compared(network: torch.nn.Module, target: Path, reader: TileReader, mean, deviation):
+    """Confusion matrices of the network in torch and in onnxruntime, and the share of pixels they agree on."""
+    session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
+    network = network.cpu().eval()
+    count = session.get_outputs()[0].shape[1]
+    by_torch, by_onnx = (np.zeros((count, count), np.int64) for _ in range(2))
+    same = total = 0
+    for index in range(len(reader)):
+        image, labels = reader(index)
+        batch = ((image - mean) / deviation).astype(np.float32).transpose(2, 0, 1)[None].copy()
+        with torch.inference_mode():
+            first = network(torch.from_numpy(batch)).argmax(1)[0].numpy()
+        second = session.run(None, {"image": batch})[0].argmax(1)[0]
+        by_torch += confusion_matrix(labels, first, count)
+        by_onnx += confusion_matrix(labels, second, count)
+        same, total = same + int((first == second).sum()), total + first.size
+    return by_torch, by_onnx, same / total

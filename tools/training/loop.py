@@ -10,15 +10,15 @@ from pathlib import Path
 import numpy as np
 import torch
 from torch.nn import functional
-from torch.optim.swa_utils import AveragedModel, get_ema_multi_avg_fn
+from torch.optim.swa_utils import AveragedModel
 
 from .augment import random_light, random_piece
+from .metrics import confusion_matrix, intersection_over_union
 from .tiles import IGNORED, TileReader, TrainingError
 
-AVERAGING = 0.995  # share of the old weights in their running average, a step
+AVERAGING = 0.995  # largest share of the old weights in their running average, a step
 WEIGHT_DECAY, LARGEST_GRADIENT = 1e-2, 5.0
 WARM_UP_SHARE = 0.05  # of all steps, in which the learning rate rises
-RAREST_WEIGHT = 5.0  # a class counts at most so many times as much as one of usual area
 MACHINE = ("channels_last", "workers")  # settings that don't decide the result
 CHECKPOINT, BEST, CURVES = "last.pt", "best.pt", "curves.csv"
 
@@ -62,7 +62,7 @@ class Trainer:
         self.device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
         self.layout = torch.channels_last if settings.channels_last else torch.contiguous_format
         self.network = network.to(self.device, memory_format=self.layout)
-        self.average = AveragedModel(self.network, multi_avg_fn=get_ema_multi_avg_fn(AVERAGING), use_buffers=True)
+        self.average = AveragedModel(self.network, avg_fn=running_average, use_buffers=True)
         self.mean = torch.tensor(mean, dtype=torch.float32, device=self.device).view(1, 3, 1, 1)
         self.deviation = torch.tensor(deviation, dtype=torch.float32, device=self.device).view(1, 3, 1, 1)
         self.class_names = class_names
@@ -190,13 +190,9 @@ class Trainer:
         self.epoch, self.best_score, self.best_epoch = state["progress"]
 
 
-def class_weights(pixels: np.ndarray) -> np.ndarray:
-    """(K,) weight of each class in the loss: √(usual share / its share), at most RAREST_WEIGHT, 0 where it has none."""
-    shares = pixels / max(pixels.sum(), 1)
-    present = shares > 0
-    weights = np.zeros(len(pixels))
-    weights[present] = np.minimum(np.sqrt(np.median(shares[present]) / shares[present]), RAREST_WEIGHT)
-    return weights
+def running_average(old: torch.Tensor, new: torch.Tensor, count: torch.Tensor) -> torch.Tensor:
+    """Mean of the first weights, then an exponential average, in which the first ones are soon forgotten."""
+    return old + (new - old) * torch.clamp(10 / (count + 10), min=1 - AVERAGING)
 
 
 def segmentation_loss(logits: torch.Tensor, labels: torch.Tensor, weights: torch.Tensor) -> torch.Tensor:
@@ -214,17 +210,3 @@ def segmentation_loss(logits: torch.Tensor, labels: torch.Tensor, weights: torch
     present = truth.sum((0, 2, 3)) > 0
     dice = 1 - ((2 * both + 1) / (either + 1))[present].mean()
     return entropy + 0.5 * dice
-
-
-def confusion_matrix(labels: np.ndarray, predicted: np.ndarray, count: int) -> np.ndarray:
-    """(count, count) pixels of each true (row) and predicted (column) class, IGNORED left out."""
-    known = labels != IGNORED
-    pairs = labels[known].astype(np.int64) * count + predicted[known]
-    return np.bincount(pairs, minlength=count * count).reshape(count, count)
-
-
-def intersection_over_union(confusion: np.ndarray) -> np.ndarray:
-    """(count,) intersection over union of each class; NaN for a class that has no true pixel."""
-    truth = confusion.sum(axis=1)
-    either = truth + confusion.sum(axis=0) - np.diag(confusion)
-    return np.where(truth > 0, np.diag(confusion) / np.maximum(either, 1), np.nan)

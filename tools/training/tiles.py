@@ -9,7 +9,6 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-import tifffile
 
 BANDS = 3  # networks take three; further bands of a tile are left unused
 IGNORED = 255  # label of pixels that don't count
@@ -117,6 +116,8 @@ def read_image(path: Path) -> np.ndarray:
         if picture is None:
             raise TrainingError(f"The tile {path} can't be read.")
         return picture[:, :, ::-1]
+    import tifffile  # GeoTIFF tiles are the exception
+
     return tifffile.imread(path)[:, :, :BANDS]
 
 

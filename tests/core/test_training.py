@@ -1,0 +1,127 @@
+"""What goes into a network: pieces whose labels stay on their pixels, channels, weights; and what is said of it."""
+
+import csv
+import importlib
+import importlib.util
+import json
+import sys
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+PACKAGE = Path(__file__).parents[2] / "tools" / "training"
+
+
+def load(module):
+    """A module of tools/training that needs no torch, without putting tools/ on sys.path."""
+    if "semref_training" not in sys.modules:
+        spec = importlib.util.spec_from_file_location(
+            "semref_training", PACKAGE / "__init__.py", submodule_search_locations=[str(PACKAGE)]
+        )
+        sys.modules["semref_training"] = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(sys.modules["semref_training"])
+    return importlib.import_module(f"semref_training.{module}")
+
+
+augment, metrics, tiles = load("augment"), load("metrics"), load("tiles")
+IGNORED = tiles.IGNORED
+
+
+def blocks(size=96, edge=12):
+    """Labels 0 to 3 in blocks, and an image that shows them: red and green tell the label."""
+    values = np.random.default_rng(2).integers(0, 4, (size // edge, size // edge))
+    labels = np.kron(values, np.ones((edge, edge))).astype(np.uint8)
+    image = np.dstack([labels % 2, labels // 2, np.zeros_like(labels)]).astype(np.float32)
+    return image, labels
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_labels_of_a_piece_stay_on_their_pixels_whatever_its_turn_and_scale(seed):
+    image, labels = blocks()
+    piece, marks = augment.random_piece(np.random.default_rng(seed), image, labels, 64)
+    assert piece.shape == (64, 64, 3) and marks.shape == (64, 64)
+    shown = np.rint(piece[..., 0]).astype(int) + 2 * np.rint(piece[..., 1]).astype(int)
+    # On the edges of blocks the image is blended; inside they must agree.
+    blended = np.abs(piece - np.rint(piece)).max(axis=2) > 0.01
+    counted = (cv2.dilate(blended.astype(np.uint8), np.ones((3, 3))) == 0) & (marks != IGNORED)
+    assert counted.mean() > 0.15
+    np.testing.assert_array_equal(marks[counted], shown[counted])
+
+
+def test_beyond_the_tile_labels_are_ignored():
+    image, labels = blocks(48)
+    _, marks = augment.random_piece(np.random.default_rng(0), image, labels, 96, scales=(1.0, 1.001))
+    assert 0.2 < (marks == IGNORED).mean() < 0.9
+
+
+def test_the_same_seed_gives_the_same_light():
+    image, _ = blocks()
+    first, second = (augment.random_light(np.random.default_rng(7), image) for _ in range(2))
+    np.testing.assert_array_equal(first, second)
+    assert first.dtype == np.float32 and 0 <= first.min() <= first.max() <= 1
+
+
+@pytest.mark.parametrize(
+    ("learn_unlabeled", "expected"), [(False, [IGNORED, 1, 2, IGNORED]), (True, [0, 1, 2, IGNORED])]
+)
+def test_class_values_become_channels_and_unknown_ones_are_ignored(tmp_path, learn_unlabeled, expected):
+    cv2.imwrite(str(tmp_path / "image.png"), np.full((1, 4, 3), (10, 20, 255), np.uint8))
+    cv2.imwrite(str(tmp_path / "labels.png"), np.array([[0, 7, 40, 9]], np.uint8))
+    pairs = [(tmp_path / "image.png", tmp_path / "labels.png")]
+    image, channels = tiles.TileReader(pairs, [0, 7, 40], learn_unlabeled)(0)
+    assert channels[0].tolist() == expected
+    np.testing.assert_allclose(image[0, 0], [1, 20 / 255, 10 / 255])
+
+
+def write_folder(folder, names=("building", "water"), tile_count=1, mean=0.5):
+    for kind in ("images", "labels"):
+        (folder / "train" / kind).mkdir(parents=True)
+    for number in range(tile_count):
+        cv2.imwrite(str(folder / "train" / "images" / f"{number}_0.png"), np.zeros((8, 8, 3), np.uint8))
+    with (folder / "classes.csv").open("w", newline="") as file:
+        rows = [[value, name, "#000000", "reference"] for value, name in enumerate(names, 1)]
+        csv.writer(file).writerows([["value", "name", "color", "role"], *rows])
+    statistics = {"band_mean": [mean] * 3, "band_std": [0.1] * 3, "class_pixels": {"train": {}}}
+    (folder / "manifest.json").write_text(json.dumps({"statistics": statistics}))
+    return folder
+
+
+def test_statistics_of_several_folders_are_those_of_all_their_tiles(tmp_path):
+    folders = tiles.open_folders(
+        [write_folder(tmp_path / "a", tile_count=1, mean=0.2), write_folder(tmp_path / "b", tile_count=3, mean=0.6)]
+    )
+    mean, deviation = tiles.band_statistics(folders)
+    np.testing.assert_allclose(mean, 0.5)
+    np.testing.assert_allclose(deviation, np.sqrt(0.01 + (0.3**2 + 3 * 0.1**2) / 4))
+
+
+def test_folders_with_different_classes_are_refused(tmp_path):
+    paths = [write_folder(tmp_path / "a"), write_folder(tmp_path / "b", names=("building", "forest"))]
+    with pytest.raises(tiles.TrainingError, match="has other classes than"):
+        tiles.open_folders(paths)
+
+
+def test_a_folder_without_tiles_is_refused(tmp_path):
+    with pytest.raises(tiles.TrainingError, match="holds no exported training tiles"):
+        tiles.open_folder(tmp_path)
+    with pytest.raises(tiles.TrainingError, match="holds no tiles to train on"):
+        tiles.open_folder(write_folder(tmp_path / "empty", tile_count=0))
+
+
+def test_rare_classes_count_more_but_not_without_limit():
+    weights = metrics.class_weights(np.array([0, 100, 400, 10_000, 1]))
+    assert weights[0] == 0
+    assert weights[1] / weights[2] == pytest.approx(2)
+    assert weights.max() == weights[4] == metrics.RAREST_WEIGHT
+
+
+def test_intersection_over_union_counts_ignored_pixels_nowhere():
+    labels = np.array([0, 0, 1, 1, IGNORED, 1], np.uint8)
+    predicted = np.array([0, 1, 1, 1, 0, 0])
+    confusion = metrics.confusion_matrix(labels, predicted, 3)
+    np.testing.assert_array_equal(confusion, [[1, 1, 0], [1, 2, 0], [0, 0, 0]])
+    iou = metrics.intersection_over_union(confusion)
+    np.testing.assert_allclose(iou[:2], [1 / 3, 1 / 2])
+    assert np.isnan(iou[2])

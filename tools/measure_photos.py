@@ -1,0 +1,241 @@
+"""Measures the road from photo to fix: photo → segmentation network → label image → position. Prints Markdown.
+
+    python tools/measure_photos.py sample [--model models/sample_area.onnx] [--trials 200]
+    python tools/measure_photos.py dubai --model MODEL.onnx [--tile 6] [--trials 200]
+
+``sample``: photos of the sample area (its seed is none of the model's training seeds), anywhere, any heading, 0.8 to
+1.25 m a pixel; database of its true label map. ``dubai``: a tile of dubai_aerial ($SEMREF_DATA or ../shared/data) that
+the model was not trained on: IoU a class, then turned crops of its photo, --trials of each edge, at 0.9 to 1.1 tile
+pixels a pixel; database of its annotated labels, all classes as references. The crops' *true* labels are localised
+too: what no network could improve. ``--rows FILE`` adds one JSON line a trial.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import multiprocessing
+import os
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+from qgis_session import ROOT, load_plugin_package
+
+load_plugin_package()
+from semref.core.build import BuildSettings, DatabaseBuilder, MapFrame  # noqa: E402
+from semref.core.class_table import class_table_from_csv  # noqa: E402
+from semref.core.image_source import ArrayImage  # noqa: E402
+from semref.core.label_source import ArrayLabels  # noqa: E402
+from semref.core.localizer import AUTOMATIC, CONSTELLATION, FIX, MAP_CORRELATION, Localizer, Prior  # noqa: E402
+from semref.core.rates import wilson  # noqa: E402
+from semref.core.segmentation_model import SegmentationModel  # noqa: E402
+from semref.core.segmenter import segment  # noqa: E402
+
+DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
+METHODS = (CONSTELLATION, MAP_CORRELATION, AUTOMATIC)
+RIGHT_SHARE = 0.02  # of the ground that the photo's edge shows
+SAMPLE_RIGHT_M = 10.0
+CROP_EDGES = (384, 512, 640, 768)
+CROP_PIXELS, SEARCHED_PIXELS = (0.9, 1.1), (0.7, 1.4)  # tile pixels a pixel of the crop: true, and looked for
+DUBAI_CLASSES = (
+    "value,name,color,role\n1,building,#3c1098,reference\n2,land_unpaved,#8429f6,reference\n3,road,#6ec1e4,reference\n"
+    "4,vegetation,#fedd3a,reference\n5,water,#e2a929,reference\n"
+)
+STATE = {}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=("sample", "dubai"))
+    parser.add_argument("--model", type=Path, default=ROOT / "models" / "sample_area.onnx")
+    parser.add_argument("--tile", type=int, default=6, help="of dubai_aerial; one the model has not seen")
+    parser.add_argument("--trials", type=int, default=200)
+    parser.add_argument("--processes", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=1671)
+    parser.add_argument("--rows", type=Path)
+    options = parser.parse_args()
+    cv2.setNumThreads(1)
+    STATE["model"] = SegmentationModel(str(options.model), 1)
+    prepare, jobs = {"sample": (prepare_sample, sample_jobs), "dubai": (prepare_dubai, dubai_jobs)}[options.what]
+    prepare(options)
+    rows = run(jobs(options), options)
+    print_fixes(rows)
+
+
+# --- the two areas ---
+
+
+def prepare_sample(options) -> None:
+    from sample import photo, pictures, writers
+    from sample.classes import CLASSES
+    from sample.landscape import make_landscape
+
+    landscape = make_landscape(options.seed)
+    labels = writers.rasterize(landscape, 1.0)
+    STATE["photo"] = photo.render(landscape, writers.grid_of(landscape, 1.0), 1.0)
+    STATE["seed"] = options.seed
+    STATE["views"] = pictures.plan_photos(labels.shape, options.seed, options.trials)
+    classes = [f"{c.value},{c.name},{c.color},{c.role}" for c in CLASSES]
+    set_database(labels, "\n".join(["value,name,color,role", *classes]), BuildSettings(640, 160, 50))
+    predicted = segmented(STATE["photo"])
+    print_iou(labels, predicted, "Sample area, whole photo; class 0 is “other” (roads, tracks)")
+
+
+def sample_jobs(options) -> list:
+    return [("sample", index) for index in range(options.trials)]
+
+
+def prepare_dubai(options) -> None:
+    from osgeo import gdal
+
+    folder = DATA / "dubai_aerial"
+    paths = [folder / f"tile{options.tile}_{kind}.tif" for kind in ("image", "label")]
+    if not all(path.exists() for path in paths):
+        sys.exit(f"measure_photos: no data at {folder}")
+    image, labels = (gdal.Open(str(path)).ReadAsArray() for path in paths)
+    STATE["photo"] = np.ascontiguousarray(np.moveaxis(image[:3], 0, 2))
+    set_database(labels, DUBAI_CLASSES, BuildSettings(512, 128, 60))
+    print_iou(labels, segmented(STATE["photo"]), f"dubai_aerial tile {options.tile}; unlabelled pixels don't count")
+
+
+def dubai_jobs(options) -> list:
+    rng = np.random.default_rng(options.seed)
+    height, width = STATE["labels"].shape
+    jobs = []
+    for edge in CROP_EDGES:
+        for _ in range(options.trials):
+            heading, pixel = rng.uniform(0, 360), float(np.exp(rng.uniform(*np.log(CROP_PIXELS))))
+            turn = np.radians(heading)
+            reach = edge / 2 * pixel * (abs(np.cos(turn)) + abs(np.sin(turn))) + 1
+            center = rng.uniform((reach, reach), (width - reach, height - reach))
+            jobs.append(("dubai", edge, tuple(center), heading, pixel))
+    return jobs
+
+
+def set_database(labels: np.ndarray, classes_csv: str, settings: BuildSettings) -> None:
+    """A database of the true labels, in pixels as units, and the model's classes in its table."""
+    table = class_table_from_csv(classes_csv)
+    frame = MapFrame("", (0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
+    builder = DatabaseBuilder(ArrayLabels(labels), frame, table, settings, "measured")
+    for _ in builder.steps():
+        pass
+    STATE["labels"] = labels
+    STATE["table"] = table
+    STATE["values"] = STATE["model"].classes.values_in(table, "The model")
+    STATE["localizer"] = Localizer(replace(builder.database, overview=builder.overview))
+
+
+def segmented(photo: np.ndarray) -> np.ndarray:
+    """(H, W) uint8 labels of a photo (H, W, 3), as semref:segmentimage makes them."""
+    model = STATE["model"]
+    found = [rows for _, rows in segment(model, ArrayImage(photo), STATE["values"], model.settings.overlap)]
+    return np.concatenate([rows.labels_hw for rows in found if rows is not None])
+
+
+# --- one trial ---
+
+
+def run(jobs: list, options) -> list[dict]:
+    if options.processes > 1:
+        with multiprocessing.get_context("fork").Pool(options.processes) as pool:
+            rows = [row for part in pool.map(trial, jobs, chunksize=4) for row in part]
+    else:
+        rows = [row for job in jobs for row in trial(job)]
+    if options.rows:
+        with options.rows.open("a", encoding="utf-8") as file:
+            file.writelines(json.dumps(row) + "\n" for row in rows)
+    return rows
+
+
+def trial(job) -> list[dict]:
+    """One photo localised by each method, from the network's labels and from the true ones; JSON rows."""
+    if job[0] == "sample":
+        from sample import photo, pictures
+
+        view = STATE["views"][job[1]]
+        seen = photo.shoot(STATE["photo"], view, STATE["seed"])
+        jpeg = cv2.imencode(".jpg", seen[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])[1]
+        seen = np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1])
+        truth = pictures.cut(STATE["labels"], view)
+        edge, center, ground = len(seen), (view.column, view.row), len(seen) * view.scale
+        prior, limit = None, SAMPLE_RIGHT_M
+    else:
+        _, edge, center, heading, pixel = job
+        seen = cut(STATE["photo"], center, heading, pixel, edge, cv2.INTER_LINEAR)
+        truth = cut(STATE["labels"], center, heading, pixel, edge, cv2.INTER_NEAREST)
+        ground = edge * pixel
+        prior, limit = Prior(pixel_size_range=SEARCHED_PIXELS), RIGHT_SHARE * ground
+    predicted = segmented(seen)
+    known = truth > 0
+    common = {"area": job[0], "edge": edge, "center": center, "agreement": float((predicted == truth)[known].mean())}
+    rows = []
+    for source, labels in (("network", predicted), ("true labels", truth)):
+        for method in METHODS:
+            started = time.perf_counter()
+            found = STATE["localizer"].localize(labels, method, prior)
+            row = {**common, "labels": source, "method": method, "status": found.status, "reason": found.reason}
+            row["seconds"] = time.perf_counter() - started
+            if found.status == FIX:
+                row["error"] = float(np.hypot(found.position[0] - center[0], found.position[1] + center[1]))
+                row["right"] = bool(row["error"] <= limit)
+                row["by"] = found.method
+            rows.append(row)
+    return rows
+
+
+def cut(raster: np.ndarray, center_xy, heading_deg: float, pixel: float, edge: int, sampling: int) -> np.ndarray:
+    """What a camera over ``center_xy`` (pixels of the tile) sees, top towards the heading; real ground only."""
+    turn = np.radians(heading_deg)
+    matrix = pixel * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    offset = np.asarray(center_xy) - 0.5 - matrix @ np.full(2, (edge - 1) / 2)
+    flags = sampling | cv2.WARP_INVERSE_MAP
+    return cv2.warpAffine(raster, np.column_stack([matrix, offset]), (edge, edge), flags=flags)
+
+
+# --- what is printed ---
+
+
+def print_iou(labels: np.ndarray, predicted: np.ndarray, title: str) -> None:
+    """Intersection over union a class; 0 counts only as what the network may answer where a class is."""
+    known = labels > 0
+    print(f"\n### {title}\n\n| class | share of the ground | IoU |\n|---|---|---|")
+    found = []
+    for entry in STATE["table"]:
+        truth, answer = labels == entry.value, (predicted == entry.value) & known
+        either = (truth | answer).sum()
+        found.append((truth & answer).sum() / max(either, 1))
+        print(f"| {entry.name} | {truth.mean():.1%} | {found[-1]:.3f} |")
+    print(f"| mean | | {np.mean(found):.3f} |")
+    print(f"\nPixels with the right class: {(predicted == labels)[known].mean():.1%}")
+
+
+def print_fixes(rows: list[dict]) -> None:
+    print("\n| labels of | edge (px) | method | right | wrong | no fix | median error (px) | median s |")
+    print("|---|---|---|---|---|---|---|---|")
+    edges = sorted({row["edge"] for row in rows})
+    for source in ("network", "true labels"):
+        for chosen in [[edge] for edge in edges] + ([edges, [e for e in edges if e >= 512]] if len(edges) > 1 else []):
+            for method in METHODS:
+                group = [r for r in rows if r["labels"] == source and r["method"] == method and r["edge"] in chosen]
+                right = [row for row in group if row.get("right")]
+                fixes = sum(row["status"] == FIX for row in group)
+                errors = f"{np.median([row['error'] for row in right]):.1f}" if right else "–"
+                print(
+                    f"| {source} | {', '.join(map(str, chosen))} | {method} | {rate(len(right), len(group))} | "
+                    f"{rate(fixes - len(right), len(group))} | {len(group) - fixes} | {errors} | "
+                    f"{np.median([row['seconds'] for row in group]):.2f} |"
+                )
+
+
+def rate(hits: int, count: int) -> str:
+    """Count and share with its 95 % interval."""
+    low, high = wilson(hits, count)
+    return f"{hits}/{count} = {hits / count:.1%} ({100 * low:.1f}–{100 * high:.1f})"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,32 @@
+"""How much each class counts, and how well it is found."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .tiles import IGNORED
+
+RAREST_WEIGHT = 5.0  # a class counts at most so many times as much as one of usual area
+
+
+def class_weights(pixels: np.ndarray) -> np.ndarray:
+    """(K,) weight of each class in the loss: √(usual share / its share), at most RAREST_WEIGHT, 0 where it has none."""
+    shares = pixels / max(pixels.sum(), 1)
+    present = shares > 0
+    weights = np.zeros(len(pixels))
+    weights[present] = np.minimum(np.sqrt(np.median(shares[present]) / shares[present]), RAREST_WEIGHT)
+    return weights
+
+
+def confusion_matrix(labels: np.ndarray, predicted: np.ndarray, count: int) -> np.ndarray:
+    """(count, count) pixels of each true (row) and predicted (column) class, IGNORED left out."""
+    known = labels != IGNORED
+    pairs = labels[known].astype(np.int64) * count + predicted[known]
+    return np.bincount(pairs, minlength=count * count).reshape(count, count)
+
+
+def intersection_over_union(confusion: np.ndarray) -> np.ndarray:
+    """(count,) intersection over union of each class; NaN for a class that has no true pixel."""
+    truth = confusion.sum(axis=1)
+    either = truth + confusion.sum(axis=0) - np.diag(confusion)
+    return np.where(truth > 0, np.diag(confusion) / np.maximum(either, 1), np.nan)
