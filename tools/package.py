@@ -14,6 +14,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 SHIPPED_FILES = ("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "__init__.py", "plugin.py")
 SHIPPED_FOLDERS = ("core", "processing", "ui", "resources", "models")
+DATA_SUFFIXES = (".onnx",)  # the demonstration model: data, no program; all else that ships is text
 MAXIMUM_BYTES = 25 * 1024 * 1024  # limit of plugins.qgis.org
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)  # the zip format's first day: same content, same zip
 LRELEASE_NAMES = ("lrelease", "lrelease-qt5", "/usr/lib/qt5/bin/lrelease", "/usr/lib/qt6/bin/lrelease")
@@ -55,9 +56,11 @@ def compiled_translations(root: Path = ROOT) -> dict[Path, bytes]:
     return translations
 
 
-def read_text_file(path: Path) -> bytes:
-    """Content of a shipped file, which must be text: the plugin repository refuses binaries."""
+def read_shipped_file(path: Path) -> bytes:
+    """Content of a shipped file, which must be text or data: the plugin repository refuses binaries."""
     content = path.read_bytes()
+    if path.suffix in DATA_SUFFIXES:
+        return content
     try:
         content.decode("utf-8")
     except UnicodeDecodeError:
@@ -68,7 +71,7 @@ def read_text_file(path: Path) -> bytes:
 
 
 def write_package(target: Path, root: Path = ROOT) -> None:
-    contents = {path: read_text_file(root / path) for path in shipped_paths(root)}
+    contents = {path: read_shipped_file(root / path) for path in shipped_paths(root)}
     contents.update(compiled_translations(root))
     target.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as package:
