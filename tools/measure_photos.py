@@ -6,8 +6,8 @@
 ``sample``: photos of the sample area (its seed is none of the model's training seeds), anywhere, any heading, 0.8 to
 1.25 m a pixel; database of its true label map. ``dubai``: a tile of dubai_aerial ($SEMREF_DATA or ../shared/data) that
 the model was not trained on: IoU a class, then turned crops of its photo, --trials of each edge, at 0.9 to 1.1 tile
-pixels a pixel; database of its annotated labels, all classes as references. The crops' *true* labels are localised
-too: what no network could improve. ``--rows FILE`` adds one JSON line a trial.
+pixels a pixel; database of its annotated labels, all classes as references. --truth localises the true labels of the
+same places too: what no network could improve. --rows FILE adds one JSON line a trial.
 """
 
 from __future__ import annotations
@@ -54,11 +54,14 @@ def main() -> None:
     parser.add_argument("--model", type=Path, default=ROOT / "models" / "sample_area.onnx")
     parser.add_argument("--tile", type=int, default=6, help="of dubai_aerial; one the model has not seen")
     parser.add_argument("--trials", type=int, default=200)
+    parser.add_argument("--methods", nargs="+", choices=METHODS, default=list(METHODS))
+    parser.add_argument("--truth", action="store_true", help="localise the true labels too")
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--seed", type=int, default=1671)
     parser.add_argument("--rows", type=Path)
     options = parser.parse_args()
     cv2.setNumThreads(1)
+    STATE["methods"], STATE["truth"] = options.methods, options.truth
     STATE["model"] = SegmentationModel(str(options.model), 1)
     prepare, jobs = {"sample": (prepare_sample, sample_jobs), "dubai": (prepare_dubai, dubai_jobs)}[options.what]
     prepare(options)
@@ -173,8 +176,8 @@ def trial(job) -> list[dict]:
     known = truth > 0
     common = {"area": job[0], "edge": edge, "center": center, "agreement": float((predicted == truth)[known].mean())}
     rows = []
-    for source, labels in (("network", predicted), ("true labels", truth)):
-        for method in METHODS:
+    for source, labels in (("network", predicted), ("truth", truth))[: 2 if STATE["truth"] else 1]:
+        for method in STATE["methods"]:
             started = time.perf_counter()
             found = STATE["localizer"].localize(labels, method, prior)
             row = {**common, "labels": source, "method": method, "status": found.status, "reason": found.reason}
@@ -217,9 +220,9 @@ def print_fixes(rows: list[dict]) -> None:
     print("\n| labels of | edge (px) | method | right | wrong | no fix | median error (px) | median s |")
     print("|---|---|---|---|---|---|---|---|")
     edges = sorted({row["edge"] for row in rows})
-    for source in ("network", "true labels"):
+    for source in sorted({row["labels"] for row in rows}):
         for chosen in [[edge] for edge in edges] + ([edges, [e for e in edges if e >= 512]] if len(edges) > 1 else []):
-            for method in METHODS:
+            for method in STATE["methods"]:
                 group = [r for r in rows if r["labels"] == source and r["method"] == method and r["edge"] in chosen]
                 right = [row for row in group if row.get("right")]
                 fixes = sum(row["status"] == FIX for row in group)

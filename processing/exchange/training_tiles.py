@@ -15,6 +15,7 @@ from ...core.label_counts import count_labels
 from ...core.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
 from ..compat import is_metric, wkt_for_gdal
 from .gdal_errors import gdal_failure, gdal_failures
+from .images import GdalImage
 from .rasters import GdalLabels, LabelMapLayer, class_table_of_map, class_table_of_values, open_raster
 
 MANIFEST = "manifest.json"
@@ -23,26 +24,34 @@ FORMAT = "semref training tiles 1"
 COUNTING_SHARE = 0.2
 """Share of the work that counting labels takes."""
 
-_FULL_RANGE = {gdal.GDT_Byte: 255, gdal.GDT_UInt16: 65535, gdal.GDT_Int16: 32767}
-"""Largest value of the band types that can be exported; statistics are shares of it."""
+_KINDS = (gdal.GDT_Byte, gdal.GDT_UInt16, gdal.GDT_Int16)
+"""Band types that can be exported."""
 
 _COUNTED_AT_ONCE = 4096
 
 
 class ImageBands:
-    """An image's bands, without those that only tell where it is transparent. Raises LabelMapError."""
+    """An image's bands, without those that only tell where it is transparent. Raises LabelMapError and ImageError.
+
+    ``network_bands``: which of them, counted from 1, a network sees as red, green and blue; ``stretch``: (3, 2) values
+    that it sees as 0 and 255, None for 8 bits.
+    """
 
     def __init__(self, layer: LabelMapLayer) -> None:
         self.path = layer.path
         self.dataset = open_raster(layer.path, "Image")
-        bands = [self.dataset.GetRasterBand(n) for n in range(1, self.dataset.RasterCount + 1)]
-        self.bands = [band for band in bands if band.GetColorInterpretation() != gdal.GCI_AlphaBand]
+        bands = {n: self.dataset.GetRasterBand(n) for n in range(1, self.dataset.RasterCount + 1)}
+        kept = [n for n, band in bands.items() if band.GetColorInterpretation() != gdal.GCI_AlphaBand]
+        self.bands = [bands[n] for n in kept]
         self.kind = self.bands[0].DataType
-        if any(band.DataType != self.kind for band in self.bands) or self.kind not in _FULL_RANGE:
+        if any(band.DataType != self.kind for band in self.bands) or self.kind not in _KINDS:
             name = gdal.GetDataTypeName(self.kind)
             raise LabelMapError(f"{layer.path} holds {name} values; training tiles are made of 8- or 16-bit images.")
         if self.bands[0].GetRasterColorTable() is not None:
             raise LabelMapError(f"{layer.path} has a palette; convert it to an RGB image first.")
+        self._seen = GdalImage(layer.path)
+        self.network_bands = [kept.index(n) + 1 for n in self._seen.bands]
+        self.stretch = self._seen.stretch
 
     @property
     def shape_hw(self) -> Tuple[int, int]:
@@ -57,15 +66,18 @@ class ImageBands:
         """Whether tiles can be PNG: 8 bits, grey or three colours."""
         return self.kind == gdal.GDT_Byte and len(self.bands) in (1, 3)
 
-    def read(self, column: int, row: int, size: int) -> Tuple[np.ndarray, np.ndarray]:
-        """(bands, size, size) values, and (size, size) bool: where the image has any."""
-        window = column, row, size, size
+    def read(self, column: int, row: int, size: int) -> np.ndarray:
+        """(bands, size, size) values as they are."""
         with gdal_failures() as failures:
-            pieces = [band.ReadAsArray(*window) for band in self.bands]
-            mask = self.bands[0].GetMaskBand().ReadAsArray(*window)
+            pieces = [band.ReadAsArray(column, row, size, size) for band in self.bands]
         if failures:
             raise LabelMapError(f"{self.path} is damaged or cut short: {gdal_failure(failures[0])}.")
-        return np.stack(pieces), mask > 0
+        return np.stack(pieces)
+
+    def read_as_seen(self, column: int, row: int, size: int) -> Tuple[np.ndarray, np.ndarray]:
+        """(size, size, 3) uint8 as a network sees it, and (size, size) bool: where there is data."""
+        pixels, has_data = self._seen.read(column, row, size, size)
+        return pixels, np.ones((size, size), bool) if has_data is None else has_data
 
 
 class LabelsOnImage:
@@ -125,8 +137,7 @@ class TileExport:
         self.counts: Dict[str, int] = dict.fromkeys(SUBSETS, 0)
         self._tiles: List[dict] = []
         self._class_pixels = {subset: np.zeros(256, np.int64) for subset in SUBSETS}
-        bands = len(self._image.bands)
-        self._sums, self._squares, self._pixels = np.zeros(bands), np.zeros(bands), 0
+        self._sums, self._squares, self._pixels = np.zeros(3), np.zeros(3), 0
 
     def steps(self, folder: Path, table: Optional[ClassTable]) -> Iterator[Tuple[str, float]]:
         """Counts labels, divides the ground, writes tiles, class table and manifest.
@@ -167,12 +178,13 @@ class TileExport:
     def _write(self, folder: Path, tile: Tile) -> None:
         """One tile with its labels, unless it has none."""
         size = self._tile_size
-        pixels, seen = self._image.read(tile.column, tile.row, size)
-        labels = np.where(seen, self._labels.read(tile.column, tile.row, size, size), UNLABELED).astype(np.uint8)
+        seen, has_data = self._image.read_as_seen(tile.column, tile.row, size)
+        labels = np.where(has_data, self._labels.read(tile.column, tile.row, size, size), UNLABELED).astype(np.uint8)
         counted = count_labels(labels)
         if counted[UNLABELED] == labels.size:
             return
         images = folder / tile.subset / "images"
+        pixels = self._image.read(tile.column, tile.row, size)
         transform = self._image.geotransform
         if self._image.as_png:
             write_png(images / f"{tile.name}.png", pixels)
@@ -187,10 +199,10 @@ class TileExport:
             place["y"] = transform[3] + tile.column * transform[4] + tile.row * transform[5]
         self._tiles.append({**place, "labeled": round(1 - float(counted[UNLABELED]) / labels.size, 4)})
         if tile.subset == TRAIN:
-            shares = pixels[:, seen] / _FULL_RANGE[self._image.kind]
-            self._sums += shares.sum(axis=1)
-            self._squares += (shares**2).sum(axis=1)
-            self._pixels += shares.shape[1]
+            shares = seen[has_data] / 255
+            self._sums += shares.sum(axis=0)
+            self._squares += (shares**2).sum(axis=0)
+            self._pixels += len(shares)
 
     def _require_tiles(self, labeled: np.ndarray) -> None:
         if not labeled.any():
@@ -221,6 +233,8 @@ class TileExport:
             "validation_fraction": self._fraction,
             "band_count": len(self._image.bands),
             "data_type": gdal.GetDataTypeName(self._image.kind),
+            "network_bands": self._image.network_bands,
+            "stretch": None if self._image.stretch is None else self._image.stretch.tolist(),
             "statistics": {
                 "class_pixels": {
                     subset: {str(value): int(counts[value]) for value in np.flatnonzero(counts)}

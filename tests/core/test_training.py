@@ -69,10 +69,16 @@ def test_the_same_seed_gives_the_same_light():
 def test_class_values_become_channels_and_unknown_ones_are_ignored(tmp_path, learn_unlabeled, expected):
     cv2.imwrite(str(tmp_path / "image.png"), np.full((1, 4, 3), (10, 20, 255), np.uint8))
     cv2.imwrite(str(tmp_path / "labels.png"), np.array([[0, 7, 40, 9]], np.uint8))
-    pairs = [(tmp_path / "image.png", tmp_path / "labels.png")]
+    pairs = [tiles.TilePair(tmp_path / "image.png", tmp_path / "labels.png", (1, 2, 3), None)]
     image, channels = tiles.TileReader(pairs, [0, 7, 40], learn_unlabeled)(0)
     assert channels[0].tolist() == expected
     np.testing.assert_allclose(image[0, 0], [1, 20 / 255, 10 / 255])
+
+
+def test_grey_tiles_are_red_green_and_blue_alike(tmp_path):
+    cv2.imwrite(str(tmp_path / "grey.png"), np.arange(12, dtype=np.uint8).reshape(3, 4))
+    seen = tiles.read_image(tiles.TilePair(tmp_path / "grey.png", tmp_path, (1, 1, 1), None))
+    np.testing.assert_array_equal(seen, np.dstack([np.arange(12).reshape(3, 4)] * 3))
 
 
 def write_folder(folder, names=("building", "water"), tile_count=1, mean=0.5):
@@ -84,7 +90,8 @@ def write_folder(folder, names=("building", "water"), tile_count=1, mean=0.5):
         rows = [[value, name, "#000000", "reference"] for value, name in enumerate(names, 1)]
         csv.writer(file).writerows([["value", "name", "color", "role"], *rows])
     statistics = {"band_mean": [mean] * 3, "band_std": [0.1] * 3, "class_pixels": {"train": {}}}
-    (folder / "manifest.json").write_text(json.dumps({"statistics": statistics}))
+    manifest = {"statistics": statistics, "network_bands": [1, 2, 3], "stretch": None}
+    (folder / "manifest.json").write_text(json.dumps(manifest))
     return folder
 
 

@@ -176,6 +176,20 @@ def test_sixteen_bits_and_four_bands_become_geotiffs_with_all_values(export, tmp
         np.testing.assert_array_equal(found, image[(..., *part)])
 
 
+def test_the_manifest_tells_what_a_network_will_see_of_deep_images(export, tmp_path):
+    from semref.processing.exchange.images import GdalImage
+
+    image = photo_of(LABELS, np.uint16, bands=4)
+    deep = write_raster(tmp_path / "deep.tif", image, kind=gdal.GDT_UInt16)
+    _, manifest = export(image=deep, VALIDATION_FRACTION=0)
+    seen = GdalImage(str(deep))
+    assert manifest["network_bands"] == [1, 2, 3]
+    np.testing.assert_allclose(manifest["stretch"], seen.stretch)
+    shown = seen.read(0, 0, WIDTH, HEIGHT)[0] / 255
+    np.testing.assert_allclose(manifest["statistics"]["band_mean"], shown.mean(axis=(0, 1)), rtol=1e-9)
+    np.testing.assert_allclose(manifest["statistics"]["band_std"], shown.std(axis=(0, 1)), rtol=1e-6)
+
+
 def test_where_the_image_has_no_data_the_labels_are_cleared(export, tmp_path):
     image = photo_of(LABELS) + 1
     image[:, 100:160, 64:128] = 0

@@ -10,7 +10,6 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-BANDS = 3  # networks take three; further bands of a tile are left unused
 IGNORED = 255  # label of pixels that don't count
 CACHE_BYTES = 2_000_000_000
 
@@ -28,16 +27,28 @@ class ClassRow:
 
 
 @dataclass(frozen=True)
+class TilePair:
+    """The files of a tile, which bands (from 1) are red, green and blue, and which values become 0 and 1 (or None)."""
+
+    image: Path
+    labels: Path
+    bands: tuple[int, int, int]
+    stretch: tuple | None
+
+
+@dataclass(frozen=True)
 class TileFolder:
-    """One exported folder: its manifest, its classes, and its tiles by subset as (image, labels) paths."""
+    """One exported folder: its manifest, its classes, and its tiles by subset."""
 
     path: Path
     manifest: dict
     classes: tuple[ClassRow, ...]
 
-    def tiles(self, subset: str) -> list[tuple[Path, Path]]:
+    def tiles(self, subset: str) -> list[TilePair]:
+        bands, stretch = self.manifest["network_bands"], self.manifest["stretch"]
         images = sorted((self.path / subset / "images").glob("*"))
-        return [(image, self.path / subset / "labels" / f"{image.stem}.png") for image in images]
+        labels = self.path / subset / "labels"
+        return [TilePair(image, labels / f"{image.stem}.png", bands, stretch) for image in images]
 
 
 def open_folder(path: Path) -> TileFolder:
@@ -51,8 +62,6 @@ def open_folder(path: Path) -> TileFolder:
     folder = TileFolder(path, manifest, tuple(sorted((row for row in rows if row.value), key=lambda row: row.value)))
     if not folder.tiles("train"):
         raise TrainingError(f"{path} holds no tiles to train on.")
-    if len(manifest["statistics"]["band_mean"]) < BANDS:
-        raise TrainingError(f"The tiles in {path} have fewer than {BANDS} bands; the network needs {BANDS}.")
     return folder
 
 
@@ -66,10 +75,10 @@ def open_folders(paths: list[Path]) -> list[TileFolder]:
 
 
 def band_statistics(folders: list[TileFolder]) -> tuple[np.ndarray, np.ndarray]:
-    """Mean and deviation (3,) of the bands, in shares of their full range, over all folders' training tiles."""
+    """Mean and deviation (3,) of red, green and blue in 0…1, over all folders' training tiles."""
     counts = np.array([len(folder.tiles("train")) for folder in folders], float)[:, None]
     means, deviations = (
-        np.array([folder.manifest["statistics"][key][:BANDS] for folder in folders])
+        np.array([folder.manifest["statistics"][key] for folder in folders])
         for key in ("band_mean", "band_std")
     )
     mean = (counts * means).sum(axis=0) / counts.sum()
@@ -83,7 +92,7 @@ class TileReader:
     unless ``learn_unlabeled``.
     """
 
-    def __init__(self, pairs: list[tuple[Path, Path]], values: list[int], learn_unlabeled: bool) -> None:
+    def __init__(self, pairs: list[TilePair], values: list[int], learn_unlabeled: bool) -> None:
         self.pairs = pairs
         self._channel = np.full(256, IGNORED, np.uint8)
         self._channel[values] = np.arange(len(values))
@@ -97,30 +106,33 @@ class TileReader:
 
     def __call__(self, index: int) -> tuple[np.ndarray, np.ndarray]:
         if index not in self._kept:
-            image_path, labels_path = self.pairs[index]
-            image, labels = read_image(image_path), cv2.imread(str(labels_path), cv2.IMREAD_UNCHANGED)
+            pair = self.pairs[index]
+            image, labels = read_image(pair), cv2.imread(str(pair.labels), cv2.IMREAD_UNCHANGED)
             if labels is None or labels.shape != image.shape[:2]:
-                raise TrainingError(f"The labels {labels_path} are missing or don't fit their image.")
+                raise TrainingError(f"The labels {pair.labels} are missing or don't fit their image.")
             if image.nbytes + labels.nbytes > self._free:
-                return scaled(image), self._channel[labels]
+                return image / np.float32(255), self._channel[labels]
             self._free -= image.nbytes + labels.nbytes
             self._kept[index] = image, self._channel[labels]
         image, labels = self._kept[index]
-        return scaled(image), labels
+        return image / np.float32(255), labels
 
 
-def read_image(path: Path) -> np.ndarray:
-    """(H, W, 3) uint8 or uint16, red, green, blue as in the file."""
-    if path.suffix == ".png":
-        picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+def read_image(pair: TilePair) -> np.ndarray:
+    """(H, W, 3) uint8: red, green, blue as semref:segmentimage will show them to the network."""
+    if pair.image.suffix == ".png":
+        picture = cv2.imread(str(pair.image), cv2.IMREAD_UNCHANGED)
         if picture is None:
-            raise TrainingError(f"The tile {path} can't be read.")
-        return picture[:, :, ::-1]
-    import tifffile  # GeoTIFF tiles are the exception
+            raise TrainingError(f"The tile {pair.image} can't be read.")
+        picture = picture[:, :, ::-1] if picture.ndim == 3 else picture[:, :, None]
+    else:
+        import tifffile  # GeoTIFF tiles are the exception
 
-    return tifffile.imread(path)[:, :, :BANDS]
-
-
-def scaled(image: np.ndarray) -> np.ndarray:
-    """Whole numbers as shares of their full range, float32."""
-    return image.astype(np.float32) / np.iinfo(image.dtype).max
+        picture = tifffile.imread(pair.image)
+        picture = picture if picture.ndim == 3 else picture[:, :, None]
+    picture = picture[:, :, [band - 1 for band in pair.bands]]
+    if pair.stretch is None:
+        return picture
+    least, most = np.array(pair.stretch, np.float32).T
+    stretched = (picture - least) * (255 / np.maximum(most - least, 1e-9))
+    return np.clip(stretched + 0.5, 0, 255).astype(np.uint8)
