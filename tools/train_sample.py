@@ -23,7 +23,7 @@ TRAINING_PYTHON = ROOT / ".venv-train" / "bin" / "python"
 MODEL = "sample_area.onnx"
 TRAINING = (
     "--encoder", "tu-mobilenetv3_small_050", "--channels-last", "--learn-unlabeled",
-    "--epochs", "20", "--pieces", "800", "--learning-rate", "3e-3", "--resolution", "1.0",
+    "--epochs", "16", "--pieces", "800", "--learning-rate", "3e-3", "--resolution", "1.0",
 )  # fmt: skip
 
 

@@ -1,0 +1,72 @@
+"""The model that ships: small, named after the sample's classes, and it sees what a made-up photo shows."""
+
+import importlib
+import importlib.util
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+
+pytest.importorskip("onnxruntime")
+
+from semref.core.image_source import ArrayImage
+from semref.core.segmentation_model import SegmentationModel
+from semref.core.segmenter import segment
+
+ROOT = Path(__file__).parents[2]
+MODEL = ROOT / "models" / "sample_area.onnx"
+SIZE = 400
+
+
+def load(module):
+    """A module of tools/sample without putting tools/ on sys.path."""
+    if "semref_sample" not in sys.modules:
+        package = ROOT / "tools" / "sample"
+        spec = importlib.util.spec_from_file_location(
+            "semref_sample", package / "__init__.py", submodule_search_locations=[str(package)]
+        )
+        sys.modules["semref_sample"] = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(sys.modules["semref_sample"])
+    return importlib.import_module(f"semref_sample.{module}")
+
+
+@pytest.fixture(scope="module")
+def model():
+    return SegmentationModel(str(MODEL), 1)
+
+
+def drawn_area():
+    """(class value, draw order, polygon) of a meadow with fields, forest, a lake, a gravel pit and 24 houses."""
+    box = shapely.box
+    drawn = [(6, 10, box(0, 0, 400, 400)), (5, 10, box(0, 0, 200, 150)), (5, 10, box(205, 0, 400, 150))]
+    drawn += [(4, 30, box(0, 250, 180, 400)), (3, 50, shapely.Point(320, 320).buffer(50))]
+    drawn += [(2, 40, shapely.Point(60, 75).buffer(30))]
+    return drawn + [(1, 60, box(x, y, x + 14, y + 10)) for x in range(210, 390, 24) for y in (170, 195, 220)]
+
+
+def test_it_is_small_and_knows_the_classes_of_the_sample(model):
+    classes = load("classes").CLASSES
+    assert MODEL.stat().st_size < 3_000_000
+    assert [(c.value, c.name, c.color, c.role) for c in model.classes.table] == [
+        (c.value, c.name, c.color, c.role) for c in classes
+    ]
+    assert model.settings.resolution_m == 1.0
+    assert model.tile_hw == (512, 512)
+
+
+def test_it_sees_what_a_photo_of_a_made_up_area_shows(model):
+    photo, landscape = load("photo"), load("landscape")
+    features = tuple(landscape.Feature(*row) for row in drawn_area())
+    area = landscape.Landscape(features, shapely.Polygon(), (0.0, 0.0, 400.0, 400.0), 25832, 77)
+    frame = (0.0, 400.0, SIZE, SIZE)
+    picture = photo.render(area, frame, 1.0)
+    ordered = sorted(features, key=lambda feature: feature.zorder)
+    truth = photo.draw_scene(ordered, area, frame, 1.0).kind
+    found = [rows for _, rows in segment(model, ArrayImage(picture), model.classes.values, 0.15)]
+    labels = np.concatenate([rows.labels_hw for rows in found if rows is not None])
+    assert (labels == truth).mean() > 0.7
+    for value in (1, 2, 3, 4):
+        both, either = ((labels == value) & (truth == value)).sum(), ((labels == value) | (truth == value)).sum()
+        assert both / either > 0.4, f"class {value}"
