@@ -13,7 +13,7 @@ import torch
 from .metrics import confusion_matrix
 from .tiles import ClassRow, TileReader, TrainingError
 
-OPSET, IR_VERSION = 17, 8  # the newest that onnxruntime 1.14 reads
+OPSET, IR_VERSION = 17, 8  # what onnxruntime reads from 1.12 on
 LARGEST_DIFFERENCE = 1e-3  # of logits, between torch and onnxruntime
 UNLABELED = ClassRow(0, "unlabeled", "#000000", "background")
 
