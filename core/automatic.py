@@ -94,13 +94,25 @@ def confirmed(areas: Localization, objects: Localization, radius: float) -> Opti
     )
 
 
-def neither(objects: Localization, areas: Localization) -> Localization:
-    """No fix by the constellation (``objects``) nor by map correlation (``areas``): one result with both reasons."""
+def neither(objects: Localization, areas: Localization, shorter_edge_px: int) -> Localization:
+    """No fix by the constellation (``objects``) nor by map correlation (``areas``): one result with both reasons.
+
+    A place that both found is told once, as the constellation has it.
+    """
+    known = [place.position for place in objects.alternatives]
+    others = tuple(
+        place
+        for place in areas.alternatives
+        if all(
+            np.hypot(*np.subtract(place.position, other)) > NEAR_SHARE * shorter_edge_px * place.pixel_size_m
+            for other in known
+        )
+    )
     return replace(
         objects,
         status=AMBIGUOUS if areas.status == AMBIGUOUS else objects.status,
         reason=f"{objects.reason} Map correlation has no fix either: {areas.reason[0].lower()}{areas.reason[1:]}",
-        alternatives=objects.alternatives + areas.alternatives,
+        alternatives=objects.alternatives + others,
     )
 
 

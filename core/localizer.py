@@ -219,7 +219,7 @@ class Localizer:
             return checked_by_areas(objects, agreement_at(labels_hw, self.pyramid, *pose))
         areas = self.localize_by_map_correlation(labels_hw, prior)
         if areas.status != FIX:
-            return neither(objects, areas)
+            return neither(objects, areas, min(labels_hw.shape))
         areas = replace(areas, references=objects.references)
         closer = near(areas, prior or Prior(), min(labels_hw.shape))
         found = confirmed(areas, self.localize_by_constellation(labels_hw, closer), closer.radius)

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isnan
-from typing import Optional, Tuple
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -24,43 +23,19 @@ from ..core.class_table import LIST_SEPARATOR
 from ..core.errors import DatabaseError, ParameterError, SemRefError
 from .base import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
 from .compat import POINT, POLYGON, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
+from .localized_image import (
+    ALTERNATIVE_FIELDS,
+    FIELDS,
+    FOOTPRINT_FIELDS,
+    LocalizedImage,
+    alternatives,
+    corners,
+    row,
+    say,
+    with_jumps,
+)
 from .sinks import Sink
 from .translation import tr
-
-ERROR = "error"
-"""Status of an image that could not be read; the others come from the localiser."""
-
-FIELDS = (
-    ("image", "text"), ("status", "text"), ("x", "real"), ("y", "real"), ("longitude", "real"), ("latitude", "real"),
-    ("heading", "real"), ("pixel_size", "real"), ("confidence", "real"), ("distance", "real"), ("inliers", "integer"),
-    ("references", "integer"), ("log_odds", "real"), ("error_95", "real"), ("window", "text"), ("method", "text"),
-    ("reason", "text"), ("camera_x", "real"), ("camera_y", "real"), ("jump", "boolean"),
-)  # fmt: skip
-FOOTPRINT_FIELDS = (
-    ("image", "text"),
-    ("status", "text"),
-    ("confidence", "real"),
-    ("window", "text"),
-    ("method", "text"),
-)
-
-
-@dataclass(frozen=True)
-class LocalizedImage:
-    """One image and its result; ``error`` instead when it could not be read.
-
-    footprint: (4, 2) map coordinates of a leveled image's corners; nadir: of the point straight below its camera;
-    remark: about its leveling; jump: whether it could not have been reached in time, None if that was not checked.
-    """
-
-    path: str
-    result: Optional[object] = None
-    error: str = ""
-    shape_hw: Tuple[int, int] = (0, 0)
-    footprint: Optional[object] = None
-    nadir: Optional[Tuple[float, float]] = None
-    remark: str = ""
-    jump: Optional[bool] = None
 
 
 class LocalizeImages(SemRefAlgorithm):
@@ -82,6 +57,7 @@ class LocalizeImages(SemRefAlgorithm):
     ATTITUDE = "ATTITUDE"
     MAXIMUM_SPEED = "MAXIMUM_SPEED"
     FOOTPRINTS = "FOOTPRINTS"
+    ALTERNATIVES = "ALTERNATIVES"
     FIX_COUNT = "FIX_COUNT"
     AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION, MAP_CORRELATION = range(4)
 
@@ -201,6 +177,12 @@ class LocalizeImages(SemRefAlgorithm):
             ),
             tr("One polygon a fix: the ground the image shows, or the matched window of the topology vector method."),
         )
+        self.offer(
+            QgsProcessingParameterFeatureSink(
+                self.ALTERNATIVES, tr("Possible places"), SOURCE_POLYGON, optional=True, createByDefault=False
+            ),
+            tr("For ambiguous images: the ground of each place that fits, the best one first."),
+        )
         self.addOutput(QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of fixes")))
 
     def checkParameterValues(self, parameters, context):
@@ -258,18 +240,21 @@ class LocalizeImages(SemRefAlgorithm):
             feedback.setProgressText(os.path.basename(path))
             arguments = path, localize, read_labels, cameras[n]
             localized.append(cancelable(_localize, *arguments, feedback=feedback))
-            _say(localized[-1], feedback)
+            say(localized[-1], feedback)
             feedback.setProgress(95 * (n + 1) / len(paths))
         if parameters.get(self.MAXIMUM_SPEED) not in (None, ""):
             speed = self.parameterAsDouble(parameters, self.MAXIMUM_SPEED, context)
             times_s = [camera.time_s for camera in cameras]
-            localized = _with_jumps(localized, times_s, database.windows, speed, feedback)
+            localized = with_jumps(localized, times_s, database.windows, speed, feedback)
         # Sinks are made last: a cancel before leaves nothing behind.
         check_canceled(feedback)
         results = {self.OUTPUT: self._write_positions(parameters, context, localized, crs)}
         footprints = self._write_footprints(parameters, context, localized, database, crs)
         if footprints:
             results[self.FOOTPRINTS] = footprints
+        places = self._write_alternatives(parameters, context, localized, crs)
+        if places:
+            results[self.ALTERNATIVES] = places
         fixes = sum(1 for item in localized if item.result is not None and item.result.status == FIX)
         feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
         results[self.FIX_COUNT] = fixes
@@ -325,7 +310,7 @@ class LocalizeImages(SemRefAlgorithm):
 
         sink = Sink(self, parameters, self.OUTPUT, context, FIELDS, POINT, crs)
         for item in localized:
-            values, geometry = _row(item), None
+            values, geometry = row(item), None
             if item.result and item.result.position:
                 geometry = QgsGeometry.fromPointXY(QgsPointXY(*item.result.position))
                 degrees = longitudes_latitudes([item.result.position], crs, context.transformContext())
@@ -340,11 +325,24 @@ class LocalizeImages(SemRefAlgorithm):
             return None
         names = [name for name, _ in FOOTPRINT_FIELDS]
         for item in localized:
-            corners = _corners(item, database.windows)
-            if corners is not None:
-                polygon = QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners]])
-                sink.add(polygon, {name: value for name, value in _row(item).items() if name in names})
+            ground = corners(item, database.windows)
+            if ground is not None:
+                sink.add(_polygon(ground), {name: value for name, value in row(item).items() if name in names})
         return sink.close()
+
+    def _write_alternatives(self, parameters, context, localized, crs):
+        """The destination, None when they are not wanted."""
+        sink = Sink(self, parameters, self.ALTERNATIVES, context, ALTERNATIVE_FIELDS, POLYGON, crs)
+        if not sink.is_wanted:
+            return None
+        for item in localized:
+            for ground, values in alternatives(item):
+                sink.add(_polygon(ground), values)
+        return sink.close()
+
+
+def _polygon(corners_xy) -> QgsGeometry:
+    return QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners_xy]])
 
 
 def _with_overview(database, path, feedback):
@@ -368,100 +366,3 @@ def _localize(path, localize, read_labels, camera) -> LocalizedImage:
         return LocalizedImage(path, found.result, "", labels_hw.shape, found.footprint, found.nadir, remark)
     except SemRefError as error:
         return LocalizedImage(path, error=str(error))
-
-
-def _with_jumps(localized, times_s, windows, speed, feedback):
-    """The images, fixes of known time marked as jumps or not; says what was found."""
-    import numpy as np
-
-    from ..core.sequence import jumps
-
-    timed = [n for n, item in enumerate(localized) if item.result and item.result.position and times_s[n] is not None]
-    results = [localized[n].result for n in timed]
-    # An image matched with a window may lie anywhere in it.
-    errors = [windows.sizes[r.window_index] / 2 if r.error_95_m is None else r.error_95_m for r in results]
-    flags = jumps(
-        np.array([times_s[n] for n in timed]),
-        np.array([localized[n].nadir or localized[n].result.position for n in timed]),
-        np.array(errors),
-        np.array([result.confidence for result in results]),
-        speed,
-    )
-    reason = tr("It can’t be reached at {speed:g} map units per second from the fixes before and after it.")
-    reason = reason.format(speed=speed)
-    checked = list(localized)
-    for n, jumped in zip(timed, flags.tolist()):
-        checked[n] = replace(checked[n], jump=jumped)
-        if jumped:
-            checked[n] = replace(checked[n], result=replace(checked[n].result, reason=reason))
-            feedback.pushWarning(f"{os.path.basename(checked[n].path)}: {reason}")
-    summary = tr("{jumps} of {checked} fixes with a time are jumps.")
-    feedback.pushInfo(summary.format(jumps=int(flags.sum()), checked=len(timed)))
-    return checked
-
-
-def _corners(item, windows):
-    """(4, 2) map coordinates of what an image with a fix shows, else None."""
-    from ..core.footprint import image_corners
-
-    result = item.result
-    if item.footprint is not None:
-        return item.footprint
-    if result is None or result.position is None:
-        return None
-    if result.window_index is not None:
-        size = float(windows.sizes[result.window_index])
-        return image_corners(tuple(windows.centers[result.window_index]), 0.0, size, 1, 1)
-    height, width = item.shape_hw
-    return image_corners(result.position, result.heading_deg, result.pixel_size_m, width, height)
-
-
-def _row(item) -> dict:
-    """Values of FIELDS by name, without longitude and latitude."""
-    result = item.result
-    if result is None:
-        return {"image": item.path, "status": ERROR, "reason": item.error}
-    return {
-        "image": item.path,
-        "status": result.status,
-        "x": result.position and result.position[0],
-        "y": result.position and result.position[1],
-        "heading": result.heading_deg,
-        "pixel_size": result.pixel_size_m,
-        "confidence": result.confidence,
-        "distance": result.distance,
-        "inliers": result.inliers,
-        "references": result.references,
-        "log_odds": result.log_odds,
-        "error_95": result.error_95_m,
-        "window": result.window,
-        "method": result.method,
-        "reason": result.reason,
-        "camera_x": item.nadir and item.nadir[0],
-        "camera_y": item.nadir and item.nadir[1],
-        "jump": item.jump,
-    }
-
-
-def _say(item, feedback) -> None:
-    name = os.path.basename(item.path)
-    if item.result is None:
-        feedback.reportError(f"{name}: {item.error}", False)
-        return
-    if item.remark:
-        feedback.pushInfo(f"{name}: {item.remark}")
-    result = item.result
-    if result.position is None:
-        feedback.pushInfo(f"{name}: {result.status}. {result.reason}")
-        return
-    details = (
-        (result.window, tr("window {value}")),
-        (result.distance, tr("distance {value:.4f}")),
-        (result.heading_deg, tr("heading {value:.1f}°")),
-        (result.pixel_size_m, tr("pixel size {value:.3g} m")),
-        (result.error_95_m, tr("within {value:.2f} m (95 %)")),
-        (result.confidence, tr("confidence {value:.2f}")),
-    )
-    texts = [text.format(value=value) for value, text in details if value is not None]
-    x, y = result.position
-    feedback.pushInfo(f"{name}: {x:.1f} {y:.1f}, {', '.join(texts)}")

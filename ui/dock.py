@@ -168,8 +168,13 @@ class SemRefDock(QgsDockWidget):
     def _show_progress(self, percent: float) -> None:
         self.progress.setValue(round(percent))
 
-    def _show_found(self, positions: QgsVectorLayer, footprints: Optional[QgsVectorLayer]) -> None:
-        findings = read_findings(positions, footprints)
+    def _show_found(
+        self,
+        positions: QgsVectorLayer,
+        footprints: Optional[QgsVectorLayer],
+        places: Optional[QgsVectorLayer],
+    ) -> None:
+        findings = read_findings(positions, footprints, places)
         self._positions = positions
         self._set_running(False)
         fixes = sum(1 for finding in findings if finding.status == FIX)

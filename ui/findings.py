@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import List, Optional
+from typing import Dict, List, Optional, Tuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, QgsVectorLayer
 
@@ -21,7 +21,8 @@ TOPOLOGY_VECTOR = "topology vector"
 
 @dataclass(frozen=True)
 class Finding:
-    """One image's row of OUTPUT (columns as DESIGN §6), with its polygon of FOOTPRINTS; None where there is nothing."""
+    """One image's row of OUTPUT (columns as DESIGN §6), with its polygons of FOOTPRINTS and ALTERNATIVES; None where
+    there is nothing."""
 
     image: str
     status: str
@@ -40,6 +41,7 @@ class Finding:
     reason: Optional[str]
     crs: QgsCoordinateReferenceSystem
     outline: Optional[QgsGeometry]
+    possible: Tuple[QgsGeometry, ...] = ()
 
     @property
     def name(self) -> str:
@@ -56,18 +58,24 @@ class Finding:
         return None if self.x is None or self.y is None else QgsPointXY(self.x, self.y)
 
 
-_COLUMNS = tuple(name for name in Finding.__dataclass_fields__ if name not in ("crs", "outline"))
+_COLUMNS = tuple(name for name in Finding.__dataclass_fields__ if name not in ("crs", "outline", "possible"))
 
 
-def read_findings(positions: QgsVectorLayer, footprints: Optional[QgsVectorLayer]) -> List[Finding]:
-    """The findings in the order of the images."""
+def read_findings(
+    positions: QgsVectorLayer, footprints: Optional[QgsVectorLayer], places: Optional[QgsVectorLayer]
+) -> List[Finding]:
+    """The findings in the order of the images; from OUTPUT, FOOTPRINTS and ALTERNATIVES."""
     outlines = {f["image"]: f.geometry() for f in footprints.getFeatures()} if footprints is not None else {}
+    possible: Dict[str, List[QgsGeometry]] = {}
+    for feature in places.getFeatures() if places is not None else ():
+        possible.setdefault(feature["image"], []).append(feature.geometry())
     indexes = [positions.fields().lookupField(name) for name in _COLUMNS]
     crs, findings = positions.crs(), []
     for feature in positions.getFeatures():
         values = feature.attributes()
         cells = [None if is_null(values[index]) else values[index] for index in indexes]
-        findings.append(Finding(*cells, crs=crs, outline=outlines.get(cells[0])))
+        image = cells[0]
+        findings.append(Finding(*cells, crs, outlines.get(image), tuple(possible.get(image, ()))))
     return findings
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import cos, radians, sin, sqrt
 from typing import Optional
 
-from qgis.core import QgsCoordinateTransform, QgsCsException, QgsGeometry, QgsPointXY, QgsProject
+from qgis.core import QgsCoordinateTransform, QgsCsException, QgsGeometry, QgsPointXY, QgsProject, QgsRectangle
 from qgis.gui import QgsMapCanvas, QgsRubberBand, QgsVertexMarker
 from qgis.PyQt.QtGui import QColor
 
@@ -14,6 +14,7 @@ from .findings import Finding
 
 # Red with a white rim stands out on land-cover colours, aerial images, white and black alike.
 _LINE = QColor("#e8344e")
+_POSSIBLE = QColor("#e69f00")
 _RIM = QColor("#ffffff")
 
 _ZOOM_MARGIN = 2.0
@@ -35,6 +36,7 @@ class HitHighlight:
         self._outline = _band(canvas, POLYGON_GEOMETRY)
         self._heading = _band(canvas, LINE_GEOMETRY)
         self._error = _band(canvas, POLYGON_GEOMETRY)
+        self._possible = _band(canvas, POLYGON_GEOMETRY, _POSSIBLE)
         self._center = QgsVertexMarker(canvas)
         self._center.setIconType(QgsVertexMarker.IconType.ICON_CIRCLE)
         self._center.setIconSize(11)
@@ -46,8 +48,9 @@ class HitHighlight:
         canvas.destinationCrsChanged.connect(self._place)
 
     def show(self, finding: Optional[Finding]) -> bool:
-        """Shows the finding's hit, or nothing for None or no fix. False when the canvas's CRS can't show it."""
-        self._hit = finding if finding is not None and finding.center is not None else None
+        """Shows the finding's hit, or the places it may be at; nothing for None. False where the CRS can't show it."""
+        shown = finding is not None and (finding.center is not None or finding.possible)
+        self._hit = finding if shown else None
         return self._place()
 
     def set_visible(self, visible: bool) -> None:
@@ -56,7 +59,9 @@ class HitHighlight:
 
     def zoom(self) -> None:
         """Moves the canvas to the hit, if one is shown."""
-        extent = self._outline.asGeometry().boundingBox()
+        # An image has a fix or possible places, never both.
+        extents = [band.asGeometry().boundingBox() for band in (self._outline, self._possible)]
+        extent = next((extent for extent in extents if not extent.isEmpty()), QgsRectangle())
         if self._hit is None or extent.isEmpty():
             return
         extent.scale(_ZOOM_MARGIN)
@@ -65,47 +70,51 @@ class HitHighlight:
 
     def remove(self) -> None:
         self._canvas.destinationCrsChanged.disconnect(self._place)
-        for item in (self._outline, self._heading, self._error, self._center):
+        for item in (self._outline, self._heading, self._error, self._possible, self._center):
             self._canvas.scene().removeItem(item)
-        self._outline = self._heading = self._error = self._center = None
+        self._outline = self._heading = self._error = self._possible = self._center = None
 
     def _place(self) -> bool:
         placed = self._on_canvas() if self._hit is not None and self._visible else None
         self._outline.reset(POLYGON_GEOMETRY)
         self._heading.reset(LINE_GEOMETRY)
         self._error.reset(POLYGON_GEOMETRY)
-        self._center.setVisible(placed is not None)
+        self._possible.reset(POLYGON_GEOMETRY)
+        self._center.setVisible(placed is not None and self._hit.center is not None)
         if placed is None:
             return self._hit is None or not self._visible
         *shapes, center = placed
-        for band, shape in zip((self._outline, self._heading, self._error), shapes):
+        for band, shape in zip((self._outline, self._heading, self._error, self._possible), shapes):
             if not shape.isEmpty():
                 band.setToGeometry(shape)
-        self._center.setCenter(center)
+        if center is not None:
+            self._center.setCenter(center)
         return True
 
     def _on_canvas(self):
-        """(outline, heading arrow, error circle, centre) in the canvas's CRS; None where that has no such place."""
+        """(outline, heading arrow, error circle, possible places, centre) in the canvas's CRS; None where that has no
+        such place."""
         hit = self._hit
         outline = QgsGeometry() if hit.outline is None else hit.outline.densifyByCount(_POINTS_A_SIDE)
-        shapes = [outline, _arrow(hit), _error_circle(hit)]
+        possible = [geometry.densifyByCount(_POINTS_A_SIDE) for geometry in hit.possible]
+        shapes = [outline, _arrow(hit), _error_circle(hit), QgsGeometry.collectGeometry(possible)]
         target = self._canvas.mapSettings().destinationCrs()
         if not target.isValid() or target == hit.crs:
             return (*shapes, hit.center)
         transform = QgsCoordinateTransform(hit.crs, target, QgsProject.instance())
         try:
-            center = transform.transform(hit.center)
+            center = None if hit.center is None else QgsPointXY(transform.transform(hit.center))
             for shape in shapes:
                 if not shape.isEmpty():
                     shape.transform(transform)
         except QgsCsException:
             return None
-        return (*shapes, QgsPointXY(center))
+        return (*shapes, center)
 
 
-def _band(canvas: QgsMapCanvas, kind) -> QgsRubberBand:
+def _band(canvas: QgsMapCanvas, kind, color: QColor = _LINE) -> QgsRubberBand:
     band = QgsRubberBand(canvas, kind)
-    band.setStrokeColor(_LINE)
+    band.setStrokeColor(color)
     band.setSecondaryStrokeColor(_RIM)
     # Unfilled: the map's colours inside the window stay what they are.
     band.setFillColor(QColor(0, 0, 0, 0))

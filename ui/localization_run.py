@@ -26,13 +26,13 @@ _BUG_REPORT_BEGINS = "Traceback"
 class LocalizationRun(QObject):
     """One run. After ``start`` returned True exactly one of ``found``, ``failed``, ``broke`` and ``canceled`` comes.
 
-    found: positions and footprints (QgsVectorLayer in memory, the receiver's; footprints may be None);
-    failed: a sentence for the user; broke: a bug's traceback.
+    found: positions, footprints and possible places (QgsVectorLayer in memory, the receiver's; the last two may be
+    None); failed: a sentence for the user; broke: a bug's traceback.
     """
 
     progressed = pyqtSignal(float)
     said = pyqtSignal(str)
-    found = pyqtSignal(object, object)
+    found = pyqtSignal(object, object, object)
     failed = pyqtSignal(str)
     broke = pyqtSignal(str)
     canceled = pyqtSignal()
@@ -68,6 +68,7 @@ class LocalizationRun(QObject):
             **settings,
             "OUTPUT": "memory:" + tr("SemRef positions"),
             "FOOTPRINTS": "memory:" + tr("SemRef footprints"),
+            "ALTERNATIVES": "memory:" + tr("SemRef possible places"),
         }
         self._cancel_asked = False
         self._context = QgsProcessingContext()
@@ -102,7 +103,7 @@ class LocalizationRun(QObject):
         context, error = self._context, self._feedback.last_error
         self._task = self._feedback = self._context = None
         if succeeded:
-            layers = [context.takeResultLayer(results.get(key, "")) for key in ("OUTPUT", "FOOTPRINTS")]
+            layers = [context.takeResultLayer(results.get(key, "")) for key in ("OUTPUT", "FOOTPRINTS", "ALTERNATIVES")]
             self.found.emit(*layers)
         elif self._cancel_asked or not error:
             # Without an error it was canceled in QGIS's own list of tasks.

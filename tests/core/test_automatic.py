@@ -227,6 +227,14 @@ def test_without_a_fix_all_places_are_told_and_ambiguity_of_either_counts():
     other = replace(PLACE, heading_deg=99.0)
     stars = Localization(NO_MATCH, "constellation", 30, "No stars.")
     areas = Localization(AMBIGUOUS, MAP_CORRELATION, 0, "Two places agree.", alternatives=(PLACE, other))
-    found = neither(stars, areas)
+    found = neither(stars, areas, 1000)
     assert (found.status, found.alternatives) == (AMBIGUOUS, (PLACE, other))
     assert found.reason == "No stars. Map correlation has no fix either: two places agree."
+
+
+def test_a_place_that_both_methods_found_is_told_once():
+    apart = replace(PLACE, position=(PLACE.position[0] + 500.0, PLACE.position[1]))
+    beside = replace(PLACE, position=(PLACE.position[0] + 1.0, PLACE.position[1]))
+    stars = Localization(AMBIGUOUS, "constellation", 30, "Two places.", alternatives=(PLACE,))
+    areas = Localization(AMBIGUOUS, MAP_CORRELATION, 0, "Two places agree.", alternatives=(beside, apart))
+    assert neither(stars, areas, round(100 / PLACE.pixel_size_m)).alternatives == (PLACE, apart)

@@ -69,6 +69,8 @@ def test_an_image_between_windows_is_found_with_heading_and_pixel_size(localize,
     assert (found["heading"] - heading + 180) % 360 - 180 == pytest.approx(0, abs=0.5)
     assert found["pixel_size"] == pytest.approx(scale, rel=0.01)
     assert 0 < found["error_95"] < 3 and found["log_odds"] > 20.7 and found["confidence"] > 0.9
+    assert 0 < found["error_95_minor"] <= found["error_95"] and 0 <= found["error_95_direction"] <= 180
+    assert 0 < found["heading_deviation"] < 1 and 0 < found["pixel_size_deviation"] < 0.01 * scale
     assert footprint.GetArea() == pytest.approx((SIZE * scale) ** 2, rel=0.02)
     center = footprint.Centroid()
     assert (center.GetX(), center.GetY()) == pytest.approx((found["x"], found["y"]), abs=0.1)
@@ -111,3 +113,36 @@ def test_a_scale_range_without_the_right_scale_gives_no_fix(localize):
 def test_the_same_image_gives_the_same_answer(localize):
     labels = view(520, 410, 77)
     assert localize(labels)[0] == localize(labels)[0]
+
+
+def test_an_ambiguous_image_has_its_possible_places_as_polygons(run_algorithm, tmp_path):
+    twins = np.hstack([LABELS[:, :500], LABELS[:, :500]])
+    database = run_algorithm(
+        "semref:builddatabase",
+        {
+            "LABELS": str(write_raster(tmp_path / "twins.tif", twins, names=NAMES)),
+            "REFERENCE_CLASSES": "building;water;bare_land",
+            "WINDOW_SIZE": SIZE,
+            "STRIDE": SIZE / 2,
+            "MINIMUM_AREA": 30,
+            "DATABASE": str(tmp_path / "twins.gpkg"),
+        },
+    )["DATABASE"]
+    image = write_raster(tmp_path / "photo.png", view(250, 400, 30, labels=twins), transform=None)
+    results = run_algorithm(
+        LOCALIZE,
+        {
+            "DATABASE": database,
+            "IMAGES": [str(image)],
+            "OUTPUT": str(tmp_path / "positions.gpkg"),
+            "ALTERNATIVES": str(tmp_path / "places.gpkg"),
+        },
+    )
+    # Layers die with their file.
+    positions, polygons = (ogr.Open(results[key]) for key in ("OUTPUT", "ALTERNATIVES"))
+    (row,) = [feature.items() for feature in positions.GetLayer(0)]
+    assert row["status"] == "ambiguous" and row["x"] is None and row["error_95_minor"] is None
+    places = [(f.items(), f.GetGeometryRef().Centroid().GetX()) for f in polygons.GetLayer(0)]
+    assert sorted(x - WEST for _, x in places) == pytest.approx([250, 750], abs=1)
+    assert [values["rank"] for values, _ in places] == [1, 2]
+    assert [values["heading"] for values, _ in places] == pytest.approx([30, 30], abs=0.5)

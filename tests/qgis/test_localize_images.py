@@ -22,7 +22,8 @@ COLORS = {0: (0, 0, 0), 1: (204, 102, 119), 2: (51, 34, 136), 3: (221, 204, 119)
 FIELDS = (
     "image String, status String, x Real, y Real, longitude Real, latitude Real, heading Real, pixel_size Real, "
     "confidence Real, distance Real, inliers Integer, references Integer, log_odds Real, error_95 Real, window String, "
-    "method String, reason String, camera_x Real, camera_y Real, jump Integer"
+    "method String, reason String, camera_x Real, camera_y Real, jump Integer, "
+    "error_95_minor Real, error_95_direction Real, heading_deviation Real, pixel_size_deviation Real"
 )
 LABELS = scattered_objects(400, 480, 240, seed=11)
 

@@ -50,8 +50,8 @@ PARAMETERS = {
     ),
     "localizeimages": (
         "localization",
-        "DATABASE IMAGES [MODEL] METHOD OUTPUT [FOOTPRINTS]",
-        "OUTPUT FOOTPRINTS FIX_COUNT",
+        "DATABASE IMAGES [MODEL] METHOD OUTPUT [FOOTPRINTS] [ALTERNATIVES]",
+        "OUTPUT FOOTPRINTS ALTERNATIVES FIX_COUNT",
     ),
     "evaluatelocalization": (
         "localization",
