@@ -17,7 +17,7 @@ from .localization import AMBIGUOUS, FIX, Localization, place_of
 
 LEAST_AGREEMENT = 0.25
 """Correlation of class areas at a constellation's fix below which they speak against it. On the northern half of
-Liechtenstein right fixes had 0.60 at least, wrong places 0.17 at most."""
+Liechtenstein right fixes had 0.60 at least, wrong places 0.20 at most."""
 
 TELLING_OBJECTS = 20
 """Objects that both map and image should show at a place before their disagreement speaks against it."""

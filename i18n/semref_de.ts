@@ -576,6 +576,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Bildausschnitte</translation>
   </message>
   <message>
+   <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
+   <translation>Bei mehrdeutigen Bildern: das Gelände jedes Ortes, der passt, der beste zuerst.</translation>
+  </message>
+  <message>
    <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
    <translation>Für Bilder eines Flugs mit bekannten Zeiten: Ein Standort, der von denen davor und danach nicht rechtzeitig zu erreichen ist, wird mit Grund als Sprung gekennzeichnet. Er bleibt ein gefundener Standort und wird mitgezählt.</translation>
   </message>
@@ -1040,6 +1044,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Positionen</translation>
   </message>
   <message>
+   <source>Possible places</source>
+   <translation>Mögliche Orte</translation>
+  </message>
+  <message>
    <source>Predicted label map</source>
    <translation>Vorhergesagte Klassenkarte</translation>
   </message>
@@ -1222,6 +1230,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>SemRef positions</source>
    <translation>SemRef-Positionen</translation>
+  </message>
+  <message>
+   <source>SemRef possible places</source>
+   <translation>SemRef: mögliche Orte</translation>
   </message>
   <message>
    <source>SemRef windows</source>
