@@ -133,6 +133,12 @@ def test_a_row_of_localization_counts_right_wrong_and_refused(bench):
     assert localization.row(tilted, found)[2].startswith("3/4")
 
 
+def test_a_method_without_heading_is_told_by_its_position_alone(bench):
+    trials = bench("localization_trials")
+    told = trials.Outcome("fix", 9, 9, 0.1, 1000.0, 20.0)
+    assert trials.accuracy([]) == ("–", "–") and trials.accuracy([told]) == ("20.00 m (2.000 %)", "–")
+
+
 def test_results_of_two_dates_are_grouped_by_the_objects_in_view(bench):
     two_dates = bench("two_dates")
     found = [outcome(bench, objects=5), outcome(bench, objects=20), outcome(bench, error_m=500.0, objects=39)]

@@ -167,15 +167,16 @@ def rate(successes: int, trials: int) -> str:
 
 
 def accuracy(right: Sequence[Outcome]) -> tuple[str, str]:
-    """Median errors of right fixes (position, share of the footprint; heading; scale), and the ellipse's coverage."""
+    """Median errors of right fixes (position, share of the footprint; heading, scale if told), ellipse's coverage."""
     if not right:
         return "–", "–"
-    error, part, heading, scale = (
-        np.nanmedian([getattr(outcome, name) for outcome in right])
-        for name in ("error_m", "error_share", "heading_deg", "scale")
-    )
+    error, part = (np.median([getattr(outcome, name) for outcome in right]) for name in ("error_m", "error_share"))
+    text = f"{error:.2f} m ({100 * part:.3f} %)"
+    turned = [outcome for outcome in right if np.isfinite(outcome.heading_deg)]
+    if turned:
+        heading, scale = (np.median([getattr(o, name) for o in turned]) for name in ("heading_deg", "scale"))
+        text += f", {heading:.3f}°, {100 * scale:.3f} %"
     known = [outcome.ratio for outcome in right if np.isfinite(outcome.ratio)]
-    text = f"{error:.2f} m ({100 * part:.3f} %), {heading:.3f}°, {100 * scale:.3f} %"
     return text, rate(sum(ratio <= 1 for ratio in known), len(known))
 
 

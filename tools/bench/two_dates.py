@@ -83,9 +83,6 @@ def _row(name: str, method: str, outcomes: Sequence[Outcome], findable: bool) ->
     fixes = sum(o.is_fix for o in outcomes)
     low, median, high = np.percentile([o.objects for o in outcomes], [5, 50, 95])
     near = rate(sum(o.is_right(NEAR_SHARE * o.footprint_m) for o in outcomes), total) if findable else "–"
-    errors, covered = accuracy(right)
-    if method == "topology vector" and right:
-        errors = f"{np.median([o.error_m for o in right]):.0f} m"
     return [
         name,
         method,
@@ -93,8 +90,7 @@ def _row(name: str, method: str, outcomes: Sequence[Outcome], findable: bool) ->
         rate(len(right), total) if findable else "–",
         rate(fixes - len(right), total),
         near,
-        errors,
-        covered,
+        *accuracy(right),
         milliseconds(outcomes),
     ]
 
