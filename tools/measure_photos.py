@@ -31,6 +31,8 @@ from semref.core.class_table import class_table_from_csv  # noqa: E402
 from semref.core.image_source import ArrayImage  # noqa: E402
 from semref.core.label_source import ArrayLabels  # noqa: E402
 from semref.core.localizer import AUTOMATIC, CONSTELLATION, FIX, MAP_CORRELATION, Localizer, Prior  # noqa: E402
+from semref.core.map_correlation import NOMINAL_RANGE  # noqa: E402
+from semref.core.map_correlation import localize as correlate  # noqa: E402
 from semref.core.rates import wilson  # noqa: E402
 from semref.core.segmentation_model import SegmentationModel  # noqa: E402
 from semref.core.segmenter import segment  # noqa: E402
@@ -38,6 +40,7 @@ from semref.core.segmenter import segment  # noqa: E402
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 METHODS = (CONSTELLATION, MAP_CORRELATION, AUTOMATIC)
 RIGHT_SHARE = 0.02  # of the ground that the photo's edge shows
+ELSEWHERE_SHARE = 0.1  # a fix farther off shows another place; between the two it is only inaccurate
 SAMPLE_RIGHT_M = 10.0
 CROP_EDGES = (384, 512, 640, 768)
 CROP_PIXELS, SEARCHED_PIXELS = (0.9, 1.1), (0.7, 1.4)  # tile pixels a pixel of the crop: true, and looked for
@@ -45,6 +48,10 @@ DUBAI_CLASSES = (
     "value,name,color,role\n1,building,#3c1098,reference\n2,land_unpaved,#8429f6,reference\n3,road,#6ec1e4,reference\n"
     "4,vegetation,#fedd3a,reference\n5,water,#e2a929,reference\n"
 )
+HEADINGS = (
+    "labels of", "edge (px)", "method", "right", "wrong", "of these elsewhere", "no fix",
+    "best place right, fix or not", "median error (px)", "median s",
+)  # fmt: skip
 STATE = {}
 
 
@@ -182,10 +189,15 @@ def trial(job) -> list[dict]:
             found = STATE["localizer"].localize(labels, method, prior)
             row = {**common, "labels": source, "method": method, "status": found.status, "reason": found.reason}
             row["seconds"] = time.perf_counter() - started
-            if found.status == FIX:
-                row["error"] = float(np.hypot(found.position[0] - center[0], found.position[1] + center[1]))
+            place = found.position
+            if found.status != FIX and method == MAP_CORRELATION:
+                # Where it would have put the photo, had it not refused: tells a poor search from a careful decision.
+                sizes = SEARCHED_PIXELS if prior else STATE["localizer"].pixel_sizes(labels.shape, NOMINAL_RANGE)
+                place = correlate(labels, STATE["localizer"].pyramid, sizes).position
+            if place is not None:
+                row["error"] = float(np.hypot(place[0] - center[0], place[1] + center[1]))
                 row["right"] = bool(row["error"] <= limit)
-                row["by"] = found.method
+                row["elsewhere"] = bool(row["error"] > ELSEWHERE_SHARE * ground)
             rows.append(row)
     return rows
 
@@ -217,21 +229,27 @@ def print_iou(labels: np.ndarray, predicted: np.ndarray, title: str) -> None:
 
 
 def print_fixes(rows: list[dict]) -> None:
-    print("\n| labels of | edge (px) | method | right | wrong | no fix | median error (px) | median s |")
-    print("|---|---|---|---|---|---|---|---|")
+    print(f"\n| {' | '.join(HEADINGS)} |\n|{'---|' * len(HEADINGS)}")
     edges = sorted({row["edge"] for row in rows})
     for source in sorted({row["labels"] for row in rows}):
         for chosen in [[edge] for edge in edges] + ([edges, [e for e in edges if e >= 512]] if len(edges) > 1 else []):
             for method in STATE["methods"]:
                 group = [r for r in rows if r["labels"] == source and r["method"] == method and r["edge"] in chosen]
-                right = [row for row in group if row.get("right")]
-                fixes = sum(row["status"] == FIX for row in group)
-                errors = f"{np.median([row['error'] for row in right]):.1f}" if right else "–"
-                print(
-                    f"| {source} | {', '.join(map(str, chosen))} | {method} | {rate(len(right), len(group))} | "
-                    f"{rate(fixes - len(right), len(group))} | {len(group) - fixes} | {errors} | "
-                    f"{np.median([row['seconds'] for row in group]):.2f} |"
-                )
+                print(f"| {source} | {', '.join(map(str, chosen))} | {method} | {summary(group)} |")
+
+
+def summary(group: list[dict]) -> str:
+    """The numbers of one row of the table."""
+    fixes = [row for row in group if row["status"] == FIX]
+    right = [row for row in fixes if row["right"]]
+    errors = f"{np.median([row['error'] for row in right]):.1f}" if right else "–"
+    best = rate(sum(row.get("right", False) for row in group), len(group))
+    return (
+        f"{rate(len(right), len(group))} | {rate(len(fixes) - len(right), len(group))} | "
+        f"{sum(row['elsewhere'] for row in fixes)} | {len(group) - len(fixes)} | "
+        f"{best if group[0]['method'] == MAP_CORRELATION else '–'} | {errors} | "
+        f"{np.median([row['seconds'] for row in group]):.2f}"
+    )
 
 
 def rate(hits: int, count: int) -> str:
