@@ -1305,7 +1305,7 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   </message>
   <message>
    <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
-   <translation>Kleinere Landmarken werden gemeldet: „Referenzdatenbank bauen“ lässt sie weg.</translation>
+   <translation>Kleinere Landmarken werden gemeldet: „Referenzdatenbank erstellen“ lässt sie weg.</translation>
   </message>
   <message>
    <source>Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin pieces are merged at any area.</source>

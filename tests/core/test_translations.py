@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import re
 import string
 from pathlib import Path
 from xml.etree import ElementTree
@@ -64,3 +65,11 @@ def test_sentences_end_with_a_full_stop_where_the_source_does(path):
 @each_file
 def test_paragraphs_are_those_of_the_source(path):
     assert [pair for pair in pairs(path) if pair[0].count("\n") != pair[1].count("\n")] == []
+
+
+@each_file
+def test_names_that_a_text_cites_are_those_shown_elsewhere(path):
+    translated = dict(pairs(path))
+    cited = [(text, name) for text in translated for name in re.findall("“(.+?)”", text) if name in translated]
+    assert cited
+    assert [pair for pair in cited if translated[pair[1]] not in translated[pair[0]]] == []

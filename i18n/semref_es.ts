@@ -1,0 +1,1987 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+ <context>
+  <name>SemRef</name>
+  <message>
+   <source>2 % of the ground’s edge</source>
+   <translation>2 % del lado del terreno</translation>
+  </message>
+  <message>
+   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and time). Images are leveled before they are localized. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
+   <translation>Un CSV con las columnas image (nombre del archivo), roll, pitch (grados; 0 y 0 mira recto hacia abajo, un pitch mayor que 0 mira hacia la parte superior de la imagen, un roll mayor que 0 hacia su derecha), una de focal_length_px, focal_length_35mm o field_of_view (grados a lo ancho), y time (segundos, o fecha y hora). Las imágenes se rectifican antes de localizarlas. Lo que la tabla no dice se toma de los EXIF y XMP de la imagen, o de la foto del mismo nombre que está al lado. El vector topológico toma las imágenes tal cual.</translation>
+  </message>
+  <message>
+   <source>A GeoPackage made by “Build reference database”.</source>
+   <translation>Un GeoPackage creado con «Crear base de datos de referencia».</translation>
+  </message>
+  <message>
+   <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
+   <translation>Una posición encontrada es correcta si su error no supera la distancia indicada en «Configuración»; la del vector topológico, que solo conoce ventanas, si nombra la ventana más cercana al centro de la imagen. Las falsas aceptaciones son imágenes reflejadas del mapa para las que se encontró una posición: nunca pueden ser correctas. CEP50 y CEP95: la mitad y el 95 % de las posiciones correctas tienen como mucho ese error. Rumbo y escala: errores medianos de las posiciones correctas.</translation>
+  </message>
+  <message>
+   <source>A gap of {area:.2f} m² lies between neighbors; its longest border is with {other_name}.</source>
+   <translation>Entre vecinos hay un hueco de {area:.2f} m²; su límite más largo es con {other_name}.</translation>
+  </message>
+  <message>
+   <source>A gap of {area:.2f} m² was given to {other_name}.</source>
+   <translation>Un hueco de {area:.2f} m² se asignó a {other_name}.</translation>
+  </message>
+  <message>
+   <source>A new or empty folder; one of an earlier export is replaced.</source>
+   <translation>Una carpeta nueva o vacía; la de una exportación anterior se reemplaza.</translation>
+  </message>
+  <message>
+   <source>A page with the confusion matrix as a picture and the figures of each class.</source>
+   <translation>Una página con la matriz de confusión como imagen y las cifras de cada clase.</translation>
+  </message>
+  <message>
+   <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
+   <translation>Un punto por cada ensayo y método en la posición verdadera, con lo que se encontró y a qué distancia está.</translation>
+  </message>
+  <message>
+   <source>A segmentation network with its classes in its metadata; models made for Deepness will do.</source>
+   <translation>Una red de segmentación con sus clases en los metadatos; los modelos hechos para Deepness sirven.</translation>
+  </message>
+  <message>
+   <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
+   <translation>Una red de segmentación: entonces las imágenes son fotos. Sus clases son las de la base de datos con el mismo nombre; las clases que la base de datos no tiene cuentan como sin etiqueta.</translation>
+  </message>
+  <message>
+   <source>A sliver of {name} of {area:.2f} m² (feature {id}) was given to {other_name}.</source>
+   <translation>Una astilla de {name} de {area:.2f} m² (objeto espacial {id}) se asignó a {other_name}.</translation>
+  </message>
+  <message>
+   <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
+   <translation>Una astilla de {name} de {area:.2f} m² está junto a {other_name} (objeto espacial {id}).</translation>
+  </message>
+  <message>
+   <source>Add a folder of images</source>
+   <translation>Añadir una carpeta de imágenes</translation>
+  </message>
+  <message>
+   <source>Add database to map</source>
+   <translation>Añadir la base de datos al mapa</translation>
+  </message>
+  <message>
+   <source>Add files…</source>
+   <translation>Añadir archivos…</translation>
+  </message>
+  <message>
+   <source>Add folder…</source>
+   <translation>Añadir carpeta…</translation>
+  </message>
+  <message>
+   <source>Add images</source>
+   <translation>Añadir imágenes</translation>
+  </message>
+  <message>
+   <source>Add images.</source>
+   <translation>Añada imágenes.</translation>
+  </message>
+  <message>
+   <source>Add photos or label images, or drop files and folders here.</source>
+   <translation>Añada fotos o imágenes de etiquetas, o suelte aquí archivos y carpetas.</translation>
+  </message>
+  <message>
+   <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
+   <translation>Añade la imagen al proyecto como capa semitransparente, colocada según la posición encontrada</translation>
+  </message>
+  <message>
+   <source>Adds the positions to the project as a temporary point layer</source>
+   <translation>Añade las posiciones al proyecto como capa de puntos temporal</translation>
+  </message>
+  <message>
+   <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
+   <translation>Imagen aérea de 8 o 16 bits. Las redes de SemRef toman tres bandas; las demás bandas también se exportan.</translation>
+  </message>
+  <message>
+   <source>All that the report shows, for scripts.</source>
+   <translation>Todo lo que muestra el informe, para scripts.</translation>
+  </message>
+  <message>
+   <source>Ambiguous</source>
+   <translation>Ambigua</translation>
+  </message>
+  <message>
+   <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
+   <translation>Un error en SemRef detuvo el trabajo; informe de lo que el panel de mensajes de registro muestra en «SemRef».</translation>
+  </message>
+  <message>
+   <source>Angle</source>
+   <translation>Ángulo</translation>
+  </message>
+  <message>
+   <source>Angle to the next landmark over the largest angle</source>
+   <translation>Ángulo hasta el hito siguiente, dividido por el ángulo mayor</translation>
+  </message>
+  <message>
+   <source>Annotated label map</source>
+   <translation>Mapa de etiquetas anotado</translation>
+  </message>
+  <message>
+   <source>Annotation</source>
+   <translation>Anotación</translation>
+  </message>
+  <message>
+   <source>Annotation layer</source>
+   <translation>Capa de anotación</translation>
+  </message>
+  <message>
+   <source>Annotation to reference database</source>
+   <translation>De la anotación a la base de datos de referencia</translation>
+  </message>
+  <message>
+   <source>Another number gives other trials, the same number the same.</source>
+   <translation>Otro número da otros ensayos; el mismo número, los mismos.</translation>
+  </message>
+  <message>
+   <source>Any raster with or without georeference. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
+   <translation>Cualquier ráster, con o sin georreferencia. El rojo, el verde y el azul se encuentran por la interpretación de color o la longitud de onda; si no, son las tres primeras bandas; una banda única se toma como gris. Las bandas de más de 8 bits se estiran de su percentil 2 a su percentil 98.</translation>
+  </message>
+  <message>
+   <source>Approximate heading (°)</source>
+   <translation>Rumbo aproximado (°)</translation>
+  </message>
+  <message>
+   <source>Approximate position</source>
+   <translation>Posición aproximada</translation>
+  </message>
+  <message>
+   <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
+   <translation>Área que se va a rasterizar, ampliada a píxeles enteros; si se omite, la extensión de los polígonos.</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>Automático</translation>
+  </message>
+  <message>
+   <source>Automatic takes the constellation of landmarks and, where that finds no place, map correlation; each checks what the other finds. Map correlation compares areas instead of landmarks, for poor labels; it takes seconds an image, and so does automatic where the constellation finds no place. Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
+   <translation>Automático toma la constelación de hitos y, donde esta no encuentra ningún lugar, la correlación de mapas; cada una comprueba lo que encuentra la otra. La correlación de mapas compara áreas en lugar de hitos, para etiquetas malas; tarda segundos por imagen, y lo mismo Automático donde la constelación no encuentra ningún lugar. El vector topológico es el método publicado: el vector más cercano de todas las ventanas, aceptado hasta la distancia 2.</translation>
+  </message>
+  <message>
+   <source>Automatic uses the constellation alone, without map correlation: {reason}</source>
+   <translation>Automático usa solo la constelación, sin correlación de mapas: {reason}</translation>
+  </message>
+  <message>
+   <source>Build reference database</source>
+   <translation>Crear base de datos de referencia</translation>
+  </message>
+  <message>
+   <source>Burning landmarks</source>
+   <translation>Rasterizando hitos</translation>
+  </message>
+  <message>
+   <source>Burning polygons</source>
+   <translation>Rasterizando polígonos</translation>
+  </message>
+  <message>
+   <source>Burning {count} polygons into {width} × {height} pixels</source>
+   <translation>Rasterizando {count} polígonos en {width} × {height} píxeles</translation>
+  </message>
+  <message>
+   <source>Burns land-cover polygons into a label map: a single-band GeoTIFF whose pixels hold class values, 0 where no polygon lies.
+
+Classes come from the class table, else from the layer’s categorized style, else from the values of the class field. Invalid polygons are repaired, empty ones skipped; the log says how many.</source>
+   <translation>Rasteriza polígonos de cobertura del suelo en un mapa de etiquetas: un GeoTIFF de una sola banda cuyos píxeles contienen valores de clase, 0 donde no hay ningún polígono.
+
+Las clases vienen de la tabla de clases; si no, del estilo categorizado de la capa; si no, de los valores del campo de clase. Los polígonos no válidos se reparan y los vacíos se omiten; el registro dice cuántos.</translation>
+  </message>
+  <message>
+   <source>CSV (*.csv *.txt)</source>
+   <translation>CSV (*.csv *.txt)</translation>
+  </message>
+  <message>
+   <source>CSV files (*.csv)</source>
+   <translation>Archivos CSV (*.csv)</translation>
+  </message>
+  <message>
+   <source>CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. Every class value of the layer must be in it.</source>
+   <translation>CSV con las columnas value, name, color, role y, opcionalmente, draw_order, hsv_min, hsv_max. Todos los valores de clase de la capa deben estar en él.</translation>
+  </message>
+  <message>
+   <source>CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, h 0–180, s and v 0–255; the hue may wrap).</source>
+   <translation>CSV con las columnas value, name, color, role y, para rangos HSV, hsv_min y hsv_max («h s v», h 0–180, s y v 0–255; el tono puede pasar por cero).</translation>
+  </message>
+  <message>
+   <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
+   <translation>CSV con las columnas value, name, color, role, para un mapa de etiquetas que no trae sus propias clases.</translation>
+  </message>
+  <message>
+   <source>Camera table (roll, pitch, focal length, time)</source>
+   <translation>Tabla de la cámara (alabeo, cabeceo, distancia focal, hora)</translation>
+  </message>
+  <message>
+   <source>Cancel</source>
+   <translation>Cancelar</translation>
+  </message>
+  <message>
+   <source>Canceled.</source>
+   <translation>Cancelado.</translation>
+  </message>
+  <message>
+   <source>Canceled; nothing was written.</source>
+   <translation>Cancelado; no se escribió nada.</translation>
+  </message>
+  <message>
+   <source>Canceling…</source>
+   <translation>Cancelando…</translation>
+  </message>
+  <message>
+   <source>Changes</source>
+   <translation>Cambios</translation>
+  </message>
+  <message>
+   <source>Check annotation</source>
+   <translation>Comprobar anotación</translation>
+  </message>
+  <message>
+   <source>Check of an annotation</source>
+   <translation>Comprobación de una anotación</translation>
+  </message>
+  <message>
+   <source>Choose a GeoPackage</source>
+   <translation>Elegir un GeoPackage</translation>
+  </message>
+  <message>
+   <source>Choose a database and add images.</source>
+   <translation>Elija una base de datos y añada imágenes.</translation>
+  </message>
+  <message>
+   <source>Choose a database.</source>
+   <translation>Elija una base de datos.</translation>
+  </message>
+  <message>
+   <source>Choose a reference database</source>
+   <translation>Elegir una base de datos de referencia</translation>
+  </message>
+  <message>
+   <source>Choose a segmentation model</source>
+   <translation>Elegir un modelo de segmentación</translation>
+  </message>
+  <message>
+   <source>Class</source>
+   <translation>Clase</translation>
+  </message>
+  <message>
+   <source>Class field</source>
+   <translation>Campo de clase</translation>
+  </message>
+  <message>
+   <source>Class table</source>
+   <translation>Tabla de clases</translation>
+  </message>
+  <message>
+   <source>Classes</source>
+   <translation>Clases</translation>
+  </message>
+  <message>
+   <source>Classes that only the predicted map has: {names}.</source>
+   <translation>Clases que solo tiene el mapa predicho: {names}.</translation>
+  </message>
+  <message>
+   <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
+   <translation>Clases cuyas regiones son hitos: nombres o valores separados por «;», por ejemplo building;bare_land;water. Si se omite, las clases con el rol «reference» en la tabla de clases del mapa.</translation>
+  </message>
+  <message>
+   <source>Click on the map to inspect the window there</source>
+   <translation>Pulse en el mapa para inspeccionar la ventana de ese lugar</translation>
+  </message>
+  <message>
+   <source>Color label image</source>
+   <translation>Imagen de etiquetas en color</translation>
+  </message>
+  <message>
+   <source>Compare label maps</source>
+   <translation>Comparar mapas de etiquetas</translation>
+  </message>
+  <message>
+   <source>Compare with the selected image</source>
+   <translation>Comparar con la imagen seleccionada</translation>
+  </message>
+  <message>
+   <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
+
+Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.</source>
+   <translation>Compara un mapa de etiquetas predicho con uno anotado: matriz de confusión, IoU de cada clase, exactitud global y los lugares donde discrepan como polígonos, el mayor primero.
+
+Las clases se emparejan por nombre, o por valor si los mapas no comparten nombres. Los mapas con distinto tamaño de píxel se comparan en los píxeles del anotado. Los píxeles sin anotación se dejan fuera; los píxeles sin predicción cuentan como errores.</translation>
+  </message>
+  <message>
+   <source>Comparing</source>
+   <translation>Comparando</translation>
+  </message>
+  <message>
+   <source>Comparing windows</source>
+   <translation>Comparando ventanas</translation>
+  </message>
+  <message>
+   <source>Comparison of label maps</source>
+   <translation>Comparación de mapas de etiquetas</translation>
+  </message>
+  <message>
+   <source>Confidence</source>
+   <translation>Confianza</translation>
+  </message>
+  <message>
+   <source>Confusion matrix</source>
+   <translation>Matriz de confusión</translation>
+  </message>
+  <message>
+   <source>Constellation</source>
+   <translation>Constelación</translation>
+  </message>
+  <message>
+   <source>Copy longitude, latitude</source>
+   <translation>Copiar longitud, latitud</translation>
+  </message>
+  <message>
+   <source>Copy x, y</source>
+   <translation>Copiar x, y</translation>
+  </message>
+  <message>
+   <source>Counting labels</source>
+   <translation>Contando etiquetas</translation>
+  </message>
+  <message>
+   <source>Cuts an image and its label map into tiles that a segmentation network is trained on, with a class table, statistics and a manifest.
+
+Training and validation tiles are divided by place: whole blocks of ground are set aside for validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are brought onto the image’s, nearest neighbor.</source>
+   <translation>Corta una imagen y su mapa de etiquetas en teselas con las que se entrena una red de segmentación, con tabla de clases, estadísticas y un manifiesto.
+
+Las teselas de entrenamiento y de validación se separan por lugar: bloques enteros de terreno se reservan para la validación, y ningún píxel está en ambas. Las teselas sin etiquetas se dejan fuera. Las etiquetas en otra cuadrícula se llevan a la de la imagen por vecino más próximo.</translation>
+  </message>
+  <message>
+   <source>Decode color labels</source>
+   <translation>Decodificar etiquetas en color</translation>
+  </message>
+  <message>
+   <source>Describe image</source>
+   <translation>Describir imagen</translation>
+  </message>
+  <message>
+   <source>Describing windows</source>
+   <translation>Describiendo ventanas</translation>
+  </message>
+  <message>
+   <source>Disagreements</source>
+   <translation>Discrepancias</translation>
+  </message>
+  <message>
+   <source>Dissolving neighbors</source>
+   <translation>Disolviendo vecinos</translation>
+  </message>
+  <message>
+   <source>Distance</source>
+   <translation>Distancia</translation>
+  </message>
+  <message>
+   <source>Distance from the center over the largest distance</source>
+   <translation>Distancia al centro, dividida por la distancia mayor</translation>
+  </message>
+  <message>
+   <source>Distance from window to window; at most the window size.</source>
+   <translation>Distancia de una ventana a la siguiente; como mucho, el tamaño de ventana.</translation>
+  </message>
+  <message>
+   <source>Distance of an image’s center from the nearest window’s, as a share of the stride: 0 to 0 lies on the windows, 0 to 0.5 anywhere.</source>
+   <translation>Distancia del centro de una imagen al de la ventana más cercana, como parte del paso: 0 a 0 está sobre las ventanas, 0 a 0,5 en cualquier lugar.</translation>
+  </message>
+  <message>
+   <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
+   <translation>Distancia de los vectores topológicos; 0 es una coincidencia perfecta, por encima de 2 no la hay</translation>
+  </message>
+  <message>
+   <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
+   <translation>Razones de distancias, diferencias de ángulos y rangos de clases, con las clases usadas.</translation>
+  </message>
+  <message>
+   <source>Draw on the map where the images are known to be: press at the middle and drag</source>
+   <translation>Dibuje en el mapa dónde se sabe que están las imágenes: pulse en el centro y arrastre</translation>
+  </message>
+  <message>
+   <source>Draw where to search</source>
+   <translation>Dibujar dónde buscar</translation>
+  </message>
+  <message>
+   <source>Draws the vector of the image selected in the results over the window’s</source>
+   <translation>Dibuja el vector de la imagen seleccionada en los resultados sobre el de la ventana</translation>
+  </message>
+  <message>
+   <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
+   <translation>Lado de un píxel en metros. El hito más pequeño debería cubrir unos 50 píxeles.</translation>
+  </message>
+  <message>
+   <source>Edge length of a window on the ground: about what an image shows.</source>
+   <translation>Lado de una ventana en el terreno: aproximadamente lo que muestra una imagen.</translation>
+  </message>
+  <message>
+   <source>Edge of a tile; a multiple of 32 suits networks.</source>
+   <translation>Lado de una tesela; un múltiplo de 32 conviene a las redes.</translation>
+  </message>
+  <message>
+   <source>Error (m)</source>
+   <translation>Error (m)</translation>
+  </message>
+  <message>
+   <source>Errors</source>
+   <translation>Errores</translation>
+  </message>
+  <message>
+   <source>Errors and noise</source>
+   <translation>Errores y ruido</translation>
+  </message>
+  <message>
+   <source>Evaluate localization</source>
+   <translation>Evaluar la localización</translation>
+  </message>
+  <message>
+   <source>Evaluation of localization</source>
+   <translation>Evaluación de la localización</translation>
+  </message>
+  <message>
+   <source>Export training tiles</source>
+   <translation>Exportar teselas de entrenamiento</translation>
+  </message>
+  <message>
+   <source>Extent</source>
+   <translation>Extensión</translation>
+  </message>
+  <message>
+   <source>False accept rate</source>
+   <translation>Tasa de falsas aceptaciones</translation>
+  </message>
+  <message>
+   <source>Feature {id} and feature {other} had the same outline; one is left.</source>
+   <translation>El objeto espacial {id} y el objeto espacial {other} tenían el mismo contorno; queda uno.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has heights (Z), which are left out.</source>
+   <translation>El objeto espacial {id} tiene alturas (Z), que se dejan fuera.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no area and is skipped.</source>
+   <translation>El objeto espacial {id} no tiene área y se omite.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no class.</source>
+   <translation>El objeto espacial {id} no tiene clase.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no geometry and is skipped.</source>
+   <translation>El objeto espacial {id} no tiene geometría y se omite.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has the class “{reason}”, which is not among the classes.</source>
+   <translation>El objeto espacial {id} tiene la clase «{reason}», que no está entre las clases.</translation>
+  </message>
+  <message>
+   <source>Feature {id} lies outside the area that the layer’s CRS is made for.</source>
+   <translation>El objeto espacial {id} está fuera del área para la que está hecho el SRC de la capa.</translation>
+  </message>
+  <message>
+   <source>Feature {id} repeats feature {other}: same outline, same class {name}.</source>
+   <translation>El objeto espacial {id} repite el objeto espacial {other}: mismo contorno, misma clase {name}.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: feature {other} covers it.</source>
+   <translation>El objeto espacial {id} se dejó fuera: el objeto espacial {other} lo cubre.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it can’t be reprojected.</source>
+   <translation>El objeto espacial {id} se dejó fuera: no se puede reproyectar.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no area.</source>
+   <translation>El objeto espacial {id} se dejó fuera: no tiene área.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no class.</source>
+   <translation>El objeto espacial {id} se dejó fuera: no tiene clase.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no geometry.</source>
+   <translation>El objeto espacial {id} se dejó fuera: no tiene geometría.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: its class “{reason}” has no category in the style.</source>
+   <translation>El objeto espacial {id} se dejó fuera: su clase «{reason}» no tiene categoría en el estilo.</translation>
+  </message>
+  <message>
+   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border: they become one landmark.</source>
+   <translation>Los objetos espaciales {id} y {other} son ambos {name} y comparten {number:.2f} m de límite: se convierten en un solo hito.</translation>
+  </message>
+  <message>
+   <source>Fewer than three landmarks: no vector.</source>
+   <translation>Menos de tres hitos: no hay vector.</translation>
+  </message>
+  <message>
+   <source>Fewer than three landmarks: the image has no topology vector.</source>
+   <translation>Menos de tres hitos: la imagen no tiene vector topológico.</translation>
+  </message>
+  <message>
+   <source>File name of the image</source>
+   <translation>Nombre de archivo de la imagen</translation>
+  </message>
+  <message>
+   <source>Filling gaps and merging slivers</source>
+   <translation>Rellenando huecos y uniendo astillas</translation>
+  </message>
+  <message>
+   <source>Finding reference objects</source>
+   <translation>Buscando objetos de referencia</translation>
+  </message>
+  <message>
+   <source>Findings by class</source>
+   <translation>Hallazgos por clase</translation>
+  </message>
+  <message>
+   <source>Findings by kind</source>
+   <translation>Hallazgos por tipo</translation>
+  </message>
+  <message>
+   <source>Findings by kind and class in one file to read and print.</source>
+   <translation>Hallazgos por tipo y clase en un solo archivo para leer e imprimir.</translation>
+  </message>
+  <message>
+   <source>Findings of each kind, by severity; the scale is logarithmic.</source>
+   <translation>Hallazgos de cada tipo, por gravedad; la escala es logarítmica.</translation>
+  </message>
+  <message>
+   <source>Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that touch, are too small, or that pixels of a given size would lose, merge or split.
+
+Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” mends most of it.</source>
+   <translation>Encuentra lo que está mal en una capa de cobertura del suelo antes de que se convierta en un mapa de etiquetas: geometrías no válidas, superposiciones que nada decide, duplicados, huecos y astillas, clases ausentes o desconocidas, e hitos que se tocan, son demasiado pequeños o que los píxeles de un tamaño dado perderían, unirían o dividirían.
+
+Cada hallazgo es un objeto espacial con su tipo, su gravedad (error, warning, information), una frase y los identificadores de los objetos espaciales afectados. Un modelo puede detenerse cuando el número de errores no es 0. «Reparar anotación» corrige la mayor parte.</translation>
+  </message>
+  <message>
+   <source>Finds where images were taken: each label image is described by its landmarks and matched with a reference database.
+
+Every image gives one point; without a fix it has no geometry and its reason says why. Automatic and the constellation find images anywhere on the map, at any heading, and verify what they find. The topology vector method finds images centered on a window and accepts images from elsewhere: check what it finds.</source>
+   <translation>Encuentra dónde se tomaron las imágenes: cada imagen de etiquetas se describe por sus hitos y se compara con una base de datos de referencia.
+
+Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y su motivo dice por qué. Automático y la constelación encuentran imágenes en cualquier lugar del mapa, con cualquier rumbo, y verifican lo que encuentran. El método del vector topológico encuentra imágenes centradas en una ventana y acepta imágenes de otros lugares: compruebe lo que encuentra.</translation>
+  </message>
+  <message>
+   <source>Fix</source>
+   <translation>Posición encontrada</translation>
+  </message>
+  <message>
+   <source>Folder for the tiles</source>
+   <translation>Carpeta para las teselas</translation>
+  </message>
+  <message>
+   <source>Footprints</source>
+   <translation>Huellas</translation>
+  </message>
+  <message>
+   <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
+   <translation>Para imágenes ambiguas: el terreno de cada lugar que encaja, el mejor primero.</translation>
+  </message>
+  <message>
+   <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
+   <translation>Para imágenes de un mismo vuelo cuyas horas se conocen: una posición encontrada que no se puede alcanzar a tiempo desde las anteriores y posteriores se marca como salto, con el motivo. Sigue siendo una posición encontrada y se cuenta.</translation>
+  </message>
+  <message>
+   <source>Fraction of the map that is labeled</source>
+   <translation>Fracción del mapa que está etiquetada</translation>
+  </message>
+  <message>
+   <source>GeoPackage (*.gpkg)</source>
+   <translation>GeoPackage (*.gpkg)</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
+   <translation>GeoTIFF, 8 bits por píxel, en la cuadrícula de la imagen.</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, 8 bits a pixel, with the class table, colors and class names.</source>
+   <translation>GeoTIFF, 8 bits por píxel, con la tabla de clases, los colores y los nombres de las clases.</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0.</source>
+   <translation>GeoTIFF, 8 bits por píxel, con las clases del modelo; los píxeles sin datos son 0.</translation>
+  </message>
+  <message>
+   <source>Ground that an image shows, as a multiple of the window size.</source>
+   <translation>Terreno que muestra una imagen, como múltiplo del tamaño de ventana.</translation>
+  </message>
+  <message>
+   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, also when automatic uses them. A narrow range is searched faster.</source>
+   <translation>Terreno que muestra el lado más corto de una imagen, como múltiplo del tamaño de ventana de la base de datos. Si se omiten ambos: de 0,4 a 2,5 para la constelación, de 0,7 a 1,4 para la correlación de mapas, también cuando Automático las usa. Un rango estrecho se recorre más deprisa.</translation>
+  </message>
+  <message>
+   <source>HSV ranges</source>
+   <translation>Rangos HSV</translation>
+  </message>
+  <message>
+   <source>HSV ranges follow the publication; nearest color forgives blended edges.</source>
+   <translation>Los rangos HSV siguen la publicación; el color más cercano tolera los bordes mezclados.</translation>
+  </message>
+  <message>
+   <source>HTML files (*.html)</source>
+   <translation>Archivos HTML (*.html)</translation>
+  </message>
+  <message>
+   <source>Heading</source>
+   <translation>Rumbo</translation>
+  </message>
+  <message>
+   <source>Heading of an image’s top, clockwise from grid north.</source>
+   <translation>Rumbo de la parte superior de una imagen, en sentido horario desde el norte de la cuadrícula.</translation>
+  </message>
+  <message>
+   <source>How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the image shows. The topology vector is right when it names the nearest window.</source>
+   <translation>Qué error puede tener una posición encontrada para contar como correcta. Si se omite, el 2 % del lado del terreno que muestra la imagen. El vector topológico es correcto cuando nombra la ventana más cercana.</translation>
+  </message>
+  <message>
+   <source>How far the compared image’s vector differs here</source>
+   <translation>Cuánto difiere aquí el vector de la imagen comparada</translation>
+  </message>
+  <message>
+   <source>How many of the landmarks nearest to the center a vector holds.</source>
+   <translation>Cuántos de los hitos más cercanos al centro contiene un vector.</translation>
+  </message>
+  <message>
+   <source>If left out: that of the model’s metadata, else 20. More takes longer and hides seams better.</source>
+   <translation>Si se omite: el de los metadatos del modelo; si no, 20. Más tarda más y oculta mejor las costuras.</translation>
+  </message>
+  <message>
+   <source>Image</source>
+   <translation>Imagen</translation>
+  </message>
+  <message>
+   <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
+   <translation>Imagen con al menos tres bandas (rojo, verde, azul) de 8 bits.</translation>
+  </message>
+  <message>
+   <source>Images</source>
+   <translation>Imágenes</translation>
+  </message>
+  <message>
+   <source>Inspect</source>
+   <translation>Inspeccionar</translation>
+  </message>
+  <message>
+   <source>IoU</source>
+   <translation>IoU</translation>
+  </message>
+  <message>
+   <source>Issues</source>
+   <translation>Hallazgos</translation>
+  </message>
+  <message>
+   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
+   <translation>No se puede alcanzar a {speed:g} unidades del mapa por segundo desde las posiciones encontradas antes y después de ella.</translation>
+  </message>
+  <message>
+   <source>JSON files (*.json)</source>
+   <translation>Archivos JSON (*.json)</translation>
+  </message>
+  <message>
+   <source>Keep results as layer</source>
+   <translation>Conservar como capa</translation>
+  </message>
+  <message>
+   <source>Label image</source>
+   <translation>Imagen de etiquetas</translation>
+  </message>
+  <message>
+   <source>Label images, or folders of them: single-band class values, or colors decoded by the database’s class table; with a model, photos. They need no georeference.</source>
+   <translation>Imágenes de etiquetas, o carpetas con ellas: valores de clase en una sola banda, o colores que se decodifican con la tabla de clases de la base de datos; con un modelo, fotos. No necesitan georreferencia.</translation>
+  </message>
+  <message>
+   <source>Label map</source>
+   <translation>Mapa de etiquetas</translation>
+  </message>
+  <message>
+   <source>Label map of {width} × {height} pixels, {share:.1%} labeled: {classes}</source>
+   <translation>Mapa de etiquetas de {width} × {height} píxeles, {share:.1%} con etiqueta: {classes}</translation>
+  </message>
+  <message>
+   <source>Labels</source>
+   <translation>Etiquetas</translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <translation>Hitos</translation>
+  </message>
+  <message>
+   <source>Landmarks in the window</source>
+   <translation>Hitos en la ventana</translation>
+  </message>
+  <message>
+   <source>Landmarks invented (%)</source>
+   <translation>Hitos inventados (%)</translation>
+  </message>
+  <message>
+   <source>Landmarks misnamed (%)</source>
+   <translation>Hitos mal nombrados (%)</translation>
+  </message>
+  <message>
+   <source>Landmarks missed (%)</source>
+   <translation>Hitos omitidos (%)</translation>
+  </message>
+  <message>
+   <source>Landmarks per vector</source>
+   <translation>Hitos por vector</translation>
+  </message>
+  <message>
+   <source>Largest gap (m²)</source>
+   <translation>Hueco mayor (m²)</translation>
+  </message>
+  <message>
+   <source>Largest scale</source>
+   <translation>Escala mayor</translation>
+  </message>
+  <message>
+   <source>Lay image on map</source>
+   <translation>Poner la imagen sobre el mapa</translation>
+  </message>
+  <message>
+   <source>Laying polygons on each other</source>
+   <translation>Superponiendo los polígonos</translation>
+  </message>
+  <message>
+   <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
+   <translation>Rectificada: alabeo {roll:.1f}°, cabeceo {pitch:.1f}° ({source}).</translation>
+  </message>
+  <message>
+   <source>Levels</source>
+   <translation>Niveles</translation>
+  </message>
+  <message>
+   <source>Loading the model</source>
+   <translation>Cargando el modelo</translation>
+  </message>
+  <message>
+   <source>Localization</source>
+   <translation>Localización</translation>
+  </message>
+  <message>
+   <source>Localize</source>
+   <translation>Localizar</translation>
+  </message>
+  <message>
+   <source>Localize images</source>
+   <translation>Localizar imágenes</translation>
+  </message>
+  <message>
+   <source>Localizing</source>
+   <translation>Localizando</translation>
+  </message>
+  <message>
+   <source>Localizing images</source>
+   <translation>Localizando imágenes</translation>
+  </message>
+  <message>
+   <source>Looking at geometries</source>
+   <translation>Examinando geometrías</translation>
+  </message>
+  <message>
+   <source>Looking at landmarks</source>
+   <translation>Examinando hitos</translation>
+  </message>
+  <message>
+   <source>Looking at neighbors of one class</source>
+   <translation>Examinando vecinos de una misma clase</translation>
+  </message>
+  <message>
+   <source>Looking for gaps and slivers</source>
+   <translation>Buscando huecos y astillas</translation>
+  </message>
+  <message>
+   <source>Looking for overlaps</source>
+   <translation>Buscando superposiciones</translation>
+  </message>
+  <message>
+   <source>Looks like</source>
+   <translation>Se parece a</translation>
+  </message>
+  <message>
+   <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
+
+Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
+   <translation>Limpia una capa de cobertura del suelo: las geometrías pasan a ser válidas, las superposiciones van a un solo polígono, los huecos diminutos y las astillas al vecino con el límite común más largo, y los polígonos de una misma clase que se tocan se convierten en uno. El resultado tiene un polígono por cada hito.
+
+Donde se superponen polígonos, queda encima la prioridad más alta; si no, el polígono más pequeño; si no, el valor de clase más bajo. Cada polígono conserva los atributos del objeto espacial que cubre su mayor parte. Reparar una capa reparada no cambia nada.</translation>
+  </message>
+  <message>
+   <source>Map correlation</source>
+   <translation>Correlación de mapas</translation>
+  </message>
+  <message>
+   <source>Maximum speed (map units per second)</source>
+   <translation>Velocidad máxima (unidades del mapa por segundo)</translation>
+  </message>
+  <message>
+   <source>Mean IoU</source>
+   <translation>IoU medio</translation>
+  </message>
+  <message>
+   <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%} of {pixels} pixels.</source>
+   <translation>IoU medio {iou:.1%}, exactitud global {accuracy:.1%} de {pixels} píxeles.</translation>
+  </message>
+  <message>
+   <source>Median error</source>
+   <translation>Error mediano</translation>
+  </message>
+  <message>
+   <source>Method</source>
+   <translation>Método</translation>
+  </message>
+  <message>
+   <source>Method: {method}. In brackets and below the numbers: 95 % intervals and counts.</source>
+   <translation>Método: {method}. Entre paréntesis y bajo las cifras: intervalos del 95 % y recuentos.</translation>
+  </message>
+  <message>
+   <source>Methods</source>
+   <translation>Métodos</translation>
+  </message>
+  <message>
+   <source>Methods side by side</source>
+   <translation>Métodos lado a lado</translation>
+  </message>
+  <message>
+   <source>Minimum area</source>
+   <translation>Área mínima</translation>
+  </message>
+  <message>
+   <source>Minimum area (m²)</source>
+   <translation>Área mínima (m²)</translation>
+  </message>
+  <message>
+   <source>Mirrored images (%)</source>
+   <translation>Imágenes reflejadas (%)</translation>
+  </message>
+  <message>
+   <source>Model</source>
+   <translation>Modelo</translation>
+  </message>
+  <message>
+   <source>Model, for photos</source>
+   <translation>Modelo, para fotos</translation>
+  </message>
+  <message>
+   <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
+   <translation>Multiplicadores del tamaño de ventana y del paso, separados por «;»: 1;2 añade ventanas el doble de grandes para vuelos al doble de altura.</translation>
+  </message>
+  <message>
+   <source>Name of the matched window: its first column and row on the map</source>
+   <translation>Nombre de la ventana coincidente: su primera columna y fila en el mapa</translation>
+  </message>
+  <message>
+   <source>Nearest color</source>
+   <translation>Color más cercano</translation>
+  </message>
+  <message>
+   <source>Nearest look-alike at distance {value:.3f}</source>
+   <translation>La ventana más parecida está a la distancia {value:.3f}</translation>
+  </message>
+  <message>
+   <source>Next window</source>
+   <translation>Ventana siguiente</translation>
+  </message>
+  <message>
+   <source>No match</source>
+   <translation>Sin coincidencia</translation>
+  </message>
+  <message>
+   <source>No polygon lies in the extent: the label map is empty.</source>
+   <translation>Ningún polígono está en la extensión: el mapa de etiquetas está vacío.</translation>
+  </message>
+  <message>
+   <source>No window of the database lies there.</source>
+   <translation>Ahí no hay ninguna ventana de la base de datos.</translation>
+  </message>
+  <message>
+   <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
+   <translation>No se ve nada de {name} (objeto espacial {id}): el objeto espacial {other} está encima.</translation>
+  </message>
+  <message>
+   <source>Nothing was found.</source>
+   <translation>No se encontró nada.</translation>
+  </message>
+  <message>
+   <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
+   <translation>Campo numérico: donde se superponen polígonos, el que tiene el valor más alto está encima. Sin él cuenta el orden de dibujo de la tabla de clases; si no, los polígonos posteriores están encima.</translation>
+  </message>
+  <message>
+   <source>Number of classes on the map</source>
+   <translation>Número de clases en el mapa</translation>
+  </message>
+  <message>
+   <source>Number of errors</source>
+   <translation>Número de errores</translation>
+  </message>
+  <message>
+   <source>Number of findings</source>
+   <translation>Número de hallazgos</translation>
+  </message>
+  <message>
+   <source>Number of fixes</source>
+   <translation>Número de posiciones encontradas</translation>
+  </message>
+  <message>
+   <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
+   <translation>Número de imágenes. El informe necesita además unas 1,5 veces otras tantas para el ruido y el desplazamiento, y 66 para sus tablas.</translation>
+  </message>
+  <message>
+   <source>Number of landmarks</source>
+   <translation>Número de hitos</translation>
+  </message>
+  <message>
+   <source>Number of tiles</source>
+   <translation>Número de teselas</translation>
+  </message>
+  <message>
+   <source>Number of windows</source>
+   <translation>Número de ventanas</translation>
+  </message>
+  <message>
+   <source>Numbers</source>
+   <translation>Cifras</translation>
+  </message>
+  <message>
+   <source>ONNX models (*.onnx)</source>
+   <translation>Modelos ONNX (*.onnx)</translation>
+  </message>
+  <message>
+   <source>Offset</source>
+   <translation>Desplazamiento</translation>
+  </message>
+  <message>
+   <source>On the diagonal a confidence means what it says; below it promises too much.</source>
+   <translation>En la diagonal, una confianza cumple lo que dice; por debajo, promete demasiado.</translation>
+  </message>
+  <message>
+   <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
+   <translation>Un solo GeoPackage con las capas windows, references, overview, classes y parameters.</translation>
+  </message>
+  <message>
+   <source>One feature a change: what was changed where, and which features it concerns.</source>
+   <translation>Un objeto espacial por cambio: qué se cambió, dónde, y a qué objetos espaciales afecta.</translation>
+  </message>
+  <message>
+   <source>One feature a finding, in the coordinate reference system of the label map.</source>
+   <translation>Un objeto espacial por hallazgo, en el sistema de referencia de coordenadas del mapa de etiquetas.</translation>
+  </message>
+  <message>
+   <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
+   <translation>Un punto por imagen: estado, posición, confianza, distancia, ventana y, si no se encuentra una posición, el motivo.</translation>
+  </message>
+  <message>
+   <source>One polygon a connected place where the same two classes are confused, ranked by area.</source>
+   <translation>Un polígono por cada lugar contiguo donde se confunden las mismas dos clases, ordenados por área.</translation>
+  </message>
+  <message>
+   <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
+   <translation>Un polígono por posición encontrada: el terreno que muestra la imagen, o la ventana coincidente en el método del vector topológico.</translation>
+  </message>
+  <message>
+   <source>Only with an approximate heading: other headings are not searched.</source>
+   <translation>Solo con un rumbo aproximado: no se buscan otros rumbos.</translation>
+  </message>
+  <message>
+   <source>Only with an approximate position: places farther away are not searched.</source>
+   <translation>Solo con una posición aproximada: no se buscan lugares más alejados.</translation>
+  </message>
+  <message>
+   <source>Opacity of the labels</source>
+   <translation>Opacidad de las etiquetas</translation>
+  </message>
+  <message>
+   <source>Outlining the disagreements</source>
+   <translation>Trazando el contorno de las discrepancias</translation>
+  </message>
+  <message>
+   <source>Overall accuracy</source>
+   <translation>Exactitud global</translation>
+  </message>
+  <message>
+   <source>Overlap of tiles (%)</source>
+   <translation>Solape de las teselas (%)</translation>
+  </message>
+  <message>
+   <source>Overview</source>
+   <translation>Vista general</translation>
+  </message>
+  <message>
+   <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
+   <translation>Parte de los ensayos que muestran un trozo reflejado del mapa. Se parecen al mapa pero nunca pueden ser correctos: una posición encontrada para uno de ellos es una falsa aceptación.</translation>
+  </message>
+  <message>
+   <source>Photo or orthophoto</source>
+   <translation>Foto u ortofoto</translation>
+  </message>
+  <message>
+   <source>Pick a window on the map, or give its name.</source>
+   <translation>Elija una ventana en el mapa, o escriba su nombre.</translation>
+  </message>
+  <message>
+   <source>Pick on map</source>
+   <translation>Elegir en el mapa</translation>
+  </message>
+  <message>
+   <source>Pixel size (m)</source>
+   <translation>Tamaño de píxel (m)</translation>
+  </message>
+  <message>
+   <source>Pixel size the network was trained on; if left out, that of the model’s metadata. Images without georeference are taken as they are.</source>
+   <translation>Tamaño de píxel con el que se entrenó la red; si se omite, el de los metadatos del modelo. Las imágenes sin georreferencia se toman tal cual.</translation>
+  </message>
+  <message>
+   <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
+   <translation>Puntos con clase, área y posición en píxeles; en píxeles (y hacia arriba, negativa) sin georreferencia.</translation>
+  </message>
+  <message>
+   <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
+   <translation>Polígonos de cobertura del suelo. Pueden superponerse, ser multiparte, no válidos o tridimensionales.</translation>
+  </message>
+  <message>
+   <source>Positions</source>
+   <translation>Posiciones</translation>
+  </message>
+  <message>
+   <source>Possible places</source>
+   <translation>Lugares posibles</translation>
+  </message>
+  <message>
+   <source>Predicted label map</source>
+   <translation>Mapa de etiquetas predicho</translation>
+  </message>
+  <message>
+   <source>Priority field</source>
+   <translation>Campo de prioridad</translation>
+  </message>
+  <message>
+   <source>Probability that the position is right; for the published method, how near the vectors are</source>
+   <translation>Probabilidad de que la posición sea correcta; en el método publicado, lo cerca que están los vectores</translation>
+  </message>
+  <message>
+   <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
+   <translation>SRC proyectado en metros. Si se omite: el de la capa si es métrico; si no, una zona UTM.</translation>
+  </message>
+  <message>
+   <source>Radius around it (map units)</source>
+   <translation>Radio alrededor de ella (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Radius that holds the true position in 95 % of fixes, in meters</source>
+   <translation>Radio que contiene la posición verdadera en el 95 % de las posiciones encontradas, en metros</translation>
+  </message>
+  <message>
+   <source>Ragged edges (map units)</source>
+   <translation>Bordes irregulares (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Range around it (± °)</source>
+   <translation>Rango alrededor de él (± °)</translation>
+  </message>
+  <message>
+   <source>Rasterize annotation</source>
+   <translation>Rasterizar anotación</translation>
+  </message>
+  <message>
+   <source>Reading an image</source>
+   <translation>Leyendo una imagen</translation>
+  </message>
+  <message>
+   <source>Reading the database</source>
+   <translation>Leyendo la base de datos</translation>
+  </message>
+  <message>
+   <source>Reading the label map</source>
+   <translation>Leyendo el mapa de etiquetas</translation>
+  </message>
+  <message>
+   <source>Reading…</source>
+   <translation>Leyendo…</translation>
+  </message>
+  <message>
+   <source>Ready to localize.</source>
+   <translation>Listo para localizar.</translation>
+  </message>
+  <message>
+   <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
+   <translation>Rojo, verde y azul: bandas {red}, {green}, {blue}.</translation>
+  </message>
+  <message>
+   <source>Reference classes</source>
+   <translation>Clases de referencia</translation>
+  </message>
+  <message>
+   <source>Reference database</source>
+   <translation>Base de datos de referencia</translation>
+  </message>
+  <message>
+   <source>Reliability of the confidence</source>
+   <translation>Fiabilidad de la confianza</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>Eliminar</translation>
+  </message>
+  <message>
+   <source>Repair annotation</source>
+   <translation>Reparar anotación</translation>
+  </message>
+  <message>
+   <source>Repaired annotation</source>
+   <translation>Anotación reparada</translation>
+  </message>
+  <message>
+   <source>Report</source>
+   <translation>Informe</translation>
+  </message>
+  <message>
+   <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
+   <translation>Remuestreada a {resolution:g} cm por píxel: {width} × {height} píxeles.</translation>
+  </message>
+  <message>
+   <source>Resolution (cm per pixel)</source>
+   <translation>Resolución (cm por píxel)</translation>
+  </message>
+  <message>
+   <source>Resolving overlaps</source>
+   <translation>Resolviendo superposiciones</translation>
+  </message>
+  <message>
+   <source>Results</source>
+   <translation>Resultados</translation>
+  </message>
+  <message>
+   <source>Results appear here.</source>
+   <translation>Los resultados aparecen aquí.</translation>
+  </message>
+  <message>
+   <source>Right fixes by the number of landmarks the database has there.</source>
+   <translation>Posiciones correctas según el número de hitos que la base de datos tiene allí.</translation>
+  </message>
+  <message>
+   <source>Right fixes of windows moved aside, without noise, scaling or turning; bands: 95 % intervals.</source>
+   <translation>Posiciones correctas de ventanas desplazadas, sin ruido, escalado ni giro; bandas: intervalos del 95 %.</translation>
+  </message>
+  <message>
+   <source>Right fixes of {method}; {count} images a cell, the other ranges as set.</source>
+   <translation>Posiciones correctas de {method}; {count} imágenes por celda, los demás rangos según lo configurado.</translation>
+  </message>
+  <message>
+   <source>Right within (map units)</source>
+   <translation>Correcta a menos de (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Rotation</source>
+   <translation>Rotación</translation>
+  </message>
+  <message>
+   <source>Rotation (Table 5 of He &amp; Wu 2025)</source>
+   <translation>Rotación (tabla 5 de He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Rotation (°)</source>
+   <translation>Rotación (°)</translation>
+  </message>
+  <message>
+   <source>Scale</source>
+   <translation>Escala</translation>
+  </message>
+  <message>
+   <source>Scale (Table 4 of He &amp; Wu 2025)</source>
+   <translation>Escala (tabla 4 de He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Search the whole database</source>
+   <translation>Buscar en toda la base de datos</translation>
+  </message>
+  <message>
+   <source>Search: the whole database</source>
+   <translation>Búsqueda: toda la base de datos</translation>
+  </message>
+  <message>
+   <source>Search: within {radius:.0f} m</source>
+   <translation>Búsqueda: en un radio de {radius:.0f} m</translation>
+  </message>
+  <message>
+   <source>Seed</source>
+   <translation>Semilla aleatoria</translation>
+  </message>
+  <message>
+   <source>Segment image</source>
+   <translation>Segmentar imagen</translation>
+  </message>
+  <message>
+   <source>Segmenting</source>
+   <translation>Segmentando</translation>
+  </message>
+  <message>
+   <source>Select a result to see its hit on the map.</source>
+   <translation>Seleccione un resultado para ver su coincidencia en el mapa.</translation>
+  </message>
+  <message>
+   <source>SemRef footprints</source>
+   <translation>Huellas de SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install {debian_packages}” on Debian and Ubuntu.</source>
+   <translation>SemRef necesita el paquete de Python {packages}. Instálelo para el Python de QGIS, por ejemplo con «python3 -m pip install {packages}», o «apt install {debian_packages}» en Debian y Ubuntu.</translation>
+  </message>
+  <message>
+   <source>SemRef positions</source>
+   <translation>Posiciones de SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef possible places</source>
+   <translation>Lugares posibles de SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef windows</source>
+   <translation>Ventanas de SemRef</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <translation>Parámetro</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <translation>Configuración</translation>
+  </message>
+  <message>
+   <source>Share of landmarks that are added, shaped like landmarks of other places of the map.</source>
+   <translation>Parte de los hitos que se añaden, con la forma de hitos de otros lugares del mapa.</translation>
+  </message>
+  <message>
+   <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
+   <translation>Parte del terreno etiquetado que se reserva para la validación; 0 para ninguna.</translation>
+  </message>
+  <message>
+   <source>Share of the landmarks that are taken away.</source>
+   <translation>Parte de los hitos que se quitan.</translation>
+  </message>
+  <message>
+   <source>Share of the landmarks that get another class.</source>
+   <translation>Parte de los hitos que reciben otra clase.</translation>
+  </message>
+  <message>
+   <source>Share of the map’s images with a fix at most so far off, right or wrong.</source>
+   <translation>Parte de las imágenes del mapa cuya posición encontrada tiene como mucho ese error, correcta o no.</translation>
+  </message>
+  <message>
+   <source>Show or hide the SemRef dock: find where images were taken</source>
+   <translation>Mostrar u ocultar el panel SemRef: encontrar dónde se tomaron las imágenes</translation>
+  </message>
+  <message>
+   <source>Shows what localization sees in a label image: its landmarks as points and its topology vector.
+
+The image is described in its largest centered square, exactly as the windows of a database are. With a database its classes, minimum area and vector length are used; without one, give them here.</source>
+   <translation>Muestra lo que la localización ve en una imagen de etiquetas: sus hitos como puntos y su vector topológico.
+
+La imagen se describe en su mayor cuadrado centrado, exactamente como las ventanas de una base de datos. Con una base de datos se usan sus clases, su área mínima y su longitud de vector; sin ella, indíquelos aquí.</translation>
+  </message>
+  <message>
+   <source>Single-band class values, or colors decoded by the class table. It needs no georeference.</source>
+   <translation>Valores de clase en una sola banda, o colores que se decodifican con la tabla de clases. No necesita georreferencia.</translation>
+  </message>
+  <message>
+   <source>Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it.</source>
+   <translation>Ráster de una sola banda con valores de clase en un SRC métrico, como lo crea «Rasterizar anotación».</translation>
+  </message>
+  <message>
+   <source>Single-band raster of class values, 0 where nothing is known, of the same ground.</source>
+   <translation>Ráster de una sola banda con valores de clase, 0 donde no se conoce nada, del mismo terreno.</translation>
+  </message>
+  <message>
+   <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
+
+The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
+   <translation>Desliza ventanas sobre un mapa de etiquetas y describe cada una por el vector topológico de sus hitos; guarda las ventanas, los hitos de todo el mapa, un mapa reducido, las clases y los parámetros en un solo GeoPackage.
+
+El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con menos de tres hitos no reciben vector; el registro dice cuántas.</translation>
+  </message>
+  <message>
+   <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
+   <translation>Las discrepancias más pequeñas no dan polígono; en unidades del mapa cuadradas, en píxeles sin georreferencia.</translation>
+  </message>
+  <message>
+   <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
+   <translation>Se informa de los hitos más pequeños: «Crear base de datos de referencia» los deja fuera.</translation>
+  </message>
+  <message>
+   <source>Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin pieces are merged at any area.</source>
+   <translation>Las piezas más pequeñas que tocan a un vecino se unen a él; las piezas aisladas se quedan. Las piezas delgadas se unen sea cual sea su área.</translation>
+  </message>
+  <message>
+   <source>Smaller regions are no landmarks.</source>
+   <translation>Las regiones más pequeñas no son hitos.</translation>
+  </message>
+  <message>
+   <source>Smallest scale</source>
+   <translation>Escala menor</translation>
+  </message>
+  <message>
+   <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
+   <translation>Desviación estándar de cuánto se mueven los bordes, de modo similar a lo largo de ocho píxeles.</translation>
+  </message>
+  <message>
+   <source>Starting…</source>
+   <translation>Iniciando…</translation>
+  </message>
+  <message>
+   <source>Status</source>
+   <translation>Estado</translation>
+  </message>
+  <message>
+   <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
+   <translation>Paso de una tesela a la siguiente; si es menor que el tamaño de tesela, las teselas se solapan.</translation>
+  </message>
+  <message>
+   <source>Stretched to 8 bits from {limits}.</source>
+   <translation>Estirada a 8 bits desde {limits}.</translation>
+  </message>
+  <message>
+   <source>Stride (map units)</source>
+   <translation>Paso (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Stride (pixels)</source>
+   <translation>Paso (píxeles)</translation>
+  </message>
+  <message>
+   <source>Success against offset</source>
+   <translation>Acierto según el desplazamiento</translation>
+  </message>
+  <message>
+   <source>Success by landmarks</source>
+   <translation>Acierto según los hitos</translation>
+  </message>
+  <message>
+   <source>Success rate</source>
+   <translation>Tasa de acierto</translation>
+  </message>
+  <message>
+   <source>Success under noise</source>
+   <translation>Acierto con ruido</translation>
+  </message>
+  <message>
+   <source>Tables and charts in one file to read and print.</source>
+   <translation>Tablas y gráficos en un solo archivo para leer e imprimir.</translation>
+  </message>
+  <message>
+   <source>Target CRS</source>
+   <translation>SRC de destino</translation>
+  </message>
+  <message>
+   <source>Text or number field that tells the class of each polygon.</source>
+   <translation>Campo de texto o numérico que indica la clase de cada polígono.</translation>
+  </message>
+  <message>
+   <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
+   <translation>El proveedor de procesos SemRef está desactivado; actívelo en las opciones.</translation>
+  </message>
+  <message>
+   <source>The database has no window “{name}”.</source>
+   <translation>La base de datos no tiene ninguna ventana «{name}».</translation>
+  </message>
+  <message>
+   <source>The disk is full while writing {name}; free some space or choose another place.</source>
+   <translation>El disco se llenó al escribir {name}; libere espacio o elija otro lugar.</translation>
+  </message>
+  <message>
+   <source>The geometry of feature {id} is invalid: {reason}.</source>
+   <translation>La geometría del objeto espacial {id} no es válida: {reason}.</translation>
+  </message>
+  <message>
+   <source>The geometry of feature {id} was made valid: {reason}.</source>
+   <translation>La geometría del objeto espacial {id} se hizo válida: {reason}.</translation>
+  </message>
+  <message>
+   <source>The heights (Z) of feature {id} were left out.</source>
+   <translation>Las alturas (Z) del objeto espacial {id} se dejaron fuera.</translation>
+  </message>
+  <message>
+   <source>The hit lies outside the area of the project’s CRS; choose another one to see it.</source>
+   <translation>La coincidencia está fuera del área del SRC del proyecto; elija otro para verla.</translation>
+  </message>
+  <message>
+   <source>The image is described as this database’s windows are; the settings below are then not used.</source>
+   <translation>La imagen se describe como las ventanas de esta base de datos; los parámetros de abajo no se usan entonces.</translation>
+  </message>
+  <message>
+   <source>The label map brings no class names; its classes are named by their values.</source>
+   <translation>El mapa de etiquetas no trae nombres de clases; sus clases se nombran por sus valores.</translation>
+  </message>
+  <message>
+   <source>The largest of each kind</source>
+   <translation>Los mayores de cada tipo</translation>
+  </message>
+  <message>
+   <source>The lines from the center to the landmarks of the topology vector</source>
+   <translation>Las líneas del centro a los hitos del vector topológico</translation>
+  </message>
+  <message>
+   <source>The map that images are cut from: the database’s own or another of the same ground, in the database’s CRS and with its classes; the pixel size may differ.</source>
+   <translation>El mapa del que se cortan las imágenes: el de la base de datos u otro del mismo terreno, en el SRC de la base de datos y con sus clases; el tamaño de píxel puede diferir.</translation>
+  </message>
+  <message>
+   <source>The maps share no class names: classes are matched by their values.</source>
+   <translation>Los mapas no comparten nombres de clases: las clases se emparejan por sus valores.</translation>
+  </message>
+  <message>
+   <source>The model does not say its resolution: the image is taken as it is.</source>
+   <translation>El modelo no indica su resolución: la imagen se toma tal cual.</translation>
+  </message>
+  <message>
+   <source>The network that makes labels of photos; leave empty for label images</source>
+   <translation>La red que hace etiquetas a partir de fotos; déjelo vacío para imágenes de etiquetas</translation>
+  </message>
+  <message>
+   <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
+   <translation>El tamaño de píxel con el que se rasterizará la capa: también se informa de los hitos que esos píxeles perderían, unirían o dividirían. Si se omite, no se examina.</translation>
+  </message>
+  <message>
+   <source>The positions are a temporary layer of the project now; export it to keep them.</source>
+   <translation>Las posiciones son ahora una capa temporal del proyecto; expórtela para conservarlas.</translation>
+  </message>
+  <message>
+   <source>The same windows, turned about their centers.</source>
+   <translation>Las mismas ventanas, giradas alrededor de su centro.</translation>
+  </message>
+  <message>
+   <source>The selected image appears here.</source>
+   <translation>La imagen seleccionada aparece aquí.</translation>
+  </message>
+  <message>
+   <source>The shape is not that of {source}, so the image is taken as it is.</source>
+   <translation>La forma no es la de {source}, así que la imagen se toma tal cual.</translation>
+  </message>
+  <message>
+   <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.</source>
+   <translation>La escala menor ({smallest:g}) supera la mayor ({largest:g}); indique ambas, la menor primero.</translation>
+  </message>
+  <message>
+   <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
+   <translation>El paso ({stride:g}) es mayor que la ventana ({size:g}), así que faltaría terreno entre las ventanas; elija un paso no mayor que el tamaño de ventana.</translation>
+  </message>
+  <message>
+   <source>There is no database {path}; choose another file.</source>
+   <translation>No hay ninguna base de datos {path}; elija otro archivo.</translation>
+  </message>
+  <message>
+   <source>Tile size (pixels)</source>
+   <translation>Tamaño de tesela (píxeles)</translation>
+  </message>
+  <message>
+   <source>Too few landmarks</source>
+   <translation>Muy pocos hitos</translation>
+  </message>
+  <message>
+   <source>Topology vector</source>
+   <translation>Vector topológico</translation>
+  </message>
+  <message>
+   <source>Topology vector (He &amp; Wu 2025)</source>
+   <translation>Vector topológico (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Topology vector (published)</source>
+   <translation>Vector topológico (publicado)</translation>
+  </message>
+  <message>
+   <source>Trials</source>
+   <translation>Ensayos</translation>
+  </message>
+  <message>
+   <source>Trials lie around windows that have at least so many landmarks; 20 leaves open country out.</source>
+   <translation>Los ensayos están alrededor de ventanas que tienen al menos este número de hitos; 20 deja fuera el campo abierto.</translation>
+  </message>
+  <message>
+   <source>Tried on the same images, side by side. The outputs’ rates and the grid of noise are those of the first of automatic, constellation, map correlation, topology vector that is chosen.</source>
+   <translation>Se prueban con las mismas imágenes, lado a lado. Las tasas de las salidas y la cuadrícula de ruido son las del primero que esté elegido entre automático, constelación, correlación de mapas y vector topológico.</translation>
+  </message>
+  <message>
+   <source>Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off the windows and spoiled, then localized with one method or several.
+
+The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer: on its own map a database always does better.</source>
+   <translation>Pone a prueba una base de datos de referencia: imágenes cuya verdad se conoce se cortan de un mapa de etiquetas, se giran, se escalan, se desplazan de las ventanas y se degradan; después se localizan con uno o varios métodos.
+
+El informe compara los métodos, con las dos tablas de He &amp; Wu 2025, el acierto según el desplazamiento y el ruido, los errores, las falsas aceptaciones y lo que vale la confianza. Misma semilla, mismo resultado. Use un mapa de etiquetas de otra fecha que la de la base de datos para una respuesta honesta: en su propio mapa, una base de datos siempre acierta más.</translation>
+  </message>
+  <message>
+   <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
+
+The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.</source>
+   <translation>Convierte una foto o una ortofoto en un mapa de etiquetas con una red de segmentación (ONNX).
+
+La imagen se lleva a la resolución del modelo cuando ambas se conocen y se examina en teselas que se solapan, para que no se vean costuras. El mapa de etiquetas está donde está la imagen y tiene las clases del modelo.</translation>
+  </message>
+  <message>
+   <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
+
+Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is black.</source>
+   <translation>Convierte una imagen que muestra las clases como colores en un mapa de etiquetas, según los rangos HSV de la tabla de clases, como se publicó, o según el color de clase más cercano.
+
+Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más cercano, el negro queda sin etiqueta, salvo que una clase sea negra.</translation>
+  </message>
+  <message>
+   <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
+   <translation>Los lugares no cubiertos hasta esta área, rodeados de polígonos, se rellenan; los delgados, sea cual sea su área.</translation>
+  </message>
+  <message>
+   <source>Uncovered places up to this area, enclosed by polygons, are gaps; thin ones are at any area.</source>
+   <translation>Los lugares no cubiertos hasta esta área, rodeados de polígonos, son huecos; los delgados lo son sea cual sea su área.</translation>
+  </message>
+  <message>
+   <source>Unreadable</source>
+   <translation>Ilegible</translation>
+  </message>
+  <message>
+   <source>Unverified match</source>
+   <translation>Coincidencia no verificada</translation>
+  </message>
+  <message>
+   <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
+   <translation>Polígonos simples válidos con los campos de la capa de anotación, en metros.</translation>
+  </message>
+  <message>
+   <source>Validation fraction</source>
+   <translation>Fracción de validación</translation>
+  </message>
+  <message>
+   <source>Value</source>
+   <translation>Valor</translation>
+  </message>
+  <message>
+   <source>Values and colors for the model’s classes, found by name; for a model that does not name its classes: one line an output of the network, in order of value.</source>
+   <translation>Valores y colores para las clases del modelo, encontradas por su nombre; para un modelo que no nombra sus clases: una línea por salida de la red, en orden de valor.</translation>
+  </message>
+  <message>
+   <source>Vector</source>
+   <translation>Vector</translation>
+  </message>
+  <message>
+   <source>What became of the images of the map:</source>
+   <translation>Qué fue de las imágenes del mapa:</translation>
+  </message>
+  <message>
+   <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
+   <translation>Lo que se comprueba, por ejemplo de «Segmentar imagen». Debe estar en el SRC del mapa anotado.</translation>
+  </message>
+  <message>
+   <source>What is held to be true: single-band class values, for example from “Rasterize annotation”.</source>
+   <translation>Lo que se da por verdadero: valores de clase en una sola banda, por ejemplo de «Rasterizar anotación».</translation>
+  </message>
+  <message>
+   <source>What the confidence is worth</source>
+   <translation>Lo que vale la confianza</translation>
+  </message>
+  <message>
+   <source>Where it succeeds</source>
+   <translation>Dónde acierta</translation>
+  </message>
+  <message>
+   <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
+   <translation>A dónde fueron los píxeles anotados de cada clase, como partes de su fila; la diagonal es correcta.</translation>
+  </message>
+  <message>
+   <source>Where the images are known to be, roughly. It speeds up the search and is never needed.</source>
+   <translation>Dónde se sabe, a grandes rasgos, que están las imágenes. Acelera la búsqueda y nunca es necesario.</translation>
+  </message>
+  <message>
+   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north.</source>
+   <translation>Hacia dónde apunta, a grandes rasgos, la parte superior de las imágenes, en grados en sentido horario desde el norte de la cuadrícula.</translation>
+  </message>
+  <message>
+   <source>Where the image’s top points to, in degrees clockwise from grid north</source>
+   <translation>Hacia dónde apunta la parte superior de la imagen, en grados en sentido horario desde el norte de la cuadrícula</translation>
+  </message>
+  <message>
+   <source>Whether a position was found</source>
+   <translation>Si se encontró una posición</translation>
+  </message>
+  <message>
+   <source>Window</source>
+   <translation>Ventana</translation>
+  </message>
+  <message>
+   <source>Window before</source>
+   <translation>Ventana anterior</translation>
+  </message>
+  <message>
+   <source>Window name</source>
+   <translation>Nombre de la ventana</translation>
+  </message>
+  <message>
+   <source>Window size (map units)</source>
+   <translation>Tamaño de ventana (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Windows</source>
+   <translation>Ventanas</translation>
+  </message>
+  <message>
+   <source>Windows are whole pixels: window size {size:g}, stride {stride:g}.</source>
+   <translation>Las ventanas son píxeles enteros: tamaño de ventana {size:g}, paso {stride:g}.</translation>
+  </message>
+  <message>
+   <source>Windows elsewhere with the nearest vectors; double-click to inspect one</source>
+   <translation>Ventanas de otros lugares con los vectores más cercanos; doble clic para inspeccionar una</translation>
+  </message>
+  <message>
+   <source>Windows seen from 2 to 0.5 times their size, without noise. The method of the paper compares vectors: a distance above 2 is no match.</source>
+   <translation>Ventanas vistas de 2 a 0,5 veces su tamaño, sin ruido. El método del artículo compara vectores: una distancia mayor que 2 no es una coincidencia.</translation>
+  </message>
+  <message>
+   <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
+   <translation>Sin base de datos: cuántos de los hitos más cercanos al centro contiene el vector.</translation>
+  </message>
+  <message>
+   <source>Without a database: names or values separated by “;”. If left out, the role in the class table counts.</source>
+   <translation>Sin base de datos: nombres o valores separados por «;». Si se omite, cuenta el rol en la tabla de clases.</translation>
+  </message>
+  <message>
+   <source>Without a database: smallest landmark in square map units, in pixels without georeference.</source>
+   <translation>Sin base de datos: hito más pequeño en unidades del mapa cuadradas, en píxeles sin georreferencia.</translation>
+  </message>
+  <message>
+   <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
+   <translation>Sin base de datos: las clases. Si se omite, las que lleva la propia imagen de etiquetas.</translation>
+  </message>
+  <message>
+   <source>Writing the database</source>
+   <translation>Escribiendo la base de datos</translation>
+  </message>
+  <message>
+   <source>Writing tiles</source>
+   <translation>Escribiendo teselas</translation>
+  </message>
+  <message>
+   <source>Zoom to hit</source>
+   <translation>Zum a la coincidencia</translation>
+  </message>
+  <message>
+   <source>annotated</source>
+   <translation>anotado</translation>
+  </message>
+  <message>
+   <source>annotated pixels</source>
+   <translation>píxeles anotados</translation>
+  </message>
+  <message>
+   <source>area</source>
+   <translation>área</translation>
+  </message>
+  <message>
+   <source>class</source>
+   <translation>clase</translation>
+  </message>
+  <message>
+   <source>confidence</source>
+   <translation>confianza</translation>
+  </message>
+  <message>
+   <source>confidence told</source>
+   <translation>confianza declarada</translation>
+  </message>
+  <message>
+   <source>confidence {value:.2f}</source>
+   <translation>confianza {value:.2f}</translation>
+  </message>
+  <message>
+   <source>distance</source>
+   <translation>distancia</translation>
+  </message>
+  <message>
+   <source>distance {value:.3f}</source>
+   <translation>distancia {value:.3f}</translation>
+  </message>
+  <message>
+   <source>distance {value:.4f}</source>
+   <translation>distancia {value:.4f}</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <translation>error</translation>
+  </message>
+  <message>
+   <source>error, m</source>
+   <translation>error, m</translation>
+  </message>
+  <message>
+   <source>errors</source>
+   <translation>errores</translation>
+  </message>
+  <message>
+   <source>false accepts</source>
+   <translation>falsas aceptaciones</translation>
+  </message>
+  <message>
+   <source>findings</source>
+   <translation>hallazgos</translation>
+  </message>
+  <message>
+   <source>found</source>
+   <translation>encontrado</translation>
+  </message>
+  <message>
+   <source>heading</source>
+   <translation>rumbo</translation>
+  </message>
+  <message>
+   <source>heading {value:.1f}°</source>
+   <translation>rumbo {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>images with a fix</source>
+   <translation>imágenes con posición encontrada</translation>
+  </message>
+  <message>
+   <source>in the 95 % ellipse</source>
+   <translation>en la elipse del 95 %</translation>
+  </message>
+  <message>
+   <source>information</source>
+   <translation>información</translation>
+  </message>
+  <message>
+   <source>kind</source>
+   <translation>tipo</translation>
+  </message>
+  <message>
+   <source>kind, see the table</source>
+   <translation>tipo, véase la tabla</translation>
+  </message>
+  <message>
+   <source>landmarks in the window</source>
+   <translation>hitos en la ventana</translation>
+  </message>
+  <message>
+   <source>landmarks invented</source>
+   <translation>hitos inventados</translation>
+  </message>
+  <message>
+   <source>landmarks missed</source>
+   <translation>hitos omitidos</translation>
+  </message>
+  <message>
+   <source>mean IoU</source>
+   <translation>IoU medio</translation>
+  </message>
+  <message>
+   <source>median error</source>
+   <translation>error mediano</translation>
+  </message>
+  <message>
+   <source>no class</source>
+   <translation>sin clase</translation>
+  </message>
+  <message>
+   <source>of right fixes</source>
+   <translation>de las posiciones correctas</translation>
+  </message>
+  <message>
+   <source>of the classes that are annotated</source>
+   <translation>de las clases anotadas</translation>
+  </message>
+  <message>
+   <source>offset from the nearest window, share of the stride</source>
+   <translation>desplazamiento respecto a la ventana más cercana, parte del paso</translation>
+  </message>
+  <message>
+   <source>overall accuracy</source>
+   <translation>exactitud global</translation>
+  </message>
+  <message>
+   <source>pixel size {value:.3g} m</source>
+   <translation>tamaño de píxel {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>predicted</source>
+   <translation>predicho</translation>
+  </message>
+  <message>
+   <source>right among the fixes</source>
+   <translation>correctas entre las posiciones encontradas</translation>
+  </message>
+  <message>
+   <source>right fixes</source>
+   <translation>posiciones correctas</translation>
+  </message>
+  <message>
+   <source>right where predicted</source>
+   <translation>correcto donde se predijo</translation>
+  </message>
+  <message>
+   <source>scale</source>
+   <translation>escala</translation>
+  </message>
+  <message>
+   <source>the output</source>
+   <translation>la salida</translation>
+  </message>
+  <message>
+   <source>warnings</source>
+   <translation>advertencias</translation>
+  </message>
+  <message>
+   <source>window {value}</source>
+   <translation>ventana {value}</translation>
+  </message>
+  <message>
+   <source>within {value:.2f} m (95 %)</source>
+   <translation>con un error máximo de {value:.2f} m (95 %)</translation>
+  </message>
+  <message>
+   <source>wrong fixes</source>
+   <translation>posiciones erróneas</translation>
+  </message>
+  <message>
+   <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
+   <translation>{area:.2f} m² que dos reclamaban pertenecen a {name} (objeto espacial {id}), ya no al objeto espacial {other}.</translation>
+  </message>
+  <message>
+   <source>{before} features became {after} polygons; {changes} changes</source>
+   <translation>{before} objetos espaciales se convirtieron en {after} polígonos; {changes} cambios</translation>
+  </message>
+  <message>
+   <source>{count} images to localize.</source>
+   <translation>{count} imágenes para localizar.</translation>
+  </message>
+  <message>
+   <source>{count} landmarks in the centered square of {size} pixels.</source>
+   <translation>{count} hitos en el cuadrado centrado de {size} píxeles.</translation>
+  </message>
+  <message>
+   <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
+   <translation>{count} hitos, centro {x:.0f} {y:.0f}</translation>
+  </message>
+  <message>
+   <source>{count} pixels compared</source>
+   <translation>{count} píxeles comparados</translation>
+  </message>
+  <message>
+   <source>{count} places disagree.</source>
+   <translation>{count} lugares discrepan.</translation>
+  </message>
+  <message>
+   <source>{database}, images cut from {labels}</source>
+   <translation>{database}, imágenes cortadas de {labels}</translation>
+  </message>
+  <message>
+   <source>{fixes} of {images} images have a fix.</source>
+   <translation>Posición encontrada para {fixes} de {images} imágenes.</translation>
+  </message>
+  <message>
+   <source>{image} can’t be shown on the map.</source>
+   <translation>{image} no se puede mostrar en el mapa.</translation>
+  </message>
+  <message>
+   <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
+   <translation>{image}: distancia {distance:.3f}, confianza {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{issues} findings, {errors} of them errors</source>
+   <translation>{issues} hallazgos, de ellos {errors} errores</translation>
+  </message>
+  <message>
+   <source>{jumps} of {checked} fixes with a time are jumps.</source>
+   <translation>{jumps} de {checked} posiciones encontradas con hora son saltos.</translation>
+  </message>
+  <message>
+   <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
+   <translation>{lacking} ventanas ({share:.0%}) muestran menos de tres hitos y no tienen vector.</translation>
+  </message>
+  <message>
+   <source>{layer}: {features} features</source>
+   <translation>{layer}: {features} objetos espaciales</translation>
+  </message>
+  <message>
+   <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
+   <translation>{method}: correctas {right}, erróneas {wrong}, falsas aceptaciones {accepts}, error mediano {error}</translation>
+  </message>
+  <message>
+   <source>{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.</source>
+   <translation>{model}: {classes}; ejecutado con {provider}, teselas de {width} × {height} píxeles.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) and {other_name} (feature {other}) claim the same {area:.2f} m², and only the order of the features says which lies on top.</source>
+   <translation>{name} (objeto espacial {id}) y {other_name} (objeto espacial {other}) reclaman los mismos {area:.2f} m², y solo el orden de los objetos espaciales dice cuál está encima.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) covers {area:.2f} m², less than the minimum area: it is no landmark.</source>
+   <translation>{name} (objeto espacial {id}) cubre {area:.2f} m², menos que el área mínima: no es un hito.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) falls into {number:.0f} pieces of pixels.</source>
+   <translation>{name} (objeto espacial {id}) se divide en {number:.0f} trozos de píxeles.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) has the same outline as {other_name} (feature {other}).</source>
+   <translation>{name} (objeto espacial {id}) tiene el mismo contorno que {other_name} (objeto espacial {other}).</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) lies on {area:.2f} m² of {other_name} (feature {other}), as their order says.</source>
+   <translation>{name} (objeto espacial {id}) está sobre {area:.2f} m² de {other_name} (objeto espacial {other}), como dice su orden.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}, {area:.2f} m²): the outline of its pixels stays under the minimum area, so it is no landmark.</source>
+   <translation>{name} (objeto espacial {id}, {area:.2f} m²): el contorno de sus píxeles queda por debajo del área mínima, así que no es un hito.</translation>
+  </message>
+  <message>
+   <source>{name} (features {id} and {other}): their pixels touch, so they become one landmark.</source>
+   <translation>{name} (objetos espaciales {id} y {other}): sus píxeles se tocan, así que se convierten en un solo hito.</translation>
+  </message>
+  <message>
+   <source>{name} can’t be written; choose a place where you may write.</source>
+   <translation>{name} no se puede escribir; elija un lugar en el que tenga permiso para escribir.</translation>
+  </message>
+  <message>
+   <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
+   <translation>{name}: IoU {iou:.1%}, {pixels} píxeles anotados</translation>
+  </message>
+  <message>
+   <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
+   <translation>{number:.0f} objetos espaciales de {name} que se tocan son un solo polígono con los atributos del objeto espacial {id}.</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
+   <translation>{path} no es una base de datos de referencia de SemRef; elija una creada con «Crear base de datos de referencia».</translation>
+  </message>
+  <message>
+   <source>{predicted} against {reference}</source>
+   <translation>{predicted} frente a {reference}</translation>
+  </message>
+  <message>
+   <source>{seconds:.0f} s.</source>
+   <translation>{seconds:.0f} s.</translation>
+  </message>
+  <message>
+   <source>{share:.1%} of the pixels match no class.</source>
+   <translation>{share:.1%} de los píxeles no coinciden con ninguna clase.</translation>
+  </message>
+  <message>
+   <source>{source} does not measure in meters; the label map is made in {target}.</source>
+   <translation>{source} no mide en metros; el mapa de etiquetas se crea en {target}.</translation>
+  </message>
+  <message>
+   <source>{source} does not measure in meters; the result is in {target}.</source>
+   <translation>{source} no mide en metros; el resultado está en {target}.</translation>
+  </message>
+  <message>
+   <source>{source} tells no focal length, so the image is taken as it is.</source>
+   <translation>{source} no indica ninguna distancia focal, así que la imagen se toma tal cual.</translation>
+  </message>
+  <message>
+   <source>{training} tiles to train on, {validation} to validate on</source>
+   <translation>{training} teselas para entrenar, {validation} para validar</translation>
+  </message>
+  <message>
+   <source>{value} landmarks in the image</source>
+   <translation>{value} hitos en la imagen</translation>
+  </message>
+  <message>
+   <source>{windows} windows, {references} landmarks.</source>
+   <translation>{windows} ventanas, {references} hitos.</translation>
+  </message>
+ </context>
+</TS>

@@ -1,0 +1,1987 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+ <context>
+  <name>SemRef</name>
+  <message>
+   <source>2 % of the ground’s edge</source>
+   <translation>2 % du côté du terrain</translation>
+  </message>
+  <message>
+   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and time). Images are leveled before they are localized. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
+   <translation>Un CSV avec les colonnes image (nom du fichier), roll, pitch (degrés ; 0 et 0 regarde droit vers le bas, pitch supérieur à 0 regarde vers le haut de l’image, roll supérieur à 0 vers sa droite), une colonne parmi focal_length_px, focal_length_35mm ou field_of_view (degrés sur la largeur), et time (secondes, ou date et heure). Les images sont redressées avant d’être localisées. Ce que la table ne dit pas est lu dans les EXIF et XMP de l’image, ou de la photo du même nom qui se trouve à côté. Le vecteur topologique prend les images telles quelles.</translation>
+  </message>
+  <message>
+   <source>A GeoPackage made by “Build reference database”.</source>
+   <translation>Un GeoPackage créé par « Créer une base de données de référence ».</translation>
+  </message>
+  <message>
+   <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
+   <translation>Une position trouvée est correcte si son écart ne dépasse pas la distance indiquée sous « Paramètres » ; celle du vecteur topologique, qui ne connaît que des fenêtres, si elle nomme la fenêtre la plus proche du centre de l’image. Les fausses acceptations sont des images en miroir de la carte pour lesquelles une position a été trouvée : elles ne peuvent jamais être correctes. CEP50 et CEP95 : la moitié et 95 % des positions correctes ont au plus cet écart. Cap et échelle : erreurs médianes des positions correctes.</translation>
+  </message>
+  <message>
+   <source>A gap of {area:.2f} m² lies between neighbors; its longest border is with {other_name}.</source>
+   <translation>Une lacune de {area:.2f} m² se trouve entre des voisins ; sa plus longue limite est avec {other_name}.</translation>
+  </message>
+  <message>
+   <source>A gap of {area:.2f} m² was given to {other_name}.</source>
+   <translation>Une lacune de {area:.2f} m² a été attribuée à {other_name}.</translation>
+  </message>
+  <message>
+   <source>A new or empty folder; one of an earlier export is replaced.</source>
+   <translation>Un dossier nouveau ou vide ; celui d’une exportation précédente est remplacé.</translation>
+  </message>
+  <message>
+   <source>A page with the confusion matrix as a picture and the figures of each class.</source>
+   <translation>Une page avec la matrice de confusion en image et les chiffres de chaque classe.</translation>
+  </message>
+  <message>
+   <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
+   <translation>Un point pour chaque essai et chaque méthode à la vraie position, avec ce qui a été trouvé et à quelle distance.</translation>
+  </message>
+  <message>
+   <source>A segmentation network with its classes in its metadata; models made for Deepness will do.</source>
+   <translation>Un réseau de segmentation avec ses classes dans ses métadonnées ; les modèles faits pour Deepness conviennent.</translation>
+  </message>
+  <message>
+   <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
+   <translation>Un réseau de segmentation : les images sont alors des photos. Ses classes sont celles de la base de données qui portent le même nom ; les classes que la base n’a pas comptent comme non étiquetées.</translation>
+  </message>
+  <message>
+   <source>A sliver of {name} of {area:.2f} m² (feature {id}) was given to {other_name}.</source>
+   <translation>Un polygone parasite de {name} de {area:.2f} m² (entité {id}) a été attribué à {other_name}.</translation>
+  </message>
+  <message>
+   <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
+   <translation>Un polygone parasite de {name} de {area:.2f} m² se trouve à côté de {other_name} (entité {id}).</translation>
+  </message>
+  <message>
+   <source>Add a folder of images</source>
+   <translation>Ajouter un dossier d’images</translation>
+  </message>
+  <message>
+   <source>Add database to map</source>
+   <translation>Ajouter la base de données à la carte</translation>
+  </message>
+  <message>
+   <source>Add files…</source>
+   <translation>Ajouter des fichiers…</translation>
+  </message>
+  <message>
+   <source>Add folder…</source>
+   <translation>Ajouter un dossier…</translation>
+  </message>
+  <message>
+   <source>Add images</source>
+   <translation>Ajouter des images</translation>
+  </message>
+  <message>
+   <source>Add images.</source>
+   <translation>Ajoutez des images.</translation>
+  </message>
+  <message>
+   <source>Add photos or label images, or drop files and folders here.</source>
+   <translation>Ajoutez des photos ou des images d’étiquettes, ou déposez ici des fichiers et des dossiers.</translation>
+  </message>
+  <message>
+   <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
+   <translation>Ajoute l’image au projet comme couche semi-transparente, placée selon la position trouvée</translation>
+  </message>
+  <message>
+   <source>Adds the positions to the project as a temporary point layer</source>
+   <translation>Ajoute les positions au projet comme couche temporaire de points</translation>
+  </message>
+  <message>
+   <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
+   <translation>Image aérienne de 8 ou 16 bits. Les réseaux de SemRef prennent trois bandes ; les autres bandes sont aussi exportées.</translation>
+  </message>
+  <message>
+   <source>All that the report shows, for scripts.</source>
+   <translation>Tout ce que montre le rapport, pour les scripts.</translation>
+  </message>
+  <message>
+   <source>Ambiguous</source>
+   <translation>Ambiguë</translation>
+  </message>
+  <message>
+   <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
+   <translation>Une erreur dans SemRef a interrompu le travail ; veuillez signaler ce que le panneau Journal des messages affiche sous « SemRef ».</translation>
+  </message>
+  <message>
+   <source>Angle</source>
+   <translation>Angle</translation>
+  </message>
+  <message>
+   <source>Angle to the next landmark over the largest angle</source>
+   <translation>Angle jusqu’au repère visuel suivant, rapporté au plus grand angle</translation>
+  </message>
+  <message>
+   <source>Annotated label map</source>
+   <translation>Carte d’étiquettes annotée</translation>
+  </message>
+  <message>
+   <source>Annotation</source>
+   <translation>Annotation</translation>
+  </message>
+  <message>
+   <source>Annotation layer</source>
+   <translation>Couche d’annotation</translation>
+  </message>
+  <message>
+   <source>Annotation to reference database</source>
+   <translation>De l’annotation à la base de données de référence</translation>
+  </message>
+  <message>
+   <source>Another number gives other trials, the same number the same.</source>
+   <translation>Un autre nombre donne d’autres essais, le même nombre les mêmes.</translation>
+  </message>
+  <message>
+   <source>Any raster with or without georeference. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
+   <translation>Un raster quelconque, avec ou sans géoréférence. Le rouge, le vert et le bleu sont trouvés par l’interprétation des couleurs ou la longueur d’onde, sinon ce sont les trois premières bandes ; une bande unique est prise comme niveaux de gris. Les bandes de plus de 8 bits sont étirées de leur 2e à leur 98e centile.</translation>
+  </message>
+  <message>
+   <source>Approximate heading (°)</source>
+   <translation>Cap approximatif (°)</translation>
+  </message>
+  <message>
+   <source>Approximate position</source>
+   <translation>Position approximative</translation>
+  </message>
+  <message>
+   <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
+   <translation>Zone à rastériser, élargie à des pixels entiers ; l’emprise des polygones si elle est omise.</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>Automatique</translation>
+  </message>
+  <message>
+   <source>Automatic takes the constellation of landmarks and, where that finds no place, map correlation; each checks what the other finds. Map correlation compares areas instead of landmarks, for poor labels; it takes seconds an image, and so does automatic where the constellation finds no place. Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
+   <translation>Automatique prend la constellation de repères visuels et, là où elle ne trouve aucun lieu, la corrélation de cartes ; chacune vérifie ce que trouve l’autre. La corrélation de cartes compare des surfaces au lieu de repères, pour de mauvaises étiquettes ; elle prend plusieurs secondes par image, et Automatique aussi là où la constellation ne trouve aucun lieu. Le vecteur topologique est la méthode publiée : le vecteur le plus proche parmi toutes les fenêtres, accepté jusqu’à la distance 2.</translation>
+  </message>
+  <message>
+   <source>Automatic uses the constellation alone, without map correlation: {reason}</source>
+   <translation>Automatique n’utilise que la constellation, sans corrélation de cartes : {reason}</translation>
+  </message>
+  <message>
+   <source>Build reference database</source>
+   <translation>Créer une base de données de référence</translation>
+  </message>
+  <message>
+   <source>Burning landmarks</source>
+   <translation>Rastérisation des repères visuels</translation>
+  </message>
+  <message>
+   <source>Burning polygons</source>
+   <translation>Rastérisation des polygones</translation>
+  </message>
+  <message>
+   <source>Burning {count} polygons into {width} × {height} pixels</source>
+   <translation>Rastérisation de {count} polygones en {width} × {height} pixels</translation>
+  </message>
+  <message>
+   <source>Burns land-cover polygons into a label map: a single-band GeoTIFF whose pixels hold class values, 0 where no polygon lies.
+
+Classes come from the class table, else from the layer’s categorized style, else from the values of the class field. Invalid polygons are repaired, empty ones skipped; the log says how many.</source>
+   <translation>Rastérise des polygones d’occupation du sol en une carte d’étiquettes : un GeoTIFF à une seule bande dont les pixels contiennent des valeurs de classe, 0 là où il n’y a pas de polygone.
+
+Les classes viennent de la table des classes, sinon du style catégorisé de la couche, sinon des valeurs du champ de classe. Les polygones invalides sont réparés, les polygones vides ignorés ; le journal dit combien.</translation>
+  </message>
+  <message>
+   <source>CSV (*.csv *.txt)</source>
+   <translation>CSV (*.csv *.txt)</translation>
+  </message>
+  <message>
+   <source>CSV files (*.csv)</source>
+   <translation>Fichiers CSV (*.csv)</translation>
+  </message>
+  <message>
+   <source>CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. Every class value of the layer must be in it.</source>
+   <translation>CSV avec les colonnes value, name, color, role et, facultativement, draw_order, hsv_min, hsv_max. Toutes les valeurs de classe de la couche doivent y figurer.</translation>
+  </message>
+  <message>
+   <source>CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, h 0–180, s and v 0–255; the hue may wrap).</source>
+   <translation>CSV avec les colonnes value, name, color, role et, pour les plages HSV, hsv_min et hsv_max (« h s v », h 0–180, s et v 0–255 ; la teinte peut passer par zéro).</translation>
+  </message>
+  <message>
+   <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
+   <translation>CSV avec les colonnes value, name, color, role, pour une carte d’étiquettes qui n’apporte pas ses propres classes.</translation>
+  </message>
+  <message>
+   <source>Camera table (roll, pitch, focal length, time)</source>
+   <translation>Table de la caméra (roulis, tangage, focale, heure)</translation>
+  </message>
+  <message>
+   <source>Cancel</source>
+   <translation>Annuler</translation>
+  </message>
+  <message>
+   <source>Canceled.</source>
+   <translation>Annulé.</translation>
+  </message>
+  <message>
+   <source>Canceled; nothing was written.</source>
+   <translation>Annulé ; rien n’a été écrit.</translation>
+  </message>
+  <message>
+   <source>Canceling…</source>
+   <translation>Annulation…</translation>
+  </message>
+  <message>
+   <source>Changes</source>
+   <translation>Modifications</translation>
+  </message>
+  <message>
+   <source>Check annotation</source>
+   <translation>Vérifier l’annotation</translation>
+  </message>
+  <message>
+   <source>Check of an annotation</source>
+   <translation>Vérification d’une annotation</translation>
+  </message>
+  <message>
+   <source>Choose a GeoPackage</source>
+   <translation>Choisir un GeoPackage</translation>
+  </message>
+  <message>
+   <source>Choose a database and add images.</source>
+   <translation>Choisissez une base de données et ajoutez des images.</translation>
+  </message>
+  <message>
+   <source>Choose a database.</source>
+   <translation>Choisissez une base de données.</translation>
+  </message>
+  <message>
+   <source>Choose a reference database</source>
+   <translation>Choisir une base de données de référence</translation>
+  </message>
+  <message>
+   <source>Choose a segmentation model</source>
+   <translation>Choisir un modèle de segmentation</translation>
+  </message>
+  <message>
+   <source>Class</source>
+   <translation>Classe</translation>
+  </message>
+  <message>
+   <source>Class field</source>
+   <translation>Champ de classe</translation>
+  </message>
+  <message>
+   <source>Class table</source>
+   <translation>Table des classes</translation>
+  </message>
+  <message>
+   <source>Classes</source>
+   <translation>Classes</translation>
+  </message>
+  <message>
+   <source>Classes that only the predicted map has: {names}.</source>
+   <translation>Classes que seule la carte prédite possède : {names}.</translation>
+  </message>
+  <message>
+   <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
+   <translation>Classes dont les surfaces sont des repères visuels : noms ou valeurs séparés par « ; », par exemple building;bare_land;water. En cas d’omission, les classes de rôle « reference » dans la table des classes de la carte.</translation>
+  </message>
+  <message>
+   <source>Click on the map to inspect the window there</source>
+   <translation>Cliquer sur la carte pour inspecter la fenêtre à cet endroit</translation>
+  </message>
+  <message>
+   <source>Color label image</source>
+   <translation>Image d’étiquettes en couleur</translation>
+  </message>
+  <message>
+   <source>Compare label maps</source>
+   <translation>Comparer des cartes d’étiquettes</translation>
+  </message>
+  <message>
+   <source>Compare with the selected image</source>
+   <translation>Comparer avec l’image sélectionnée</translation>
+  </message>
+  <message>
+   <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
+
+Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.</source>
+   <translation>Compare une carte d’étiquettes prédite avec une carte annotée : matrice de confusion, IoU de chaque classe, exactitude globale, et les endroits où elles divergent sous forme de polygones, le plus grand en premier.
+
+Les classes sont associées par leur nom, ou par leur valeur si les cartes n’ont aucun nom en commun. Les cartes de tailles de pixel différentes sont comparées sur les pixels de la carte annotée. Les pixels sans annotation sont laissés de côté ; les pixels sans prédiction comptent comme faux.</translation>
+  </message>
+  <message>
+   <source>Comparing</source>
+   <translation>Comparaison</translation>
+  </message>
+  <message>
+   <source>Comparing windows</source>
+   <translation>Comparaison des fenêtres</translation>
+  </message>
+  <message>
+   <source>Comparison of label maps</source>
+   <translation>Comparaison de cartes d’étiquettes</translation>
+  </message>
+  <message>
+   <source>Confidence</source>
+   <translation>Confiance</translation>
+  </message>
+  <message>
+   <source>Confusion matrix</source>
+   <translation>Matrice de confusion</translation>
+  </message>
+  <message>
+   <source>Constellation</source>
+   <translation>Constellation</translation>
+  </message>
+  <message>
+   <source>Copy longitude, latitude</source>
+   <translation>Copier longitude, latitude</translation>
+  </message>
+  <message>
+   <source>Copy x, y</source>
+   <translation>Copier x, y</translation>
+  </message>
+  <message>
+   <source>Counting labels</source>
+   <translation>Comptage des étiquettes</translation>
+  </message>
+  <message>
+   <source>Cuts an image and its label map into tiles that a segmentation network is trained on, with a class table, statistics and a manifest.
+
+Training and validation tiles are divided by place: whole blocks of ground are set aside for validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are brought onto the image’s, nearest neighbor.</source>
+   <translation>Découpe une image et sa carte d’étiquettes en tuiles sur lesquelles on entraîne un réseau de segmentation, avec une table des classes, des statistiques et un manifeste.
+
+Les tuiles d’entraînement et de validation sont séparées par lieu : des blocs de terrain entiers sont réservés à la validation, et aucun pixel n’est dans les deux. Les tuiles sans étiquettes sont laissées de côté. Les étiquettes d’une autre grille sont ramenées sur celle de l’image, par plus proche voisin.</translation>
+  </message>
+  <message>
+   <source>Decode color labels</source>
+   <translation>Décoder des étiquettes en couleur</translation>
+  </message>
+  <message>
+   <source>Describe image</source>
+   <translation>Décrire une image</translation>
+  </message>
+  <message>
+   <source>Describing windows</source>
+   <translation>Description des fenêtres</translation>
+  </message>
+  <message>
+   <source>Disagreements</source>
+   <translation>Divergences</translation>
+  </message>
+  <message>
+   <source>Dissolving neighbors</source>
+   <translation>Fusion des voisins</translation>
+  </message>
+  <message>
+   <source>Distance</source>
+   <translation>Distance</translation>
+  </message>
+  <message>
+   <source>Distance from the center over the largest distance</source>
+   <translation>Distance au centre, rapportée à la plus grande distance</translation>
+  </message>
+  <message>
+   <source>Distance from window to window; at most the window size.</source>
+   <translation>Distance d’une fenêtre à la suivante ; au plus la taille de fenêtre.</translation>
+  </message>
+  <message>
+   <source>Distance of an image’s center from the nearest window’s, as a share of the stride: 0 to 0 lies on the windows, 0 to 0.5 anywhere.</source>
+   <translation>Distance entre le centre d’une image et celui de la fenêtre la plus proche, en part du pas : 0 à 0 se trouve sur les fenêtres, 0 à 0,5 n’importe où.</translation>
+  </message>
+  <message>
+   <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
+   <translation>Distance des vecteurs topologiques ; 0 est une correspondance parfaite, au-delà de 2 il n’y en a pas</translation>
+  </message>
+  <message>
+   <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
+   <translation>Rapports de distances, différences d’angles et rangs de classes, avec les classes utilisées.</translation>
+  </message>
+  <message>
+   <source>Draw on the map where the images are known to be: press at the middle and drag</source>
+   <translation>Dessiner sur la carte où se trouvent les images : appuyer au milieu et faire glisser</translation>
+  </message>
+  <message>
+   <source>Draw where to search</source>
+   <translation>Dessiner la zone de recherche</translation>
+  </message>
+  <message>
+   <source>Draws the vector of the image selected in the results over the window’s</source>
+   <translation>Dessine le vecteur de l’image sélectionnée dans les résultats par-dessus celui de la fenêtre</translation>
+  </message>
+  <message>
+   <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
+   <translation>Côté d’un pixel en mètres. Le plus petit repère visuel devrait couvrir une cinquantaine de pixels.</translation>
+  </message>
+  <message>
+   <source>Edge length of a window on the ground: about what an image shows.</source>
+   <translation>Côté d’une fenêtre au sol : à peu près ce que montre une image.</translation>
+  </message>
+  <message>
+   <source>Edge of a tile; a multiple of 32 suits networks.</source>
+   <translation>Côté d’une tuile ; un multiple de 32 convient aux réseaux.</translation>
+  </message>
+  <message>
+   <source>Error (m)</source>
+   <translation>Erreur (m)</translation>
+  </message>
+  <message>
+   <source>Errors</source>
+   <translation>Erreurs</translation>
+  </message>
+  <message>
+   <source>Errors and noise</source>
+   <translation>Erreurs et bruit</translation>
+  </message>
+  <message>
+   <source>Evaluate localization</source>
+   <translation>Évaluer la localisation</translation>
+  </message>
+  <message>
+   <source>Evaluation of localization</source>
+   <translation>Évaluation de la localisation</translation>
+  </message>
+  <message>
+   <source>Export training tiles</source>
+   <translation>Exporter des tuiles d’entraînement</translation>
+  </message>
+  <message>
+   <source>Extent</source>
+   <translation>Emprise</translation>
+  </message>
+  <message>
+   <source>False accept rate</source>
+   <translation>Taux de fausses acceptations</translation>
+  </message>
+  <message>
+   <source>Feature {id} and feature {other} had the same outline; one is left.</source>
+   <translation>L’entité {id} et l’entité {other} avaient le même contour ; il en reste une.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has heights (Z), which are left out.</source>
+   <translation>L’entité {id} a des altitudes (Z), qui sont laissées de côté.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no area and is skipped.</source>
+   <translation>L’entité {id} n’a pas de surface et est ignorée.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no class.</source>
+   <translation>L’entité {id} n’a pas de classe.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no geometry and is skipped.</source>
+   <translation>L’entité {id} n’a pas de géométrie et est ignorée.</translation>
+  </message>
+  <message>
+   <source>Feature {id} has the class “{reason}”, which is not among the classes.</source>
+   <translation>L’entité {id} a la classe « {reason} », qui ne fait pas partie des classes.</translation>
+  </message>
+  <message>
+   <source>Feature {id} lies outside the area that the layer’s CRS is made for.</source>
+   <translation>L’entité {id} se trouve hors de la zone pour laquelle le SCR de la couche est fait.</translation>
+  </message>
+  <message>
+   <source>Feature {id} repeats feature {other}: same outline, same class {name}.</source>
+   <translation>L’entité {id} répète l’entité {other} : même contour, même classe {name}.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: feature {other} covers it.</source>
+   <translation>L’entité {id} a été laissée de côté : l’entité {other} la recouvre.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it can’t be reprojected.</source>
+   <translation>L’entité {id} a été laissée de côté : elle ne peut pas être reprojetée.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no area.</source>
+   <translation>L’entité {id} a été laissée de côté : elle n’a pas de surface.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no class.</source>
+   <translation>L’entité {id} a été laissée de côté : elle n’a pas de classe.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no geometry.</source>
+   <translation>L’entité {id} a été laissée de côté : elle n’a pas de géométrie.</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: its class “{reason}” has no category in the style.</source>
+   <translation>L’entité {id} a été laissée de côté : sa classe « {reason} » n’a pas de catégorie dans le style.</translation>
+  </message>
+  <message>
+   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border: they become one landmark.</source>
+   <translation>Les entités {id} et {other} sont toutes deux {name} et partagent {number:.2f} m de limite : elles deviennent un seul repère visuel.</translation>
+  </message>
+  <message>
+   <source>Fewer than three landmarks: no vector.</source>
+   <translation>Moins de trois repères visuels : pas de vecteur.</translation>
+  </message>
+  <message>
+   <source>Fewer than three landmarks: the image has no topology vector.</source>
+   <translation>Moins de trois repères visuels : l’image n’a pas de vecteur topologique.</translation>
+  </message>
+  <message>
+   <source>File name of the image</source>
+   <translation>Nom de fichier de l’image</translation>
+  </message>
+  <message>
+   <source>Filling gaps and merging slivers</source>
+   <translation>Remplissage des lacunes et fusion des polygones parasites</translation>
+  </message>
+  <message>
+   <source>Finding reference objects</source>
+   <translation>Recherche des objets de référence</translation>
+  </message>
+  <message>
+   <source>Findings by class</source>
+   <translation>Constats par classe</translation>
+  </message>
+  <message>
+   <source>Findings by kind</source>
+   <translation>Constats par type</translation>
+  </message>
+  <message>
+   <source>Findings by kind and class in one file to read and print.</source>
+   <translation>Constats par type et par classe dans un seul fichier à lire et à imprimer.</translation>
+  </message>
+  <message>
+   <source>Findings of each kind, by severity; the scale is logarithmic.</source>
+   <translation>Constats de chaque type, par gravité ; l’échelle est logarithmique.</translation>
+  </message>
+  <message>
+   <source>Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that touch, are too small, or that pixels of a given size would lose, merge or split.
+
+Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” mends most of it.</source>
+   <translation>Trouve ce qui ne va pas dans une couche d’occupation du sol avant qu’elle ne devienne une carte d’étiquettes : géométries invalides, superpositions que rien ne départage, doublons, lacunes et polygones parasites, classes manquantes ou inconnues, et repères visuels qui se touchent, sont trop petits, ou que des pixels d’une taille donnée perdraient, fusionneraient ou diviseraient.
+
+Chaque constat est une entité avec son type, sa gravité (error, warning, information), une phrase et les identifiants des entités concernées. Un modèle peut s’arrêter quand le nombre d’erreurs n’est pas 0. « Réparer l’annotation » en corrige la plus grande partie.</translation>
+  </message>
+  <message>
+   <source>Finds where images were taken: each label image is described by its landmarks and matched with a reference database.
+
+Every image gives one point; without a fix it has no geometry and its reason says why. Automatic and the constellation find images anywhere on the map, at any heading, and verify what they find. The topology vector method finds images centered on a window and accepts images from elsewhere: check what it finds.</source>
+   <translation>Trouve où des images ont été prises : chaque image d’étiquettes est décrite par ses repères visuels et comparée à une base de données de référence.
+
+Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas de géométrie et sa raison dit pourquoi. Automatique et la constellation trouvent les images n’importe où sur la carte, quel que soit leur cap, et vérifient ce qu’elles trouvent. La méthode du vecteur topologique trouve les images centrées sur une fenêtre et accepte des images d’ailleurs : vérifiez ce qu’elle trouve.</translation>
+  </message>
+  <message>
+   <source>Fix</source>
+   <translation>Position trouvée</translation>
+  </message>
+  <message>
+   <source>Folder for the tiles</source>
+   <translation>Dossier des tuiles</translation>
+  </message>
+  <message>
+   <source>Footprints</source>
+   <translation>Emprises au sol</translation>
+  </message>
+  <message>
+   <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
+   <translation>Pour les images ambiguës : le terrain de chaque lieu qui convient, le meilleur en premier.</translation>
+  </message>
+  <message>
+   <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
+   <translation>Pour les images d’un même vol dont les heures sont connues : une position trouvée qui ne peut pas être atteinte à temps depuis celles d’avant et d’après est marquée comme saut, avec la raison. Elle reste une position trouvée et elle est comptée.</translation>
+  </message>
+  <message>
+   <source>Fraction of the map that is labeled</source>
+   <translation>Part de la carte qui est étiquetée</translation>
+  </message>
+  <message>
+   <source>GeoPackage (*.gpkg)</source>
+   <translation>GeoPackage (*.gpkg)</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
+   <translation>GeoTIFF, 8 bits par pixel, sur la grille de l’image.</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, 8 bits a pixel, with the class table, colors and class names.</source>
+   <translation>GeoTIFF, 8 bits par pixel, avec la table des classes, les couleurs et les noms des classes.</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0.</source>
+   <translation>GeoTIFF, 8 bits par pixel, avec les classes du modèle ; les pixels sans données valent 0.</translation>
+  </message>
+  <message>
+   <source>Ground that an image shows, as a multiple of the window size.</source>
+   <translation>Terrain que montre une image, en multiple de la taille de fenêtre.</translation>
+  </message>
+  <message>
+   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, also when automatic uses them. A narrow range is searched faster.</source>
+   <translation>Terrain que montre le petit côté d’une image, en multiple de la taille de fenêtre de la base de données. Si les deux sont omis : 0,4 à 2,5 pour la constellation, 0,7 à 1,4 pour la corrélation de cartes, aussi quand Automatique les utilise. Une plage étroite est parcourue plus vite.</translation>
+  </message>
+  <message>
+   <source>HSV ranges</source>
+   <translation>Plages HSV</translation>
+  </message>
+  <message>
+   <source>HSV ranges follow the publication; nearest color forgives blended edges.</source>
+   <translation>Les plages HSV suivent la publication ; la couleur la plus proche tolère les bords mélangés.</translation>
+  </message>
+  <message>
+   <source>HTML files (*.html)</source>
+   <translation>Fichiers HTML (*.html)</translation>
+  </message>
+  <message>
+   <source>Heading</source>
+   <translation>Cap</translation>
+  </message>
+  <message>
+   <source>Heading of an image’s top, clockwise from grid north.</source>
+   <translation>Cap du haut d’une image, dans le sens horaire depuis le nord de la grille.</translation>
+  </message>
+  <message>
+   <source>How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the image shows. The topology vector is right when it names the nearest window.</source>
+   <translation>L’écart qu’une position trouvée peut avoir pour compter comme correcte. En cas d’omission, 2 % du côté du terrain que montre l’image. Le vecteur topologique est correct quand il nomme la fenêtre la plus proche.</translation>
+  </message>
+  <message>
+   <source>How far the compared image’s vector differs here</source>
+   <translation>De combien le vecteur de l’image comparée diffère ici</translation>
+  </message>
+  <message>
+   <source>How many of the landmarks nearest to the center a vector holds.</source>
+   <translation>Combien des repères visuels les plus proches du centre un vecteur contient.</translation>
+  </message>
+  <message>
+   <source>If left out: that of the model’s metadata, else 20. More takes longer and hides seams better.</source>
+   <translation>En cas d’omission : celui des métadonnées du modèle, sinon 20. Plus prend plus de temps et cache mieux les raccords.</translation>
+  </message>
+  <message>
+   <source>Image</source>
+   <translation>Image</translation>
+  </message>
+  <message>
+   <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
+   <translation>Image avec au moins trois bandes (rouge, vert, bleu) de 8 bits.</translation>
+  </message>
+  <message>
+   <source>Images</source>
+   <translation>Images</translation>
+  </message>
+  <message>
+   <source>Inspect</source>
+   <translation>Inspecter</translation>
+  </message>
+  <message>
+   <source>IoU</source>
+   <translation>IoU</translation>
+  </message>
+  <message>
+   <source>Issues</source>
+   <translation>Constats</translation>
+  </message>
+  <message>
+   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
+   <translation>Elle ne peut pas être atteinte à {speed:g} unités de carte par seconde depuis les positions trouvées avant et après elle.</translation>
+  </message>
+  <message>
+   <source>JSON files (*.json)</source>
+   <translation>Fichiers JSON (*.json)</translation>
+  </message>
+  <message>
+   <source>Keep results as layer</source>
+   <translation>Garder comme couche</translation>
+  </message>
+  <message>
+   <source>Label image</source>
+   <translation>Image d’étiquettes</translation>
+  </message>
+  <message>
+   <source>Label images, or folders of them: single-band class values, or colors decoded by the database’s class table; with a model, photos. They need no georeference.</source>
+   <translation>Images d’étiquettes, ou dossiers qui en contiennent : valeurs de classe sur une seule bande, ou couleurs décodées par la table des classes de la base de données ; avec un modèle, des photos. Elles n’ont pas besoin de géoréférence.</translation>
+  </message>
+  <message>
+   <source>Label map</source>
+   <translation>Carte d’étiquettes</translation>
+  </message>
+  <message>
+   <source>Label map of {width} × {height} pixels, {share:.1%} labeled: {classes}</source>
+   <translation>Carte d’étiquettes de {width} × {height} pixels, {share:.1%} étiquetés : {classes}</translation>
+  </message>
+  <message>
+   <source>Labels</source>
+   <translation>Étiquettes</translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <translation>Repères visuels</translation>
+  </message>
+  <message>
+   <source>Landmarks in the window</source>
+   <translation>Repères visuels dans la fenêtre</translation>
+  </message>
+  <message>
+   <source>Landmarks invented (%)</source>
+   <translation>Repères visuels inventés (%)</translation>
+  </message>
+  <message>
+   <source>Landmarks misnamed (%)</source>
+   <translation>Repères visuels mal nommés (%)</translation>
+  </message>
+  <message>
+   <source>Landmarks missed (%)</source>
+   <translation>Repères visuels manqués (%)</translation>
+  </message>
+  <message>
+   <source>Landmarks per vector</source>
+   <translation>Repères visuels par vecteur</translation>
+  </message>
+  <message>
+   <source>Largest gap (m²)</source>
+   <translation>Plus grande lacune (m²)</translation>
+  </message>
+  <message>
+   <source>Largest scale</source>
+   <translation>Plus grande échelle</translation>
+  </message>
+  <message>
+   <source>Lay image on map</source>
+   <translation>Poser l’image sur la carte</translation>
+  </message>
+  <message>
+   <source>Laying polygons on each other</source>
+   <translation>Superposition des polygones</translation>
+  </message>
+  <message>
+   <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
+   <translation>Redressée : roulis {roll:.1f}°, tangage {pitch:.1f}° ({source}).</translation>
+  </message>
+  <message>
+   <source>Levels</source>
+   <translation>Niveaux</translation>
+  </message>
+  <message>
+   <source>Loading the model</source>
+   <translation>Chargement du modèle</translation>
+  </message>
+  <message>
+   <source>Localization</source>
+   <translation>Localisation</translation>
+  </message>
+  <message>
+   <source>Localize</source>
+   <translation>Localiser</translation>
+  </message>
+  <message>
+   <source>Localize images</source>
+   <translation>Localiser des images</translation>
+  </message>
+  <message>
+   <source>Localizing</source>
+   <translation>Localisation</translation>
+  </message>
+  <message>
+   <source>Localizing images</source>
+   <translation>Localisation des images</translation>
+  </message>
+  <message>
+   <source>Looking at geometries</source>
+   <translation>Examen des géométries</translation>
+  </message>
+  <message>
+   <source>Looking at landmarks</source>
+   <translation>Examen des repères visuels</translation>
+  </message>
+  <message>
+   <source>Looking at neighbors of one class</source>
+   <translation>Examen des voisins de même classe</translation>
+  </message>
+  <message>
+   <source>Looking for gaps and slivers</source>
+   <translation>Recherche des lacunes et des polygones parasites</translation>
+  </message>
+  <message>
+   <source>Looking for overlaps</source>
+   <translation>Recherche des superpositions</translation>
+  </message>
+  <message>
+   <source>Looks like</source>
+   <translation>Ressemble à</translation>
+  </message>
+  <message>
+   <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
+
+Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
+   <translation>Nettoie une couche d’occupation du sol : les géométries deviennent valides, les superpositions vont à un seul polygone, les lacunes minuscules et les polygones parasites au voisin avec la plus longue limite commune, et les polygones d’une même classe qui se touchent n’en font plus qu’un. Le résultat a un polygone pour chaque repère visuel.
+
+Là où des polygones se superposent, la priorité la plus élevée reste au-dessus, sinon le polygone le plus petit, sinon la valeur de classe la plus basse. Chaque polygone garde les attributs de l’entité qui en couvre la plus grande partie. Réparer une couche réparée ne change rien.</translation>
+  </message>
+  <message>
+   <source>Map correlation</source>
+   <translation>Corrélation de cartes</translation>
+  </message>
+  <message>
+   <source>Maximum speed (map units per second)</source>
+   <translation>Vitesse maximale (unités de carte par seconde)</translation>
+  </message>
+  <message>
+   <source>Mean IoU</source>
+   <translation>IoU moyen</translation>
+  </message>
+  <message>
+   <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%} of {pixels} pixels.</source>
+   <translation>IoU moyen {iou:.1%}, exactitude globale {accuracy:.1%} sur {pixels} pixels.</translation>
+  </message>
+  <message>
+   <source>Median error</source>
+   <translation>Erreur médiane</translation>
+  </message>
+  <message>
+   <source>Method</source>
+   <translation>Méthode</translation>
+  </message>
+  <message>
+   <source>Method: {method}. In brackets and below the numbers: 95 % intervals and counts.</source>
+   <translation>Méthode : {method}. Entre parenthèses et sous les nombres : intervalles à 95 % et effectifs.</translation>
+  </message>
+  <message>
+   <source>Methods</source>
+   <translation>Méthodes</translation>
+  </message>
+  <message>
+   <source>Methods side by side</source>
+   <translation>Les méthodes côte à côte</translation>
+  </message>
+  <message>
+   <source>Minimum area</source>
+   <translation>Surface minimale</translation>
+  </message>
+  <message>
+   <source>Minimum area (m²)</source>
+   <translation>Surface minimale (m²)</translation>
+  </message>
+  <message>
+   <source>Mirrored images (%)</source>
+   <translation>Images en miroir (%)</translation>
+  </message>
+  <message>
+   <source>Model</source>
+   <translation>Modèle</translation>
+  </message>
+  <message>
+   <source>Model, for photos</source>
+   <translation>Modèle, pour les photos</translation>
+  </message>
+  <message>
+   <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
+   <translation>Multiplicateurs de la taille de fenêtre et du pas, séparés par « ; » : 1;2 ajoute des fenêtres deux fois plus grandes pour des vols deux fois plus hauts.</translation>
+  </message>
+  <message>
+   <source>Name of the matched window: its first column and row on the map</source>
+   <translation>Nom de la fenêtre correspondante : sa première colonne et sa première ligne sur la carte</translation>
+  </message>
+  <message>
+   <source>Nearest color</source>
+   <translation>Couleur la plus proche</translation>
+  </message>
+  <message>
+   <source>Nearest look-alike at distance {value:.3f}</source>
+   <translation>Sosie le plus proche à la distance {value:.3f}</translation>
+  </message>
+  <message>
+   <source>Next window</source>
+   <translation>Fenêtre suivante</translation>
+  </message>
+  <message>
+   <source>No match</source>
+   <translation>Aucune correspondance</translation>
+  </message>
+  <message>
+   <source>No polygon lies in the extent: the label map is empty.</source>
+   <translation>Aucun polygone ne se trouve dans l’emprise : la carte d’étiquettes est vide.</translation>
+  </message>
+  <message>
+   <source>No window of the database lies there.</source>
+   <translation>Il n’y a là aucune fenêtre de la base de données.</translation>
+  </message>
+  <message>
+   <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
+   <translation>Rien n’est visible de {name} (entité {id}) : l’entité {other} est au-dessus.</translation>
+  </message>
+  <message>
+   <source>Nothing was found.</source>
+   <translation>Rien n’a été trouvé.</translation>
+  </message>
+  <message>
+   <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
+   <translation>Champ numérique : là où des polygones se superposent, celui qui a la valeur la plus élevée est au-dessus. Sans lui, c’est l’ordre de dessin de la table des classes qui compte, sinon les derniers polygones sont au-dessus.</translation>
+  </message>
+  <message>
+   <source>Number of classes on the map</source>
+   <translation>Nombre de classes sur la carte</translation>
+  </message>
+  <message>
+   <source>Number of errors</source>
+   <translation>Nombre d’erreurs</translation>
+  </message>
+  <message>
+   <source>Number of findings</source>
+   <translation>Nombre de constats</translation>
+  </message>
+  <message>
+   <source>Number of fixes</source>
+   <translation>Nombre de positions trouvées</translation>
+  </message>
+  <message>
+   <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
+   <translation>Nombre d’images. Le rapport en demande environ 1,5 fois autant en plus pour le bruit et le décalage, et 66 pour ses tableaux.</translation>
+  </message>
+  <message>
+   <source>Number of landmarks</source>
+   <translation>Nombre de repères visuels</translation>
+  </message>
+  <message>
+   <source>Number of tiles</source>
+   <translation>Nombre de tuiles</translation>
+  </message>
+  <message>
+   <source>Number of windows</source>
+   <translation>Nombre de fenêtres</translation>
+  </message>
+  <message>
+   <source>Numbers</source>
+   <translation>Chiffres</translation>
+  </message>
+  <message>
+   <source>ONNX models (*.onnx)</source>
+   <translation>Modèles ONNX (*.onnx)</translation>
+  </message>
+  <message>
+   <source>Offset</source>
+   <translation>Décalage</translation>
+  </message>
+  <message>
+   <source>On the diagonal a confidence means what it says; below it promises too much.</source>
+   <translation>Sur la diagonale, une confiance tient ce qu’elle promet ; au-dessous, elle promet trop.</translation>
+  </message>
+  <message>
+   <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
+   <translation>Un seul GeoPackage avec les couches windows, references, overview, classes et parameters.</translation>
+  </message>
+  <message>
+   <source>One feature a change: what was changed where, and which features it concerns.</source>
+   <translation>Une entité par modification : ce qui a été modifié, où, et quelles entités cela concerne.</translation>
+  </message>
+  <message>
+   <source>One feature a finding, in the coordinate reference system of the label map.</source>
+   <translation>Une entité par constat, dans le système de coordonnées de référence de la carte d’étiquettes.</translation>
+  </message>
+  <message>
+   <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
+   <translation>Un point par image : état, position, confiance, distance, fenêtre et, si aucune position n’est trouvée, la raison.</translation>
+  </message>
+  <message>
+   <source>One polygon a connected place where the same two classes are confused, ranked by area.</source>
+   <translation>Un polygone par endroit d’un seul tenant où les deux mêmes classes sont confondues, classés par surface.</translation>
+  </message>
+  <message>
+   <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
+   <translation>Un polygone par position trouvée : le terrain que montre l’image, ou la fenêtre correspondante pour la méthode du vecteur topologique.</translation>
+  </message>
+  <message>
+   <source>Only with an approximate heading: other headings are not searched.</source>
+   <translation>Seulement avec un cap approximatif : les autres caps ne sont pas cherchés.</translation>
+  </message>
+  <message>
+   <source>Only with an approximate position: places farther away are not searched.</source>
+   <translation>Seulement avec une position approximative : les lieux plus éloignés ne sont pas cherchés.</translation>
+  </message>
+  <message>
+   <source>Opacity of the labels</source>
+   <translation>Opacité des étiquettes</translation>
+  </message>
+  <message>
+   <source>Outlining the disagreements</source>
+   <translation>Tracé du contour des divergences</translation>
+  </message>
+  <message>
+   <source>Overall accuracy</source>
+   <translation>Exactitude globale</translation>
+  </message>
+  <message>
+   <source>Overlap of tiles (%)</source>
+   <translation>Chevauchement des tuiles (%)</translation>
+  </message>
+  <message>
+   <source>Overview</source>
+   <translation>Vue d’ensemble</translation>
+  </message>
+  <message>
+   <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
+   <translation>Part des essais qui montrent un morceau de carte en miroir. Ils ressemblent à la carte mais ne peuvent jamais être corrects : une position trouvée pour l’un d’eux est une fausse acceptation.</translation>
+  </message>
+  <message>
+   <source>Photo or orthophoto</source>
+   <translation>Photo ou orthophoto</translation>
+  </message>
+  <message>
+   <source>Pick a window on the map, or give its name.</source>
+   <translation>Choisissez une fenêtre sur la carte, ou donnez son nom.</translation>
+  </message>
+  <message>
+   <source>Pick on map</source>
+   <translation>Choisir sur la carte</translation>
+  </message>
+  <message>
+   <source>Pixel size (m)</source>
+   <translation>Taille de pixel (m)</translation>
+  </message>
+  <message>
+   <source>Pixel size the network was trained on; if left out, that of the model’s metadata. Images without georeference are taken as they are.</source>
+   <translation>Taille de pixel sur laquelle le réseau a été entraîné ; en cas d’omission, celle des métadonnées du modèle. Les images sans géoréférence sont prises telles quelles.</translation>
+  </message>
+  <message>
+   <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
+   <translation>Points avec classe, surface et position en pixels ; en pixels (y vers le haut, négatif) sans géoréférence.</translation>
+  </message>
+  <message>
+   <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
+   <translation>Polygones d’occupation du sol. Ils peuvent se superposer, être multiparties, invalides ou en trois dimensions.</translation>
+  </message>
+  <message>
+   <source>Positions</source>
+   <translation>Positions</translation>
+  </message>
+  <message>
+   <source>Possible places</source>
+   <translation>Lieux possibles</translation>
+  </message>
+  <message>
+   <source>Predicted label map</source>
+   <translation>Carte d’étiquettes prédite</translation>
+  </message>
+  <message>
+   <source>Priority field</source>
+   <translation>Champ de priorité</translation>
+  </message>
+  <message>
+   <source>Probability that the position is right; for the published method, how near the vectors are</source>
+   <translation>Probabilité que la position soit correcte ; pour la méthode publiée, la proximité des vecteurs</translation>
+  </message>
+  <message>
+   <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
+   <translation>SCR projeté en mètres. En cas d’omission : celui de la couche s’il est métrique, sinon une zone UTM.</translation>
+  </message>
+  <message>
+   <source>Radius around it (map units)</source>
+   <translation>Rayon autour d’elle (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Radius that holds the true position in 95 % of fixes, in meters</source>
+   <translation>Rayon qui contient la vraie position pour 95 % des positions trouvées, en mètres</translation>
+  </message>
+  <message>
+   <source>Ragged edges (map units)</source>
+   <translation>Bords irréguliers (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Range around it (± °)</source>
+   <translation>Plage autour de lui (± °)</translation>
+  </message>
+  <message>
+   <source>Rasterize annotation</source>
+   <translation>Rastériser l’annotation</translation>
+  </message>
+  <message>
+   <source>Reading an image</source>
+   <translation>Lecture d’une image</translation>
+  </message>
+  <message>
+   <source>Reading the database</source>
+   <translation>Lecture de la base de données</translation>
+  </message>
+  <message>
+   <source>Reading the label map</source>
+   <translation>Lecture de la carte d’étiquettes</translation>
+  </message>
+  <message>
+   <source>Reading…</source>
+   <translation>Lecture…</translation>
+  </message>
+  <message>
+   <source>Ready to localize.</source>
+   <translation>Prêt à localiser.</translation>
+  </message>
+  <message>
+   <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
+   <translation>Rouge, vert et bleu : bandes {red}, {green}, {blue}.</translation>
+  </message>
+  <message>
+   <source>Reference classes</source>
+   <translation>Classes de référence</translation>
+  </message>
+  <message>
+   <source>Reference database</source>
+   <translation>Base de données de référence</translation>
+  </message>
+  <message>
+   <source>Reliability of the confidence</source>
+   <translation>Fiabilité de la confiance</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>Supprimer</translation>
+  </message>
+  <message>
+   <source>Repair annotation</source>
+   <translation>Réparer l’annotation</translation>
+  </message>
+  <message>
+   <source>Repaired annotation</source>
+   <translation>Annotation réparée</translation>
+  </message>
+  <message>
+   <source>Report</source>
+   <translation>Rapport</translation>
+  </message>
+  <message>
+   <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
+   <translation>Rééchantillonné à {resolution:g} cm par pixel : {width} × {height} pixels.</translation>
+  </message>
+  <message>
+   <source>Resolution (cm per pixel)</source>
+   <translation>Résolution (cm par pixel)</translation>
+  </message>
+  <message>
+   <source>Resolving overlaps</source>
+   <translation>Résolution des superpositions</translation>
+  </message>
+  <message>
+   <source>Results</source>
+   <translation>Résultats</translation>
+  </message>
+  <message>
+   <source>Results appear here.</source>
+   <translation>Les résultats apparaissent ici.</translation>
+  </message>
+  <message>
+   <source>Right fixes by the number of landmarks the database has there.</source>
+   <translation>Positions correctes selon le nombre de repères visuels que la base de données a à cet endroit.</translation>
+  </message>
+  <message>
+   <source>Right fixes of windows moved aside, without noise, scaling or turning; bands: 95 % intervals.</source>
+   <translation>Positions correctes de fenêtres décalées, sans bruit, mise à l’échelle ni rotation ; bandes : intervalles à 95 %.</translation>
+  </message>
+  <message>
+   <source>Right fixes of {method}; {count} images a cell, the other ranges as set.</source>
+   <translation>Positions correctes de {method} ; {count} images par case, les autres plages comme réglées.</translation>
+  </message>
+  <message>
+   <source>Right within (map units)</source>
+   <translation>Correct à moins de (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Rotation</source>
+   <translation>Rotation</translation>
+  </message>
+  <message>
+   <source>Rotation (Table 5 of He &amp; Wu 2025)</source>
+   <translation>Rotation (tableau 5 de He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Rotation (°)</source>
+   <translation>Rotation (°)</translation>
+  </message>
+  <message>
+   <source>Scale</source>
+   <translation>Échelle</translation>
+  </message>
+  <message>
+   <source>Scale (Table 4 of He &amp; Wu 2025)</source>
+   <translation>Échelle (tableau 4 de He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Search the whole database</source>
+   <translation>Chercher dans toute la base de données</translation>
+  </message>
+  <message>
+   <source>Search: the whole database</source>
+   <translation>Recherche : toute la base de données</translation>
+  </message>
+  <message>
+   <source>Search: within {radius:.0f} m</source>
+   <translation>Recherche : dans un rayon de {radius:.0f} m</translation>
+  </message>
+  <message>
+   <source>Seed</source>
+   <translation>Graine aléatoire</translation>
+  </message>
+  <message>
+   <source>Segment image</source>
+   <translation>Segmenter une image</translation>
+  </message>
+  <message>
+   <source>Segmenting</source>
+   <translation>Segmentation</translation>
+  </message>
+  <message>
+   <source>Select a result to see its hit on the map.</source>
+   <translation>Sélectionnez un résultat pour voir sa correspondance sur la carte.</translation>
+  </message>
+  <message>
+   <source>SemRef footprints</source>
+   <translation>Emprises au sol SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install {debian_packages}” on Debian and Ubuntu.</source>
+   <translation>SemRef a besoin du paquet Python {packages}. Installez-le pour le Python de QGIS, par exemple avec « python3 -m pip install {packages} », ou « apt install {debian_packages} » sous Debian et Ubuntu.</translation>
+  </message>
+  <message>
+   <source>SemRef positions</source>
+   <translation>Positions SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef possible places</source>
+   <translation>Lieux possibles SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef windows</source>
+   <translation>Fenêtres SemRef</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <translation>Paramètre</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <translation>Paramètres</translation>
+  </message>
+  <message>
+   <source>Share of landmarks that are added, shaped like landmarks of other places of the map.</source>
+   <translation>Part des repères visuels ajoutés, de la forme de repères d’autres endroits de la carte.</translation>
+  </message>
+  <message>
+   <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
+   <translation>Part du terrain étiqueté qui est réservée à la validation ; 0 pour aucune.</translation>
+  </message>
+  <message>
+   <source>Share of the landmarks that are taken away.</source>
+   <translation>Part des repères visuels qui sont retirés.</translation>
+  </message>
+  <message>
+   <source>Share of the landmarks that get another class.</source>
+   <translation>Part des repères visuels qui reçoivent une autre classe.</translation>
+  </message>
+  <message>
+   <source>Share of the map’s images with a fix at most so far off, right or wrong.</source>
+   <translation>Part des images de la carte dont la position trouvée a au plus cet écart, correcte ou non.</translation>
+  </message>
+  <message>
+   <source>Show or hide the SemRef dock: find where images were taken</source>
+   <translation>Afficher ou masquer le panneau SemRef : trouver où des images ont été prises</translation>
+  </message>
+  <message>
+   <source>Shows what localization sees in a label image: its landmarks as points and its topology vector.
+
+The image is described in its largest centered square, exactly as the windows of a database are. With a database its classes, minimum area and vector length are used; without one, give them here.</source>
+   <translation>Montre ce que la localisation voit dans une image d’étiquettes : ses repères visuels en points et son vecteur topologique.
+
+L’image est décrite dans son plus grand carré centré, exactement comme le sont les fenêtres d’une base de données. Avec une base de données, ce sont ses classes, sa surface minimale et sa longueur de vecteur qui sont utilisées ; sans base, donnez-les ici.</translation>
+  </message>
+  <message>
+   <source>Single-band class values, or colors decoded by the class table. It needs no georeference.</source>
+   <translation>Valeurs de classe sur une seule bande, ou couleurs décodées par la table des classes. Elle n’a pas besoin de géoréférence.</translation>
+  </message>
+  <message>
+   <source>Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it.</source>
+   <translation>Raster à une seule bande de valeurs de classe dans un SCR métrique, comme le produit « Rastériser l’annotation ».</translation>
+  </message>
+  <message>
+   <source>Single-band raster of class values, 0 where nothing is known, of the same ground.</source>
+   <translation>Raster à une seule bande de valeurs de classe, 0 là où rien n’est connu, du même terrain.</translation>
+  </message>
+  <message>
+   <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
+
+The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
+   <translation>Fait glisser des fenêtres sur une carte d’étiquettes et décrit chacune par le vecteur topologique de ses repères visuels ; enregistre les fenêtres, les repères de toute la carte, une carte réduite, les classes et les paramètres dans un seul GeoPackage.
+
+La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtres avec moins de trois repères n’ont pas de vecteur ; le journal dit combien.</translation>
+  </message>
+  <message>
+   <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
+   <translation>Les divergences plus petites ne donnent pas de polygone ; en unités de carte carrées, en pixels sans géoréférence.</translation>
+  </message>
+  <message>
+   <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
+   <translation>Les repères visuels plus petits sont signalés : « Créer une base de données de référence » les laisse de côté.</translation>
+  </message>
+  <message>
+   <source>Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin pieces are merged at any area.</source>
+   <translation>Les morceaux plus petits qui touchent un voisin sont fusionnés avec lui ; les morceaux isolés restent. Les morceaux minces sont fusionnés quelle que soit leur surface.</translation>
+  </message>
+  <message>
+   <source>Smaller regions are no landmarks.</source>
+   <translation>Les surfaces plus petites ne sont pas des repères visuels.</translation>
+  </message>
+  <message>
+   <source>Smallest scale</source>
+   <translation>Plus petite échelle</translation>
+  </message>
+  <message>
+   <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
+   <translation>Écart type du déplacement des bords, semblable sur huit pixels.</translation>
+  </message>
+  <message>
+   <source>Starting…</source>
+   <translation>Démarrage…</translation>
+  </message>
+  <message>
+   <source>Status</source>
+   <translation>État</translation>
+  </message>
+  <message>
+   <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
+   <translation>Pas d’une tuile à la suivante ; s’il est inférieur à la taille de tuile, les tuiles se chevauchent.</translation>
+  </message>
+  <message>
+   <source>Stretched to 8 bits from {limits}.</source>
+   <translation>Étiré à 8 bits depuis {limits}.</translation>
+  </message>
+  <message>
+   <source>Stride (map units)</source>
+   <translation>Pas (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Stride (pixels)</source>
+   <translation>Pas (pixels)</translation>
+  </message>
+  <message>
+   <source>Success against offset</source>
+   <translation>Réussite selon le décalage</translation>
+  </message>
+  <message>
+   <source>Success by landmarks</source>
+   <translation>Réussite selon les repères visuels</translation>
+  </message>
+  <message>
+   <source>Success rate</source>
+   <translation>Taux de réussite</translation>
+  </message>
+  <message>
+   <source>Success under noise</source>
+   <translation>Réussite sous l’effet du bruit</translation>
+  </message>
+  <message>
+   <source>Tables and charts in one file to read and print.</source>
+   <translation>Tableaux et graphiques dans un seul fichier à lire et à imprimer.</translation>
+  </message>
+  <message>
+   <source>Target CRS</source>
+   <translation>SCR cible</translation>
+  </message>
+  <message>
+   <source>Text or number field that tells the class of each polygon.</source>
+   <translation>Champ de texte ou numérique qui indique la classe de chaque polygone.</translation>
+  </message>
+  <message>
+   <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
+   <translation>Le fournisseur de traitements SemRef est désactivé ; activez-le dans les options.</translation>
+  </message>
+  <message>
+   <source>The database has no window “{name}”.</source>
+   <translation>La base de données n’a pas de fenêtre « {name} ».</translation>
+  </message>
+  <message>
+   <source>The disk is full while writing {name}; free some space or choose another place.</source>
+   <translation>Le disque est plein pendant l’écriture de {name} ; libérez de l’espace ou choisissez un autre emplacement.</translation>
+  </message>
+  <message>
+   <source>The geometry of feature {id} is invalid: {reason}.</source>
+   <translation>La géométrie de l’entité {id} est invalide : {reason}.</translation>
+  </message>
+  <message>
+   <source>The geometry of feature {id} was made valid: {reason}.</source>
+   <translation>La géométrie de l’entité {id} a été rendue valide : {reason}.</translation>
+  </message>
+  <message>
+   <source>The heights (Z) of feature {id} were left out.</source>
+   <translation>Les altitudes (Z) de l’entité {id} ont été laissées de côté.</translation>
+  </message>
+  <message>
+   <source>The hit lies outside the area of the project’s CRS; choose another one to see it.</source>
+   <translation>La correspondance se trouve hors de la zone du SCR du projet ; choisissez-en un autre pour la voir.</translation>
+  </message>
+  <message>
+   <source>The image is described as this database’s windows are; the settings below are then not used.</source>
+   <translation>L’image est décrite comme les fenêtres de cette base de données ; les paramètres ci-dessous ne sont alors pas utilisés.</translation>
+  </message>
+  <message>
+   <source>The label map brings no class names; its classes are named by their values.</source>
+   <translation>La carte d’étiquettes n’apporte pas de noms de classes ; ses classes sont nommées par leurs valeurs.</translation>
+  </message>
+  <message>
+   <source>The largest of each kind</source>
+   <translation>Les plus grands de chaque type</translation>
+  </message>
+  <message>
+   <source>The lines from the center to the landmarks of the topology vector</source>
+   <translation>Les lignes du centre aux repères visuels du vecteur topologique</translation>
+  </message>
+  <message>
+   <source>The map that images are cut from: the database’s own or another of the same ground, in the database’s CRS and with its classes; the pixel size may differ.</source>
+   <translation>La carte dans laquelle les images sont découpées : celle de la base de données ou une autre du même terrain, dans le SCR de la base et avec ses classes ; la taille de pixel peut différer.</translation>
+  </message>
+  <message>
+   <source>The maps share no class names: classes are matched by their values.</source>
+   <translation>Les cartes n’ont aucun nom de classe en commun : les classes sont associées par leurs valeurs.</translation>
+  </message>
+  <message>
+   <source>The model does not say its resolution: the image is taken as it is.</source>
+   <translation>Le modèle n’indique pas sa résolution : l’image est prise telle quelle.</translation>
+  </message>
+  <message>
+   <source>The network that makes labels of photos; leave empty for label images</source>
+   <translation>Le réseau qui fait des étiquettes à partir de photos ; laisser vide pour des images d’étiquettes</translation>
+  </message>
+  <message>
+   <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
+   <translation>La taille de pixel avec laquelle la couche sera rastérisée : les repères visuels que de tels pixels perdraient, fusionneraient ou diviseraient sont aussi signalés. En cas d’omission, ce n’est pas examiné.</translation>
+  </message>
+  <message>
+   <source>The positions are a temporary layer of the project now; export it to keep them.</source>
+   <translation>Les positions sont maintenant une couche temporaire du projet ; exportez-la pour les conserver.</translation>
+  </message>
+  <message>
+   <source>The same windows, turned about their centers.</source>
+   <translation>Les mêmes fenêtres, tournées autour de leur centre.</translation>
+  </message>
+  <message>
+   <source>The selected image appears here.</source>
+   <translation>L’image sélectionnée apparaît ici.</translation>
+  </message>
+  <message>
+   <source>The shape is not that of {source}, so the image is taken as it is.</source>
+   <translation>La forme n’est pas celle de {source}, l’image est donc prise telle quelle.</translation>
+  </message>
+  <message>
+   <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.</source>
+   <translation>La plus petite échelle ({smallest:g}) dépasse la plus grande ({largest:g}) ; donnez les deux, la plus petite en premier.</translation>
+  </message>
+  <message>
+   <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
+   <translation>Le pas ({stride:g}) est plus grand que la fenêtre ({size:g}), du terrain manquerait donc entre les fenêtres ; choisissez un pas au plus égal à la taille de fenêtre.</translation>
+  </message>
+  <message>
+   <source>There is no database {path}; choose another file.</source>
+   <translation>Il n’y a pas de base de données {path} ; choisissez un autre fichier.</translation>
+  </message>
+  <message>
+   <source>Tile size (pixels)</source>
+   <translation>Taille de tuile (pixels)</translation>
+  </message>
+  <message>
+   <source>Too few landmarks</source>
+   <translation>Trop peu de repères visuels</translation>
+  </message>
+  <message>
+   <source>Topology vector</source>
+   <translation>Vecteur topologique</translation>
+  </message>
+  <message>
+   <source>Topology vector (He &amp; Wu 2025)</source>
+   <translation>Vecteur topologique (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Topology vector (published)</source>
+   <translation>Vecteur topologique (publié)</translation>
+  </message>
+  <message>
+   <source>Trials</source>
+   <translation>Essais</translation>
+  </message>
+  <message>
+   <source>Trials lie around windows that have at least so many landmarks; 20 leaves open country out.</source>
+   <translation>Les essais se trouvent autour de fenêtres qui ont au moins ce nombre de repères visuels ; 20 laisse de côté la rase campagne.</translation>
+  </message>
+  <message>
+   <source>Tried on the same images, side by side. The outputs’ rates and the grid of noise are those of the first of automatic, constellation, map correlation, topology vector that is chosen.</source>
+   <translation>Essayées sur les mêmes images, côte à côte. Les taux des sorties et la grille de bruit sont ceux de la première choisie parmi automatique, constellation, corrélation de cartes et vecteur topologique.</translation>
+  </message>
+  <message>
+   <source>Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off the windows and spoiled, then localized with one method or several.
+
+The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer: on its own map a database always does better.</source>
+   <translation>Met à l’essai une base de données de référence : des images dont la vérité est connue sont découpées dans une carte d’étiquettes, tournées, mises à l’échelle, décalées des fenêtres et dégradées, puis localisées avec une ou plusieurs méthodes.
+
+Le rapport compare les méthodes, avec les deux tableaux de He &amp; Wu 2025, la réussite selon le décalage et le bruit, les erreurs, les fausses acceptations et ce que vaut la confiance. Même graine, même résultat. Utilisez une carte d’étiquettes d’une autre date que celle de la base de données pour une réponse honnête : sur sa propre carte, une base de données fait toujours mieux.</translation>
+  </message>
+  <message>
+   <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
+
+The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.</source>
+   <translation>Transforme une photo ou une orthophoto en carte d’étiquettes avec un réseau de segmentation (ONNX).
+
+L’image est ramenée à la résolution du modèle si les deux sont connues et examinée par tuiles qui se chevauchent, pour qu’aucun raccord ne se voie. La carte d’étiquettes se trouve là où se trouve l’image et a les classes du modèle.</translation>
+  </message>
+  <message>
+   <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
+
+Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is black.</source>
+   <translation>Transforme une image qui montre les classes par des couleurs en carte d’étiquettes, d’après les plages HSV de la table des classes, comme publié, ou d’après la couleur de classe la plus proche.
+
+Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur la plus proche, le noir est non étiqueté, sauf si une classe est noire.</translation>
+  </message>
+  <message>
+   <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
+   <translation>Les endroits non couverts jusqu’à cette surface, entourés de polygones, sont remplis ; les endroits minces le sont quelle que soit leur surface.</translation>
+  </message>
+  <message>
+   <source>Uncovered places up to this area, enclosed by polygons, are gaps; thin ones are at any area.</source>
+   <translation>Les endroits non couverts jusqu’à cette surface, entourés de polygones, sont des lacunes ; les endroits minces le sont quelle que soit leur surface.</translation>
+  </message>
+  <message>
+   <source>Unreadable</source>
+   <translation>Illisible</translation>
+  </message>
+  <message>
+   <source>Unverified match</source>
+   <translation>Correspondance non vérifiée</translation>
+  </message>
+  <message>
+   <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
+   <translation>Polygones simples valides avec les champs de la couche d’annotation, en mètres.</translation>
+  </message>
+  <message>
+   <source>Validation fraction</source>
+   <translation>Part de validation</translation>
+  </message>
+  <message>
+   <source>Value</source>
+   <translation>Valeur</translation>
+  </message>
+  <message>
+   <source>Values and colors for the model’s classes, found by name; for a model that does not name its classes: one line an output of the network, in order of value.</source>
+   <translation>Valeurs et couleurs des classes du modèle, trouvées par leur nom ; pour un modèle qui ne nomme pas ses classes : une ligne par sortie du réseau, dans l’ordre des valeurs.</translation>
+  </message>
+  <message>
+   <source>Vector</source>
+   <translation>Vecteur</translation>
+  </message>
+  <message>
+   <source>What became of the images of the map:</source>
+   <translation>Ce que sont devenues les images de la carte :</translation>
+  </message>
+  <message>
+   <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
+   <translation>Ce qui est vérifié, par exemple issu de « Segmenter une image ». Doit être dans le SCR de la carte annotée.</translation>
+  </message>
+  <message>
+   <source>What is held to be true: single-band class values, for example from “Rasterize annotation”.</source>
+   <translation>Ce qui est tenu pour vrai : valeurs de classe sur une seule bande, par exemple issues de « Rastériser l’annotation ».</translation>
+  </message>
+  <message>
+   <source>What the confidence is worth</source>
+   <translation>Ce que vaut la confiance</translation>
+  </message>
+  <message>
+   <source>Where it succeeds</source>
+   <translation>Où la localisation réussit</translation>
+  </message>
+  <message>
+   <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
+   <translation>Où sont allés les pixels annotés de chaque classe, en part de sa ligne ; la diagonale est correcte.</translation>
+  </message>
+  <message>
+   <source>Where the images are known to be, roughly. It speeds up the search and is never needed.</source>
+   <translation>Où se trouvent à peu près les images. Cela accélère la recherche et n’est jamais nécessaire.</translation>
+  </message>
+  <message>
+   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north.</source>
+   <translation>Vers où pointe à peu près le haut des images, en degrés dans le sens horaire depuis le nord de la grille.</translation>
+  </message>
+  <message>
+   <source>Where the image’s top points to, in degrees clockwise from grid north</source>
+   <translation>Vers où pointe le haut de l’image, en degrés dans le sens horaire depuis le nord de la grille</translation>
+  </message>
+  <message>
+   <source>Whether a position was found</source>
+   <translation>Si une position a été trouvée</translation>
+  </message>
+  <message>
+   <source>Window</source>
+   <translation>Fenêtre</translation>
+  </message>
+  <message>
+   <source>Window before</source>
+   <translation>Fenêtre précédente</translation>
+  </message>
+  <message>
+   <source>Window name</source>
+   <translation>Nom de la fenêtre</translation>
+  </message>
+  <message>
+   <source>Window size (map units)</source>
+   <translation>Taille de fenêtre (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Windows</source>
+   <translation>Fenêtres</translation>
+  </message>
+  <message>
+   <source>Windows are whole pixels: window size {size:g}, stride {stride:g}.</source>
+   <translation>Les fenêtres sont des pixels entiers : taille de fenêtre {size:g}, pas {stride:g}.</translation>
+  </message>
+  <message>
+   <source>Windows elsewhere with the nearest vectors; double-click to inspect one</source>
+   <translation>Fenêtres situées ailleurs avec les vecteurs les plus proches ; double-cliquer pour en inspecter une</translation>
+  </message>
+  <message>
+   <source>Windows seen from 2 to 0.5 times their size, without noise. The method of the paper compares vectors: a distance above 2 is no match.</source>
+   <translation>Fenêtres vues de 2 à 0,5 fois leur taille, sans bruit. La méthode de l’article compare des vecteurs : une distance supérieure à 2 n’est pas une correspondance.</translation>
+  </message>
+  <message>
+   <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
+   <translation>Sans base de données : combien des repères visuels les plus proches du centre le vecteur contient.</translation>
+  </message>
+  <message>
+   <source>Without a database: names or values separated by “;”. If left out, the role in the class table counts.</source>
+   <translation>Sans base de données : noms ou valeurs séparés par « ; ». En cas d’omission, c’est le rôle dans la table des classes qui compte.</translation>
+  </message>
+  <message>
+   <source>Without a database: smallest landmark in square map units, in pixels without georeference.</source>
+   <translation>Sans base de données : plus petit repère visuel en unités de carte carrées, en pixels sans géoréférence.</translation>
+  </message>
+  <message>
+   <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
+   <translation>Sans base de données : les classes. En cas d’omission, celles que l’image d’étiquettes porte elle-même.</translation>
+  </message>
+  <message>
+   <source>Writing the database</source>
+   <translation>Écriture de la base de données</translation>
+  </message>
+  <message>
+   <source>Writing tiles</source>
+   <translation>Écriture des tuiles</translation>
+  </message>
+  <message>
+   <source>Zoom to hit</source>
+   <translation>Zoomer sur la correspondance</translation>
+  </message>
+  <message>
+   <source>annotated</source>
+   <translation>annoté</translation>
+  </message>
+  <message>
+   <source>annotated pixels</source>
+   <translation>pixels annotés</translation>
+  </message>
+  <message>
+   <source>area</source>
+   <translation>surface</translation>
+  </message>
+  <message>
+   <source>class</source>
+   <translation>classe</translation>
+  </message>
+  <message>
+   <source>confidence</source>
+   <translation>confiance</translation>
+  </message>
+  <message>
+   <source>confidence told</source>
+   <translation>confiance annoncée</translation>
+  </message>
+  <message>
+   <source>confidence {value:.2f}</source>
+   <translation>confiance {value:.2f}</translation>
+  </message>
+  <message>
+   <source>distance</source>
+   <translation>distance</translation>
+  </message>
+  <message>
+   <source>distance {value:.3f}</source>
+   <translation>distance {value:.3f}</translation>
+  </message>
+  <message>
+   <source>distance {value:.4f}</source>
+   <translation>distance {value:.4f}</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <translation>erreur</translation>
+  </message>
+  <message>
+   <source>error, m</source>
+   <translation>erreur, m</translation>
+  </message>
+  <message>
+   <source>errors</source>
+   <translation>erreurs</translation>
+  </message>
+  <message>
+   <source>false accepts</source>
+   <translation>fausses acceptations</translation>
+  </message>
+  <message>
+   <source>findings</source>
+   <translation>constats</translation>
+  </message>
+  <message>
+   <source>found</source>
+   <translation>trouvé</translation>
+  </message>
+  <message>
+   <source>heading</source>
+   <translation>cap</translation>
+  </message>
+  <message>
+   <source>heading {value:.1f}°</source>
+   <translation>cap {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>images with a fix</source>
+   <translation>images avec une position trouvée</translation>
+  </message>
+  <message>
+   <source>in the 95 % ellipse</source>
+   <translation>dans l’ellipse à 95 %</translation>
+  </message>
+  <message>
+   <source>information</source>
+   <translation>informations</translation>
+  </message>
+  <message>
+   <source>kind</source>
+   <translation>type</translation>
+  </message>
+  <message>
+   <source>kind, see the table</source>
+   <translation>type, voir le tableau</translation>
+  </message>
+  <message>
+   <source>landmarks in the window</source>
+   <translation>repères visuels dans la fenêtre</translation>
+  </message>
+  <message>
+   <source>landmarks invented</source>
+   <translation>repères visuels inventés</translation>
+  </message>
+  <message>
+   <source>landmarks missed</source>
+   <translation>repères visuels manqués</translation>
+  </message>
+  <message>
+   <source>mean IoU</source>
+   <translation>IoU moyen</translation>
+  </message>
+  <message>
+   <source>median error</source>
+   <translation>erreur médiane</translation>
+  </message>
+  <message>
+   <source>no class</source>
+   <translation>aucune classe</translation>
+  </message>
+  <message>
+   <source>of right fixes</source>
+   <translation>des positions correctes</translation>
+  </message>
+  <message>
+   <source>of the classes that are annotated</source>
+   <translation>des classes annotées</translation>
+  </message>
+  <message>
+   <source>offset from the nearest window, share of the stride</source>
+   <translation>décalage par rapport à la fenêtre la plus proche, part du pas</translation>
+  </message>
+  <message>
+   <source>overall accuracy</source>
+   <translation>exactitude globale</translation>
+  </message>
+  <message>
+   <source>pixel size {value:.3g} m</source>
+   <translation>taille de pixel {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>predicted</source>
+   <translation>prédit</translation>
+  </message>
+  <message>
+   <source>right among the fixes</source>
+   <translation>part correcte des positions trouvées</translation>
+  </message>
+  <message>
+   <source>right fixes</source>
+   <translation>positions correctes</translation>
+  </message>
+  <message>
+   <source>right where predicted</source>
+   <translation>correct là où prédit</translation>
+  </message>
+  <message>
+   <source>scale</source>
+   <translation>échelle</translation>
+  </message>
+  <message>
+   <source>the output</source>
+   <translation>la sortie</translation>
+  </message>
+  <message>
+   <source>warnings</source>
+   <translation>avertissements</translation>
+  </message>
+  <message>
+   <source>window {value}</source>
+   <translation>fenêtre {value}</translation>
+  </message>
+  <message>
+   <source>within {value:.2f} m (95 %)</source>
+   <translation>à {value:.2f} m près (95 %)</translation>
+  </message>
+  <message>
+   <source>wrong fixes</source>
+   <translation>positions erronées</translation>
+  </message>
+  <message>
+   <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
+   <translation>{area:.2f} m² que deux entités revendiquaient appartiennent à {name} (entité {id}), et non plus à l’entité {other}.</translation>
+  </message>
+  <message>
+   <source>{before} features became {after} polygons; {changes} changes</source>
+   <translation>{before} entités sont devenues {after} polygones ; {changes} modifications</translation>
+  </message>
+  <message>
+   <source>{count} images to localize.</source>
+   <translation>{count} images à localiser.</translation>
+  </message>
+  <message>
+   <source>{count} landmarks in the centered square of {size} pixels.</source>
+   <translation>{count} repères visuels dans le carré centré de {size} pixels.</translation>
+  </message>
+  <message>
+   <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
+   <translation>{count} repères visuels, centre {x:.0f} {y:.0f}</translation>
+  </message>
+  <message>
+   <source>{count} pixels compared</source>
+   <translation>{count} pixels comparés</translation>
+  </message>
+  <message>
+   <source>{count} places disagree.</source>
+   <translation>{count} endroits divergent.</translation>
+  </message>
+  <message>
+   <source>{database}, images cut from {labels}</source>
+   <translation>{database}, images découpées dans {labels}</translation>
+  </message>
+  <message>
+   <source>{fixes} of {images} images have a fix.</source>
+   <translation>Position trouvée pour {fixes} images sur {images}.</translation>
+  </message>
+  <message>
+   <source>{image} can’t be shown on the map.</source>
+   <translation>{image} ne peut pas être affichée sur la carte.</translation>
+  </message>
+  <message>
+   <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
+   <translation>{image} : distance {distance:.3f}, confiance {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{issues} findings, {errors} of them errors</source>
+   <translation>{issues} constats, dont {errors} erreurs</translation>
+  </message>
+  <message>
+   <source>{jumps} of {checked} fixes with a time are jumps.</source>
+   <translation>{jumps} des {checked} positions trouvées avec une heure sont des sauts.</translation>
+  </message>
+  <message>
+   <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
+   <translation>{lacking} fenêtres ({share:.0%}) montrent moins de trois repères visuels et n’ont pas de vecteur.</translation>
+  </message>
+  <message>
+   <source>{layer}: {features} features</source>
+   <translation>{layer} : {features} entités</translation>
+  </message>
+  <message>
+   <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
+   <translation>{method} : correctes {right}, erronées {wrong}, fausses acceptations {accepts}, erreur médiane {error}</translation>
+  </message>
+  <message>
+   <source>{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.</source>
+   <translation>{model} : {classes} ; calculé avec {provider}, tuiles de {width} × {height} pixels.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) and {other_name} (feature {other}) claim the same {area:.2f} m², and only the order of the features says which lies on top.</source>
+   <translation>{name} (entité {id}) et {other_name} (entité {other}) revendiquent les mêmes {area:.2f} m², et seul l’ordre des entités dit laquelle est au-dessus.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) covers {area:.2f} m², less than the minimum area: it is no landmark.</source>
+   <translation>{name} (entité {id}) couvre {area:.2f} m², moins que la surface minimale : ce n’est pas un repère visuel.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) falls into {number:.0f} pieces of pixels.</source>
+   <translation>{name} (entité {id}) se divise en {number:.0f} morceaux de pixels.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) has the same outline as {other_name} (feature {other}).</source>
+   <translation>{name} (entité {id}) a le même contour que {other_name} (entité {other}).</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) lies on {area:.2f} m² of {other_name} (feature {other}), as their order says.</source>
+   <translation>{name} (entité {id}) recouvre {area:.2f} m² de {other_name} (entité {other}), comme leur ordre l’indique.</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}, {area:.2f} m²): the outline of its pixels stays under the minimum area, so it is no landmark.</source>
+   <translation>{name} (entité {id}, {area:.2f} m²) : le contour de ses pixels reste sous la surface minimale, ce n’est donc pas un repère visuel.</translation>
+  </message>
+  <message>
+   <source>{name} (features {id} and {other}): their pixels touch, so they become one landmark.</source>
+   <translation>{name} (entités {id} et {other}) : leurs pixels se touchent, elles deviennent donc un seul repère visuel.</translation>
+  </message>
+  <message>
+   <source>{name} can’t be written; choose a place where you may write.</source>
+   <translation>{name} ne peut pas être écrit ; choisissez un emplacement où vous avez le droit d’écrire.</translation>
+  </message>
+  <message>
+   <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
+   <translation>{name} : IoU {iou:.1%}, {pixels} pixels annotés</translation>
+  </message>
+  <message>
+   <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
+   <translation>{number:.0f} entités de {name} qui se touchent forment un seul polygone avec les attributs de l’entité {id}.</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
+   <translation>{path} n’est pas une base de données de référence SemRef ; choisissez-en une créée par « Créer une base de données de référence ».</translation>
+  </message>
+  <message>
+   <source>{predicted} against {reference}</source>
+   <translation>{predicted} comparée à {reference}</translation>
+  </message>
+  <message>
+   <source>{seconds:.0f} s.</source>
+   <translation>{seconds:.0f} s.</translation>
+  </message>
+  <message>
+   <source>{share:.1%} of the pixels match no class.</source>
+   <translation>{share:.1%} des pixels ne correspondent à aucune classe.</translation>
+  </message>
+  <message>
+   <source>{source} does not measure in meters; the label map is made in {target}.</source>
+   <translation>{source} ne mesure pas en mètres ; la carte d’étiquettes est créée dans {target}.</translation>
+  </message>
+  <message>
+   <source>{source} does not measure in meters; the result is in {target}.</source>
+   <translation>{source} ne mesure pas en mètres ; le résultat est dans {target}.</translation>
+  </message>
+  <message>
+   <source>{source} tells no focal length, so the image is taken as it is.</source>
+   <translation>{source} n’indique pas de focale, l’image est donc prise telle quelle.</translation>
+  </message>
+  <message>
+   <source>{training} tiles to train on, {validation} to validate on</source>
+   <translation>{training} tuiles d’entraînement, {validation} de validation</translation>
+  </message>
+  <message>
+   <source>{value} landmarks in the image</source>
+   <translation>{value} repères visuels dans l’image</translation>
+  </message>
+  <message>
+   <source>{windows} windows, {references} landmarks.</source>
+   <translation>{windows} fenêtres, {references} repères visuels.</translation>
+  </message>
+ </context>
+</TS>
