@@ -1,0 +1,1987 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_Hans" sourcelanguage="en">
+ <context>
+  <name>SemRef</name>
+  <message>
+   <source>2 % of the ground’s edge</source>
+   <translation>地面边长的 2%</translation>
+  </message>
+  <message>
+   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and time). Images are leveled before they are localized. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
+   <translation>CSV 文件，包含以下列：image（文件名）、roll、pitch（度；两者均为 0 表示垂直向下，pitch 大于 0 表示朝影像上方倾斜，roll 大于 0 表示朝影像右侧倾斜），focal_length_px、focal_length_35mm 或 field_of_view（横向视场角，度）三者之一，以及 time（秒，或日期和时间）。影像在定位之前先做倾斜校正。表中没有给出的内容取自影像的 EXIF 和 XMP，或取自旁边同名照片的 EXIF 和 XMP。拓扑向量法按影像原样处理。</translation>
+  </message>
+  <message>
+   <source>A GeoPackage made by “Build reference database”.</source>
+   <translation>由“构建参考数据库”生成的 GeoPackage。</translation>
+  </message>
+  <message>
+   <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
+   <translation>定位结果的误差不超过“设置”中的距离即为正确；拓扑向量法只能识别窗口，识别出离影像中心最近的窗口即为正确。误接受是指镜像的地图影像得到了定位结果：它们不可能正确。CEP50 和 CEP95：一半和 95% 的正确定位结果的误差不超过该值。航向和比例：正确定位结果的误差中值。</translation>
+  </message>
+  <message>
+   <source>A gap of {area:.2f} m² lies between neighbors; its longest border is with {other_name}.</source>
+   <translation>相邻要素之间有一处 {area:.2f} m² 的间隙；与其共享边界最长的是 {other_name}。</translation>
+  </message>
+  <message>
+   <source>A gap of {area:.2f} m² was given to {other_name}.</source>
+   <translation>一处 {area:.2f} m² 的间隙已并入 {other_name}。</translation>
+  </message>
+  <message>
+   <source>A new or empty folder; one of an earlier export is replaced.</source>
+   <translation>新文件夹或空文件夹；之前导出的文件夹会被替换。</translation>
+  </message>
+  <message>
+   <source>A page with the confusion matrix as a picture and the figures of each class.</source>
+   <translation>包含混淆矩阵图和各类别数值的页面。</translation>
+  </message>
+  <message>
+   <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
+   <translation>每次试验和每种方法在真实位置上各有一个点，并给出找到的结果及其误差。</translation>
+  </message>
+  <message>
+   <source>A segmentation network with its classes in its metadata; models made for Deepness will do.</source>
+   <translation>元数据中带有类别的分割网络；为 Deepness 制作的模型也可使用。</translation>
+  </message>
+  <message>
+   <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
+   <translation>分割网络：此时输入的影像为照片。其类别按名称与数据库的类别对应；数据库中没有的类别视为无标签。</translation>
+  </message>
+  <message>
+   <source>A sliver of {name} of {area:.2f} m² (feature {id}) was given to {other_name}.</source>
+   <translation>{name}（要素 {id}）的一处 {area:.2f} m² 的碎片已并入 {other_name}。</translation>
+  </message>
+  <message>
+   <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
+   <translation>{name} 的一处 {area:.2f} m² 的碎片紧邻 {other_name}（要素 {id}）。</translation>
+  </message>
+  <message>
+   <source>Add a folder of images</source>
+   <translation>添加影像文件夹</translation>
+  </message>
+  <message>
+   <source>Add database to map</source>
+   <translation>将数据库添加到地图</translation>
+  </message>
+  <message>
+   <source>Add files…</source>
+   <translation>添加文件…</translation>
+  </message>
+  <message>
+   <source>Add folder…</source>
+   <translation>添加文件夹…</translation>
+  </message>
+  <message>
+   <source>Add images</source>
+   <translation>添加影像</translation>
+  </message>
+  <message>
+   <source>Add images.</source>
+   <translation>请添加影像。</translation>
+  </message>
+  <message>
+   <source>Add photos or label images, or drop files and folders here.</source>
+   <translation>在此添加照片或标签影像，也可将文件和文件夹拖放到此处。</translation>
+  </message>
+  <message>
+   <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
+   <translation>将影像作为半透明图层添加到工程中，按其定位结果放置</translation>
+  </message>
+  <message>
+   <source>Adds the positions to the project as a temporary point layer</source>
+   <translation>将位置作为临时点图层添加到工程中</translation>
+  </message>
+  <message>
+   <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
+   <translation>8 位或 16 位航空影像。SemRef 的网络使用三个波段；其余波段也会一并导出。</translation>
+  </message>
+  <message>
+   <source>All that the report shows, for scripts.</source>
+   <translation>报告所示的全部内容，供脚本使用。</translation>
+  </message>
+  <message>
+   <source>Ambiguous</source>
+   <translation>不唯一</translation>
+  </message>
+  <message>
+   <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
+   <translation>SemRef 出错，工作已停止；请反馈日志信息面板中“SemRef”标签页显示的内容。</translation>
+  </message>
+  <message>
+   <source>Angle</source>
+   <translation>角度</translation>
+  </message>
+  <message>
+   <source>Angle to the next landmark over the largest angle</source>
+   <translation>到下一个地标的夹角与最大夹角之比</translation>
+  </message>
+  <message>
+   <source>Annotated label map</source>
+   <translation>标注的标签图</translation>
+  </message>
+  <message>
+   <source>Annotation</source>
+   <translation>标注</translation>
+  </message>
+  <message>
+   <source>Annotation layer</source>
+   <translation>标注图层</translation>
+  </message>
+  <message>
+   <source>Annotation to reference database</source>
+   <translation>从标注到参考数据库</translation>
+  </message>
+  <message>
+   <source>Another number gives other trials, the same number the same.</source>
+   <translation>数值不同则试验不同，数值相同则试验相同。</translation>
+  </message>
+  <message>
+   <source>Any raster with or without georeference. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
+   <translation>任意栅格，有无地理参照均可。红、绿、蓝波段按颜色解释或波长确定，否则取前三个波段；单波段视为灰度。超过 8 位的波段按第 2 至第 98 百分位数拉伸。</translation>
+  </message>
+  <message>
+   <source>Approximate heading (°)</source>
+   <translation>大致航向（°）</translation>
+  </message>
+  <message>
+   <source>Approximate position</source>
+   <translation>大致位置</translation>
+  </message>
+  <message>
+   <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
+   <translation>要栅格化的区域，会扩展到整像元；若留空，则为多边形的范围。</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>自动</translation>
+  </message>
+  <message>
+   <source>Automatic takes the constellation of landmarks and, where that finds no place, map correlation; each checks what the other finds. Map correlation compares areas instead of landmarks, for poor labels; it takes seconds an image, and so does automatic where the constellation finds no place. Topology vector is the published method: the nearest vector of all windows, accepted up to distance 2.</source>
+   <translation>自动：使用地标的星座匹配，在其找不到位置时使用地图相关；两者相互检验对方的结果。地图相关比较的是面积而不是地标，适用于质量较差的标签；每幅影像需要几秒，在星座匹配找不到位置时，自动也需要同样的时间。拓扑向量是已发表的方法：取所有窗口中最接近的向量，距离不超过 2 即接受。</translation>
+  </message>
+  <message>
+   <source>Automatic uses the constellation alone, without map correlation: {reason}</source>
+   <translation>自动只使用星座匹配，不使用地图相关：{reason}</translation>
+  </message>
+  <message>
+   <source>Build reference database</source>
+   <translation>构建参考数据库</translation>
+  </message>
+  <message>
+   <source>Burning landmarks</source>
+   <translation>正在烧录地标</translation>
+  </message>
+  <message>
+   <source>Burning polygons</source>
+   <translation>正在烧录多边形</translation>
+  </message>
+  <message>
+   <source>Burning {count} polygons into {width} × {height} pixels</source>
+   <translation>正在将 {count} 个多边形烧录到 {width} × {height} 个像元</translation>
+  </message>
+  <message>
+   <source>Burns land-cover polygons into a label map: a single-band GeoTIFF whose pixels hold class values, 0 where no polygon lies.
+
+Classes come from the class table, else from the layer’s categorized style, else from the values of the class field. Invalid polygons are repaired, empty ones skipped; the log says how many.</source>
+   <translation>将土地覆盖多边形烧录为标签图：一个单波段 GeoTIFF，像元存储类别值，没有多边形的地方为 0。
+
+类别依次取自类别表、图层的分类样式或类别字段的值。无效的多边形会被修复，空的多边形会被跳过；数量见日志。</translation>
+  </message>
+  <message>
+   <source>CSV (*.csv *.txt)</source>
+   <translation>CSV (*.csv *.txt)</translation>
+  </message>
+  <message>
+   <source>CSV files (*.csv)</source>
+   <translation>CSV 文件 (*.csv)</translation>
+  </message>
+  <message>
+   <source>CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. Every class value of the layer must be in it.</source>
+   <translation>CSV 文件，包含 value、name、color、role 列，可另含 draw_order、hsv_min、hsv_max 列。图层的每个类别值都必须列出。</translation>
+  </message>
+  <message>
+   <source>CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, h 0–180, s and v 0–255; the hue may wrap).</source>
+   <translation>CSV 文件，包含 value、name、color、role 列；使用 HSV 范围时还须包含 hsv_min 和 hsv_max 列（“h s v”，h 为 0–180，s 和 v 为 0–255；色相范围可以跨越起点）。</translation>
+  </message>
+  <message>
+   <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
+   <translation>CSV 文件，包含 value、name、color、role 列，用于自身不带类别的标签图。</translation>
+  </message>
+  <message>
+   <source>Camera table (roll, pitch, focal length, time)</source>
+   <translation>相机表（横滚角、俯仰角、焦距、时间）</translation>
+  </message>
+  <message>
+   <source>Cancel</source>
+   <translation>取消</translation>
+  </message>
+  <message>
+   <source>Canceled.</source>
+   <translation>已取消。</translation>
+  </message>
+  <message>
+   <source>Canceled; nothing was written.</source>
+   <translation>已取消；未写入任何内容。</translation>
+  </message>
+  <message>
+   <source>Canceling…</source>
+   <translation>正在取消…</translation>
+  </message>
+  <message>
+   <source>Changes</source>
+   <translation>更改</translation>
+  </message>
+  <message>
+   <source>Check annotation</source>
+   <translation>检查标注</translation>
+  </message>
+  <message>
+   <source>Check of an annotation</source>
+   <translation>标注检查报告</translation>
+  </message>
+  <message>
+   <source>Choose a GeoPackage</source>
+   <translation>选择 GeoPackage</translation>
+  </message>
+  <message>
+   <source>Choose a database and add images.</source>
+   <translation>请选择数据库并添加影像。</translation>
+  </message>
+  <message>
+   <source>Choose a database.</source>
+   <translation>请选择数据库。</translation>
+  </message>
+  <message>
+   <source>Choose a reference database</source>
+   <translation>选择参考数据库</translation>
+  </message>
+  <message>
+   <source>Choose a segmentation model</source>
+   <translation>选择分割模型</translation>
+  </message>
+  <message>
+   <source>Class</source>
+   <translation>类别</translation>
+  </message>
+  <message>
+   <source>Class field</source>
+   <translation>类别字段</translation>
+  </message>
+  <message>
+   <source>Class table</source>
+   <translation>类别表</translation>
+  </message>
+  <message>
+   <source>Classes</source>
+   <translation>类别</translation>
+  </message>
+  <message>
+   <source>Classes that only the predicted map has: {names}.</source>
+   <translation>仅预测标签图具有的类别：{names}。</translation>
+  </message>
+  <message>
+   <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
+   <translation>其区域作为地标的类别：以“;”分隔的名称或值，例如 building;bare_land;water。若留空，则为标签图的类别表中角色为“reference”的类别。</translation>
+  </message>
+  <message>
+   <source>Click on the map to inspect the window there</source>
+   <translation>在地图上点击以查看该处的窗口</translation>
+  </message>
+  <message>
+   <source>Color label image</source>
+   <translation>彩色标签影像</translation>
+  </message>
+  <message>
+   <source>Compare label maps</source>
+   <translation>比较标签图</translation>
+  </message>
+  <message>
+   <source>Compare with the selected image</source>
+   <translation>与所选影像比较</translation>
+  </message>
+  <message>
+   <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
+
+Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.</source>
+   <translation>将预测的标签图与标注的标签图进行比较：混淆矩阵、各类别的 IoU、总体精度，并以多边形给出两者不一致之处，面积最大的排在最前。
+
+类别按名称匹配；若两图没有相同的名称，则按值匹配。像元大小不同的标签图按标注标签图的像元进行比较。未标注的像元不参与比较；没有预测值的像元计为错误。</translation>
+  </message>
+  <message>
+   <source>Comparing</source>
+   <translation>正在比较</translation>
+  </message>
+  <message>
+   <source>Comparing windows</source>
+   <translation>正在比较窗口</translation>
+  </message>
+  <message>
+   <source>Comparison of label maps</source>
+   <translation>标签图比较</translation>
+  </message>
+  <message>
+   <source>Confidence</source>
+   <translation>置信度</translation>
+  </message>
+  <message>
+   <source>Confusion matrix</source>
+   <translation>混淆矩阵</translation>
+  </message>
+  <message>
+   <source>Constellation</source>
+   <translation>星座匹配</translation>
+  </message>
+  <message>
+   <source>Copy longitude, latitude</source>
+   <translation>复制经度、纬度</translation>
+  </message>
+  <message>
+   <source>Copy x, y</source>
+   <translation>复制 x、y</translation>
+  </message>
+  <message>
+   <source>Counting labels</source>
+   <translation>正在统计标签</translation>
+  </message>
+  <message>
+   <source>Cuts an image and its label map into tiles that a segmentation network is trained on, with a class table, statistics and a manifest.
+
+Training and validation tiles are divided by place: whole blocks of ground are set aside for validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are brought onto the image’s, nearest neighbor.</source>
+   <translation>将影像及其标签图切割成用于训练分割网络的图块，并附带类别表、统计信息和清单。
+
+训练图块和验证图块按地点划分：整块的地面留作验证，任何像元都不会同时出现在两者中。没有标签的图块会被舍弃。格网不同的标签会按最近邻重采样到影像的格网上。</translation>
+  </message>
+  <message>
+   <source>Decode color labels</source>
+   <translation>解码彩色标签</translation>
+  </message>
+  <message>
+   <source>Describe image</source>
+   <translation>描述影像</translation>
+  </message>
+  <message>
+   <source>Describing windows</source>
+   <translation>正在描述窗口</translation>
+  </message>
+  <message>
+   <source>Disagreements</source>
+   <translation>不一致之处</translation>
+  </message>
+  <message>
+   <source>Dissolving neighbors</source>
+   <translation>正在融合相邻要素</translation>
+  </message>
+  <message>
+   <source>Distance</source>
+   <translation>距离</translation>
+  </message>
+  <message>
+   <source>Distance from the center over the largest distance</source>
+   <translation>到中心的距离与最大距离之比</translation>
+  </message>
+  <message>
+   <source>Distance from window to window; at most the window size.</source>
+   <translation>相邻窗口之间的距离；不超过窗口大小。</translation>
+  </message>
+  <message>
+   <source>Distance of an image’s center from the nearest window’s, as a share of the stride: 0 to 0 lies on the windows, 0 to 0.5 anywhere.</source>
+   <translation>影像中心到最近窗口中心的距离，以步长的比例表示：0 至 0 表示正好在窗口上，0 至 0.5 表示任意位置。</translation>
+  </message>
+  <message>
+   <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
+   <translation>拓扑向量之间的距离；0 为完全匹配，大于 2 则不匹配</translation>
+  </message>
+  <message>
+   <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
+   <translation>距离比、角度差和类别序号，以及所用的类别。</translation>
+  </message>
+  <message>
+   <source>Draw on the map where the images are known to be: press at the middle and drag</source>
+   <translation>在地图上画出影像的已知大致位置：在中心按下并拖动</translation>
+  </message>
+  <message>
+   <source>Draw where to search</source>
+   <translation>画出搜索范围</translation>
+  </message>
+  <message>
+   <source>Draws the vector of the image selected in the results over the window’s</source>
+   <translation>将结果中所选影像的向量绘制在窗口的向量之上</translation>
+  </message>
+  <message>
+   <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
+   <translation>像元的边长，以米为单位。最小的地标应覆盖约 50 个像元。</translation>
+  </message>
+  <message>
+   <source>Edge length of a window on the ground: about what an image shows.</source>
+   <translation>窗口在地面上的边长：大致为一幅影像所覆盖的范围。</translation>
+  </message>
+  <message>
+   <source>Edge of a tile; a multiple of 32 suits networks.</source>
+   <translation>图块的边长；32 的倍数适合网络。</translation>
+  </message>
+  <message>
+   <source>Error (m)</source>
+   <translation>误差（m）</translation>
+  </message>
+  <message>
+   <source>Errors</source>
+   <translation>误差</translation>
+  </message>
+  <message>
+   <source>Errors and noise</source>
+   <translation>误差与噪声</translation>
+  </message>
+  <message>
+   <source>Evaluate localization</source>
+   <translation>评估定位</translation>
+  </message>
+  <message>
+   <source>Evaluation of localization</source>
+   <translation>定位评估</translation>
+  </message>
+  <message>
+   <source>Export training tiles</source>
+   <translation>导出训练图块</translation>
+  </message>
+  <message>
+   <source>Extent</source>
+   <translation>范围</translation>
+  </message>
+  <message>
+   <source>False accept rate</source>
+   <translation>误接受率</translation>
+  </message>
+  <message>
+   <source>Feature {id} and feature {other} had the same outline; one is left.</source>
+   <translation>要素 {id} 与要素 {other} 的轮廓相同；只保留其中一个。</translation>
+  </message>
+  <message>
+   <source>Feature {id} has heights (Z), which are left out.</source>
+   <translation>要素 {id} 带有高程（Z），高程将被忽略。</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no area and is skipped.</source>
+   <translation>要素 {id} 没有面积，已跳过。</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no class.</source>
+   <translation>要素 {id} 没有类别。</translation>
+  </message>
+  <message>
+   <source>Feature {id} has no geometry and is skipped.</source>
+   <translation>要素 {id} 没有几何图形，已跳过。</translation>
+  </message>
+  <message>
+   <source>Feature {id} has the class “{reason}”, which is not among the classes.</source>
+   <translation>要素 {id} 的类别“{reason}”不在类别之列。</translation>
+  </message>
+  <message>
+   <source>Feature {id} lies outside the area that the layer’s CRS is made for.</source>
+   <translation>要素 {id} 位于图层的坐标参照系适用区域之外。</translation>
+  </message>
+  <message>
+   <source>Feature {id} repeats feature {other}: same outline, same class {name}.</source>
+   <translation>要素 {id} 与要素 {other} 重复：轮廓相同，类别同为 {name}。</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: feature {other} covers it.</source>
+   <translation>要素 {id} 已舍弃：它被要素 {other} 覆盖。</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it can’t be reprojected.</source>
+   <translation>要素 {id} 已舍弃：无法重投影。</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no area.</source>
+   <translation>要素 {id} 已舍弃：没有面积。</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no class.</source>
+   <translation>要素 {id} 已舍弃：没有类别。</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: it has no geometry.</source>
+   <translation>要素 {id} 已舍弃：没有几何图形。</translation>
+  </message>
+  <message>
+   <source>Feature {id} was left out: its class “{reason}” has no category in the style.</source>
+   <translation>要素 {id} 已舍弃：其类别“{reason}”在样式中没有对应的分类。</translation>
+  </message>
+  <message>
+   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border: they become one landmark.</source>
+   <translation>要素 {id} 和 {other} 都是 {name}，共享 {number:.2f} m 边界：它们会合并成一个地标。</translation>
+  </message>
+  <message>
+   <source>Fewer than three landmarks: no vector.</source>
+   <translation>地标少于三个：没有向量。</translation>
+  </message>
+  <message>
+   <source>Fewer than three landmarks: the image has no topology vector.</source>
+   <translation>地标少于三个：该影像没有拓扑向量。</translation>
+  </message>
+  <message>
+   <source>File name of the image</source>
+   <translation>影像的文件名</translation>
+  </message>
+  <message>
+   <source>Filling gaps and merging slivers</source>
+   <translation>正在填补间隙并合并碎片</translation>
+  </message>
+  <message>
+   <source>Finding reference objects</source>
+   <translation>正在查找参考对象</translation>
+  </message>
+  <message>
+   <source>Findings by class</source>
+   <translation>按类别统计的问题</translation>
+  </message>
+  <message>
+   <source>Findings by kind</source>
+   <translation>按种类统计的问题</translation>
+  </message>
+  <message>
+   <source>Findings by kind and class in one file to read and print.</source>
+   <translation>按种类和类别统计的问题，汇总在一个可供阅读和打印的文件中。</translation>
+  </message>
+  <message>
+   <source>Findings of each kind, by severity; the scale is logarithmic.</source>
+   <translation>各种类的问题数，按严重程度区分；刻度为对数刻度。</translation>
+  </message>
+  <message>
+   <source>Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that touch, are too small, or that pixels of a given size would lose, merge or split.
+
+Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” mends most of it.</source>
+   <translation>在土地覆盖图层成为标签图之前找出其中的问题：无效的几何图形、没有规则可以裁决的重叠、重复要素、间隙和碎片、缺失和未知的类别，以及相互接触、过小，或者在给定像元大小下会丢失、合并或分裂的地标。
+
+每个问题是一个要素，带有种类、严重程度（错误、警告、信息）、一句说明和相关要素的 id。错误数不为 0 时，模型可以停止运行。“修复标注”可以修复其中的大部分。</translation>
+  </message>
+  <message>
+   <source>Finds where images were taken: each label image is described by its landmarks and matched with a reference database.
+
+Every image gives one point; without a fix it has no geometry and its reason says why. Automatic and the constellation find images anywhere on the map, at any heading, and verify what they find. The topology vector method finds images centered on a window and accepts images from elsewhere: check what it finds.</source>
+   <translation>查找影像的拍摄位置：每幅标签影像以其地标来描述，并与参考数据库匹配。
+
+每幅影像得到一个点；没有定位结果时该点没有几何图形，原因一栏说明为什么。自动和星座匹配可以在地图的任意位置、以任意航向找到影像，并对结果加以验证。拓扑向量法找到的是中心位于窗口中心的影像，也会接受来自其他地方的影像：请检查其结果。</translation>
+  </message>
+  <message>
+   <source>Fix</source>
+   <translation>已定位</translation>
+  </message>
+  <message>
+   <source>Folder for the tiles</source>
+   <translation>存放图块的文件夹</translation>
+  </message>
+  <message>
+   <source>Footprints</source>
+   <translation>覆盖范围</translation>
+  </message>
+  <message>
+   <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
+   <translation>对于结果不唯一的影像：每个相符地点的地面范围，最佳的排在最前。</translation>
+  </message>
+  <message>
+   <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
+   <translation>用于拍摄时间已知的同一次飞行的影像：若某个定位结果无法从前后的定位结果及时到达，则标记为跳变，并给出原因。它仍然是定位结果，并计入数量。</translation>
+  </message>
+  <message>
+   <source>Fraction of the map that is labeled</source>
+   <translation>标签图中有标签部分的比例</translation>
+  </message>
+  <message>
+   <source>GeoPackage (*.gpkg)</source>
+   <translation>GeoPackage (*.gpkg)</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
+   <translation>GeoTIFF，每像元 8 位，采用影像的格网。</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, 8 bits a pixel, with the class table, colors and class names.</source>
+   <translation>GeoTIFF，每像元 8 位，带有类别表、颜色和类别名称。</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0.</source>
+   <translation>GeoTIFF，每像元 8 位，采用模型的类别；没有数据的像元为 0。</translation>
+  </message>
+  <message>
+   <source>Ground that an image shows, as a multiple of the window size.</source>
+   <translation>影像所覆盖的地面，以窗口大小的倍数表示。</translation>
+  </message>
+  <message>
+   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, also when automatic uses them. A narrow range is searched faster.</source>
+   <translation>影像短边所覆盖的地面，以数据库窗口大小的倍数表示。若两者都留空：星座匹配为 0.4 至 2.5，地图相关为 0.7 至 1.4，自动使用它们时也是如此。范围越窄，搜索越快。</translation>
+  </message>
+  <message>
+   <source>HSV ranges</source>
+   <translation>HSV 范围</translation>
+  </message>
+  <message>
+   <source>HSV ranges follow the publication; nearest color forgives blended edges.</source>
+   <translation>HSV 范围遵循论文；最近颜色可以容忍混合的边缘。</translation>
+  </message>
+  <message>
+   <source>HTML files (*.html)</source>
+   <translation>HTML 文件 (*.html)</translation>
+  </message>
+  <message>
+   <source>Heading</source>
+   <translation>航向</translation>
+  </message>
+  <message>
+   <source>Heading of an image’s top, clockwise from grid north.</source>
+   <translation>影像顶边的航向，自坐标北起顺时针计算。</translation>
+  </message>
+  <message>
+   <source>How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the image shows. The topology vector is right when it names the nearest window.</source>
+   <translation>定位结果的误差不超过多少仍计为正确。若留空，则为影像所覆盖地面边长的 2%。拓扑向量法识别出最近的窗口即为正确。</translation>
+  </message>
+  <message>
+   <source>How far the compared image’s vector differs here</source>
+   <translation>与之比较的影像的向量在此处的差异</translation>
+  </message>
+  <message>
+   <source>How many of the landmarks nearest to the center a vector holds.</source>
+   <translation>向量包含离中心最近的多少个地标。</translation>
+  </message>
+  <message>
+   <source>If left out: that of the model’s metadata, else 20. More takes longer and hides seams better.</source>
+   <translation>若留空：采用模型元数据中的值，否则为 20。数值越大耗时越长，接缝也隐藏得越好。</translation>
+  </message>
+  <message>
+   <source>Image</source>
+   <translation>影像</translation>
+  </message>
+  <message>
+   <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
+   <translation>至少有三个 8 位波段（红、绿、蓝）的影像。</translation>
+  </message>
+  <message>
+   <source>Images</source>
+   <translation>影像</translation>
+  </message>
+  <message>
+   <source>Inspect</source>
+   <translation>查看</translation>
+  </message>
+  <message>
+   <source>IoU</source>
+   <translation>IoU</translation>
+  </message>
+  <message>
+   <source>Issues</source>
+   <translation>问题</translation>
+  </message>
+  <message>
+   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
+   <translation>以每秒 {speed:g} 地图单位的速度，无法从前后的定位结果到达该处。</translation>
+  </message>
+  <message>
+   <source>JSON files (*.json)</source>
+   <translation>JSON 文件 (*.json)</translation>
+  </message>
+  <message>
+   <source>Keep results as layer</source>
+   <translation>将结果保留为图层</translation>
+  </message>
+  <message>
+   <source>Label image</source>
+   <translation>标签影像</translation>
+  </message>
+  <message>
+   <source>Label images, or folders of them: single-band class values, or colors decoded by the database’s class table; with a model, photos. They need no georeference.</source>
+   <translation>标签影像或其所在的文件夹：单波段类别值，或按数据库的类别表解码的颜色；使用模型时则为照片。不需要地理参照。</translation>
+  </message>
+  <message>
+   <source>Label map</source>
+   <translation>标签图</translation>
+  </message>
+  <message>
+   <source>Label map of {width} × {height} pixels, {share:.1%} labeled: {classes}</source>
+   <translation>{width} × {height} 像元的标签图，{share:.1%} 有标签：{classes}</translation>
+  </message>
+  <message>
+   <source>Labels</source>
+   <translation>标签</translation>
+  </message>
+  <message>
+   <source>Landmarks</source>
+   <translation>地标</translation>
+  </message>
+  <message>
+   <source>Landmarks in the window</source>
+   <translation>窗口中的地标</translation>
+  </message>
+  <message>
+   <source>Landmarks invented (%)</source>
+   <translation>虚增的地标（%）</translation>
+  </message>
+  <message>
+   <source>Landmarks misnamed (%)</source>
+   <translation>类别错误的地标（%）</translation>
+  </message>
+  <message>
+   <source>Landmarks missed (%)</source>
+   <translation>漏检的地标（%）</translation>
+  </message>
+  <message>
+   <source>Landmarks per vector</source>
+   <translation>每个向量的地标数</translation>
+  </message>
+  <message>
+   <source>Largest gap (m²)</source>
+   <translation>最大间隙（m²）</translation>
+  </message>
+  <message>
+   <source>Largest scale</source>
+   <translation>最大比例</translation>
+  </message>
+  <message>
+   <source>Lay image on map</source>
+   <translation>将影像铺到地图上</translation>
+  </message>
+  <message>
+   <source>Laying polygons on each other</source>
+   <translation>正在叠置多边形</translation>
+  </message>
+  <message>
+   <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
+   <translation>已校正倾斜：横滚角 {roll:.1f}°，俯仰角 {pitch:.1f}°（{source}）。</translation>
+  </message>
+  <message>
+   <source>Levels</source>
+   <translation>层级</translation>
+  </message>
+  <message>
+   <source>Loading the model</source>
+   <translation>正在加载模型</translation>
+  </message>
+  <message>
+   <source>Localization</source>
+   <translation>定位</translation>
+  </message>
+  <message>
+   <source>Localize</source>
+   <translation>定位</translation>
+  </message>
+  <message>
+   <source>Localize images</source>
+   <translation>定位影像</translation>
+  </message>
+  <message>
+   <source>Localizing</source>
+   <translation>正在定位</translation>
+  </message>
+  <message>
+   <source>Localizing images</source>
+   <translation>正在定位影像</translation>
+  </message>
+  <message>
+   <source>Looking at geometries</source>
+   <translation>正在检查几何图形</translation>
+  </message>
+  <message>
+   <source>Looking at landmarks</source>
+   <translation>正在检查地标</translation>
+  </message>
+  <message>
+   <source>Looking at neighbors of one class</source>
+   <translation>正在检查同类别的相邻要素</translation>
+  </message>
+  <message>
+   <source>Looking for gaps and slivers</source>
+   <translation>正在查找间隙和碎片</translation>
+  </message>
+  <message>
+   <source>Looking for overlaps</source>
+   <translation>正在查找重叠</translation>
+  </message>
+  <message>
+   <source>Looks like</source>
+   <translation>相似窗口</translation>
+  </message>
+  <message>
+   <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
+
+Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
+   <translation>整理土地覆盖图层：使几何图形有效，重叠部分只归一个多边形，微小的间隙和碎片归共享边界最长的相邻要素，同类别的相接多边形合并为一个。结果中每个地标对应一个多边形。
+
+多边形重叠时，优先级较高者在上，否则较小的多边形在上，再否则类别值较小者在上。每个多边形保留覆盖其最大部分的要素的属性。对修复过的图层再次修复不会有任何改变。</translation>
+  </message>
+  <message>
+   <source>Map correlation</source>
+   <translation>地图相关</translation>
+  </message>
+  <message>
+   <source>Maximum speed (map units per second)</source>
+   <translation>最大速度（地图单位每秒）</translation>
+  </message>
+  <message>
+   <source>Mean IoU</source>
+   <translation>平均 IoU</translation>
+  </message>
+  <message>
+   <source>Mean IoU {iou:.1%}, overall accuracy {accuracy:.1%} of {pixels} pixels.</source>
+   <translation>平均 IoU {iou:.1%}，总体精度 {accuracy:.1%}，共 {pixels} 个像元。</translation>
+  </message>
+  <message>
+   <source>Median error</source>
+   <translation>误差中值</translation>
+  </message>
+  <message>
+   <source>Method</source>
+   <translation>方法</translation>
+  </message>
+  <message>
+   <source>Method: {method}. In brackets and below the numbers: 95 % intervals and counts.</source>
+   <translation>方法：{method}。括号内和数字下方：95% 区间和数量。</translation>
+  </message>
+  <message>
+   <source>Methods</source>
+   <translation>方法</translation>
+  </message>
+  <message>
+   <source>Methods side by side</source>
+   <translation>方法对比</translation>
+  </message>
+  <message>
+   <source>Minimum area</source>
+   <translation>最小面积</translation>
+  </message>
+  <message>
+   <source>Minimum area (m²)</source>
+   <translation>最小面积（m²）</translation>
+  </message>
+  <message>
+   <source>Mirrored images (%)</source>
+   <translation>镜像影像（%）</translation>
+  </message>
+  <message>
+   <source>Model</source>
+   <translation>模型</translation>
+  </message>
+  <message>
+   <source>Model, for photos</source>
+   <translation>用于照片的模型</translation>
+  </message>
+  <message>
+   <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
+   <translation>窗口大小和步长的倍数，以“;”分隔：1;2 会增加两倍大小的窗口，用于两倍高度的飞行。</translation>
+  </message>
+  <message>
+   <source>Name of the matched window: its first column and row on the map</source>
+   <translation>所匹配窗口的名称：其在地图上的起始列和起始行</translation>
+  </message>
+  <message>
+   <source>Nearest color</source>
+   <translation>最近颜色</translation>
+  </message>
+  <message>
+   <source>Nearest look-alike at distance {value:.3f}</source>
+   <translation>最近的相似窗口，距离 {value:.3f}</translation>
+  </message>
+  <message>
+   <source>Next window</source>
+   <translation>下一个窗口</translation>
+  </message>
+  <message>
+   <source>No match</source>
+   <translation>无匹配</translation>
+  </message>
+  <message>
+   <source>No polygon lies in the extent: the label map is empty.</source>
+   <translation>该范围内没有多边形：标签图为空。</translation>
+  </message>
+  <message>
+   <source>No window of the database lies there.</source>
+   <translation>该处没有数据库的窗口。</translation>
+  </message>
+  <message>
+   <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
+   <translation>{name}（要素 {id}）完全不可见：要素 {other} 位于其上。</translation>
+  </message>
+  <message>
+   <source>Nothing was found.</source>
+   <translation>未发现任何问题。</translation>
+  </message>
+  <message>
+   <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
+   <translation>数值字段：多边形重叠时，值较大者在上。若不指定，则按类别表的绘制顺序，否则后面的多边形在上。</translation>
+  </message>
+  <message>
+   <source>Number of classes on the map</source>
+   <translation>地图上的类别数</translation>
+  </message>
+  <message>
+   <source>Number of errors</source>
+   <translation>错误数</translation>
+  </message>
+  <message>
+   <source>Number of findings</source>
+   <translation>问题数</translation>
+  </message>
+  <message>
+   <source>Number of fixes</source>
+   <translation>定位结果数</translation>
+  </message>
+  <message>
+   <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
+   <translation>影像数量。报告还需要约 1.5 倍的影像用于噪声和偏移，另需 66 幅用于其中的表格。</translation>
+  </message>
+  <message>
+   <source>Number of landmarks</source>
+   <translation>地标数</translation>
+  </message>
+  <message>
+   <source>Number of tiles</source>
+   <translation>图块数</translation>
+  </message>
+  <message>
+   <source>Number of windows</source>
+   <translation>窗口数</translation>
+  </message>
+  <message>
+   <source>Numbers</source>
+   <translation>数值</translation>
+  </message>
+  <message>
+   <source>ONNX models (*.onnx)</source>
+   <translation>ONNX 模型 (*.onnx)</translation>
+  </message>
+  <message>
+   <source>Offset</source>
+   <translation>偏移</translation>
+  </message>
+  <message>
+   <source>On the diagonal a confidence means what it says; below it promises too much.</source>
+   <translation>在对角线上，置信度名副其实；在对角线下方，置信度过于乐观。</translation>
+  </message>
+  <message>
+   <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
+   <translation>一个 GeoPackage，包含 windows、references、overview、classes 和 parameters 图层。</translation>
+  </message>
+  <message>
+   <source>One feature a change: what was changed where, and which features it concerns.</source>
+   <translation>每处更改一个要素：在何处更改了什么，涉及哪些要素。</translation>
+  </message>
+  <message>
+   <source>One feature a finding, in the coordinate reference system of the label map.</source>
+   <translation>每个问题一个要素，采用标签图的坐标参照系。</translation>
+  </message>
+  <message>
+   <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
+   <translation>每幅影像一个点：状态、位置、置信度、距离、窗口，没有定位结果时还有原因。</translation>
+  </message>
+  <message>
+   <source>One polygon a connected place where the same two classes are confused, ranked by area.</source>
+   <translation>每个相连且同样两个类别相混淆的地方对应一个多边形，按面积排序。</translation>
+  </message>
+  <message>
+   <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
+   <translation>每个定位结果一个多边形：影像所覆盖的地面，或拓扑向量法所匹配的窗口。</translation>
+  </message>
+  <message>
+   <source>Only with an approximate heading: other headings are not searched.</source>
+   <translation>仅在给出大致航向时有效：不搜索其他航向。</translation>
+  </message>
+  <message>
+   <source>Only with an approximate position: places farther away are not searched.</source>
+   <translation>仅在给出大致位置时有效：不搜索更远的地点。</translation>
+  </message>
+  <message>
+   <source>Opacity of the labels</source>
+   <translation>标签的不透明度</translation>
+  </message>
+  <message>
+   <source>Outlining the disagreements</source>
+   <translation>正在勾绘不一致之处</translation>
+  </message>
+  <message>
+   <source>Overall accuracy</source>
+   <translation>总体精度</translation>
+  </message>
+  <message>
+   <source>Overlap of tiles (%)</source>
+   <translation>图块重叠度（%）</translation>
+  </message>
+  <message>
+   <source>Overview</source>
+   <translation>概览</translation>
+  </message>
+  <message>
+   <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
+   <translation>显示镜像地图的试验所占的比例。它们看起来像地图，但不可能正确：对其给出定位结果即为误接受。</translation>
+  </message>
+  <message>
+   <source>Photo or orthophoto</source>
+   <translation>照片或正射影像</translation>
+  </message>
+  <message>
+   <source>Pick a window on the map, or give its name.</source>
+   <translation>请在地图上选取一个窗口，或输入其名称。</translation>
+  </message>
+  <message>
+   <source>Pick on map</source>
+   <translation>在地图上选取</translation>
+  </message>
+  <message>
+   <source>Pixel size (m)</source>
+   <translation>像元大小（m）</translation>
+  </message>
+  <message>
+   <source>Pixel size the network was trained on; if left out, that of the model’s metadata. Images without georeference are taken as they are.</source>
+   <translation>训练网络时所用的像元大小；若留空，则采用模型元数据中的值。没有地理参照的影像按原样处理。</translation>
+  </message>
+  <message>
+   <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
+   <translation>带有类别、面积和像元位置的点；没有地理参照时以像元为单位（y 轴向上，为负值）。</translation>
+  </message>
+  <message>
+   <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
+   <translation>土地覆盖多边形。可以重叠、为多部件、无效或三维。</translation>
+  </message>
+  <message>
+   <source>Positions</source>
+   <translation>位置</translation>
+  </message>
+  <message>
+   <source>Possible places</source>
+   <translation>可能地点</translation>
+  </message>
+  <message>
+   <source>Predicted label map</source>
+   <translation>预测的标签图</translation>
+  </message>
+  <message>
+   <source>Priority field</source>
+   <translation>优先级字段</translation>
+  </message>
+  <message>
+   <source>Probability that the position is right; for the published method, how near the vectors are</source>
+   <translation>位置正确的概率；对于已发表的方法，则为向量的接近程度</translation>
+  </message>
+  <message>
+   <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
+   <translation>以米为单位的投影坐标参照系。若留空：图层自身的坐标参照系以米为单位时采用该坐标参照系，否则采用 UTM 分带。</translation>
+  </message>
+  <message>
+   <source>Radius around it (map units)</source>
+   <translation>周围半径（地图单位）</translation>
+  </message>
+  <message>
+   <source>Radius that holds the true position in 95 % of fixes, in meters</source>
+   <translation>95% 的定位结果中包含真实位置的半径，以米为单位</translation>
+  </message>
+  <message>
+   <source>Ragged edges (map units)</source>
+   <translation>边缘毛糙程度（地图单位）</translation>
+  </message>
+  <message>
+   <source>Range around it (± °)</source>
+   <translation>偏差范围（± °）</translation>
+  </message>
+  <message>
+   <source>Rasterize annotation</source>
+   <translation>栅格化标注</translation>
+  </message>
+  <message>
+   <source>Reading an image</source>
+   <translation>正在读取影像</translation>
+  </message>
+  <message>
+   <source>Reading the database</source>
+   <translation>正在读取数据库</translation>
+  </message>
+  <message>
+   <source>Reading the label map</source>
+   <translation>正在读取标签图</translation>
+  </message>
+  <message>
+   <source>Reading…</source>
+   <translation>正在读取…</translation>
+  </message>
+  <message>
+   <source>Ready to localize.</source>
+   <translation>可以开始定位。</translation>
+  </message>
+  <message>
+   <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
+   <translation>红、绿、蓝：波段 {red}、{green}、{blue}。</translation>
+  </message>
+  <message>
+   <source>Reference classes</source>
+   <translation>参考类别</translation>
+  </message>
+  <message>
+   <source>Reference database</source>
+   <translation>参考数据库</translation>
+  </message>
+  <message>
+   <source>Reliability of the confidence</source>
+   <translation>置信度的可靠性</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>移除</translation>
+  </message>
+  <message>
+   <source>Repair annotation</source>
+   <translation>修复标注</translation>
+  </message>
+  <message>
+   <source>Repaired annotation</source>
+   <translation>修复后的标注</translation>
+  </message>
+  <message>
+   <source>Report</source>
+   <translation>报告</translation>
+  </message>
+  <message>
+   <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
+   <translation>已重采样到每像元 {resolution:g} cm：{width} × {height} 个像元。</translation>
+  </message>
+  <message>
+   <source>Resolution (cm per pixel)</source>
+   <translation>分辨率（cm/像元）</translation>
+  </message>
+  <message>
+   <source>Resolving overlaps</source>
+   <translation>正在处理重叠</translation>
+  </message>
+  <message>
+   <source>Results</source>
+   <translation>结果</translation>
+  </message>
+  <message>
+   <source>Results appear here.</source>
+   <translation>结果将显示在此处。</translation>
+  </message>
+  <message>
+   <source>Right fixes by the number of landmarks the database has there.</source>
+   <translation>按数据库在该处的地标数统计的正确定位结果。</translation>
+  </message>
+  <message>
+   <source>Right fixes of windows moved aside, without noise, scaling or turning; bands: 95 % intervals.</source>
+   <translation>偏离窗口位置的影像的正确定位结果，无噪声、缩放或旋转；色带：95% 区间。</translation>
+  </message>
+  <message>
+   <source>Right fixes of {method}; {count} images a cell, the other ranges as set.</source>
+   <translation>{method} 的正确定位结果；每格 {count} 幅影像，其余范围按设置。</translation>
+  </message>
+  <message>
+   <source>Right within (map units)</source>
+   <translation>计为正确的最大误差（地图单位）</translation>
+  </message>
+  <message>
+   <source>Rotation</source>
+   <translation>旋转角度</translation>
+  </message>
+  <message>
+   <source>Rotation (Table 5 of He &amp; Wu 2025)</source>
+   <translation>旋转（He &amp; Wu 2025 表 5）</translation>
+  </message>
+  <message>
+   <source>Rotation (°)</source>
+   <translation>旋转角度（°）</translation>
+  </message>
+  <message>
+   <source>Scale</source>
+   <translation>比例</translation>
+  </message>
+  <message>
+   <source>Scale (Table 4 of He &amp; Wu 2025)</source>
+   <translation>比例（He &amp; Wu 2025 表 4）</translation>
+  </message>
+  <message>
+   <source>Search the whole database</source>
+   <translation>搜索整个数据库</translation>
+  </message>
+  <message>
+   <source>Search: the whole database</source>
+   <translation>搜索：整个数据库</translation>
+  </message>
+  <message>
+   <source>Search: within {radius:.0f} m</source>
+   <translation>搜索：{radius:.0f} m 以内</translation>
+  </message>
+  <message>
+   <source>Seed</source>
+   <translation>随机种子</translation>
+  </message>
+  <message>
+   <source>Segment image</source>
+   <translation>分割影像</translation>
+  </message>
+  <message>
+   <source>Segmenting</source>
+   <translation>正在分割</translation>
+  </message>
+  <message>
+   <source>Select a result to see its hit on the map.</source>
+   <translation>选择一个结果，即可在地图上查看其命中位置。</translation>
+  </message>
+  <message>
+   <source>SemRef footprints</source>
+   <translation>SemRef 覆盖范围</translation>
+  </message>
+  <message>
+   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install {debian_packages}” on Debian and Ubuntu.</source>
+   <translation>SemRef 需要 Python 包 {packages}。请为 QGIS 的 Python 安装它，例如使用“python3 -m pip install {packages}”，在 Debian 和 Ubuntu 上使用“apt install {debian_packages}”。</translation>
+  </message>
+  <message>
+   <source>SemRef positions</source>
+   <translation>SemRef 位置</translation>
+  </message>
+  <message>
+   <source>SemRef possible places</source>
+   <translation>SemRef 可能地点</translation>
+  </message>
+  <message>
+   <source>SemRef windows</source>
+   <translation>SemRef 窗口</translation>
+  </message>
+  <message>
+   <source>Setting</source>
+   <translation>设置项</translation>
+  </message>
+  <message>
+   <source>Settings</source>
+   <translation>设置</translation>
+  </message>
+  <message>
+   <source>Share of landmarks that are added, shaped like landmarks of other places of the map.</source>
+   <translation>增加的地标所占的比例，其形状与地图其他地方的地标相同。</translation>
+  </message>
+  <message>
+   <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
+   <translation>有标签的地面中留作验证的比例；0 表示不留。</translation>
+  </message>
+  <message>
+   <source>Share of the landmarks that are taken away.</source>
+   <translation>被移除的地标所占的比例。</translation>
+  </message>
+  <message>
+   <source>Share of the landmarks that get another class.</source>
+   <translation>被赋予其他类别的地标所占的比例。</translation>
+  </message>
+  <message>
+   <source>Share of the map’s images with a fix at most so far off, right or wrong.</source>
+   <translation>地图影像中误差不超过该值的定位结果所占的比例，无论对错。</translation>
+  </message>
+  <message>
+   <source>Show or hide the SemRef dock: find where images were taken</source>
+   <translation>显示或隐藏 SemRef 面板：查找影像的拍摄位置</translation>
+  </message>
+  <message>
+   <source>Shows what localization sees in a label image: its landmarks as points and its topology vector.
+
+The image is described in its largest centered square, exactly as the windows of a database are. With a database its classes, minimum area and vector length are used; without one, give them here.</source>
+   <translation>显示定位在标签影像中看到的内容：以点表示的地标和影像的拓扑向量。
+
+影像以其最大的居中正方形来描述，与数据库的窗口完全相同。给出数据库时，采用其类别、最小面积和向量长度；没有数据库时，请在此给出。</translation>
+  </message>
+  <message>
+   <source>Single-band class values, or colors decoded by the class table. It needs no georeference.</source>
+   <translation>单波段类别值，或按类别表解码的颜色。不需要地理参照。</translation>
+  </message>
+  <message>
+   <source>Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it.</source>
+   <translation>以米为单位的坐标参照系中的单波段类别值栅格，由“栅格化标注”生成。</translation>
+  </message>
+  <message>
+   <source>Single-band raster of class values, 0 where nothing is known, of the same ground.</source>
+   <translation>同一地面的单波段类别值栅格，未知处为 0。</translation>
+  </message>
+  <message>
+   <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
+
+The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
+   <translation>在标签图上滑动窗口，以其中地标的拓扑向量描述每个窗口；将窗口、整幅地图的地标、缩小的地图、类别和参数保存到一个 GeoPackage 中。
+
+方法见 He &amp; Wu, Remote Sensing 2025, 17, 1671。地标少于三个的窗口没有向量；数量见日志。</translation>
+  </message>
+  <message>
+   <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
+   <translation>更小的不一致之处不生成多边形；单位为平方地图单位，没有地理参照时为像元。</translation>
+  </message>
+  <message>
+   <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
+   <translation>更小的地标会被报告：“构建参考数据库”会舍弃它们。</translation>
+  </message>
+  <message>
+   <source>Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin pieces are merged at any area.</source>
+   <translation>与相邻要素接触的更小的部分会与其合并；孤立的部分保留。细长的部分无论面积大小都会合并。</translation>
+  </message>
+  <message>
+   <source>Smaller regions are no landmarks.</source>
+   <translation>更小的区域不作为地标。</translation>
+  </message>
+  <message>
+   <source>Smallest scale</source>
+   <translation>最小比例</translation>
+  </message>
+  <message>
+   <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
+   <translation>边缘移动距离的标准差；在约八个像元的范围内移动大致相同。</translation>
+  </message>
+  <message>
+   <source>Starting…</source>
+   <translation>正在启动…</translation>
+  </message>
+  <message>
+   <source>Status</source>
+   <translation>状态</translation>
+  </message>
+  <message>
+   <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
+   <translation>相邻图块之间的步长；小于图块大小时图块会重叠。</translation>
+  </message>
+  <message>
+   <source>Stretched to 8 bits from {limits}.</source>
+   <translation>已从 {limits} 拉伸到 8 位。</translation>
+  </message>
+  <message>
+   <source>Stride (map units)</source>
+   <translation>步长（地图单位）</translation>
+  </message>
+  <message>
+   <source>Stride (pixels)</source>
+   <translation>步长（像元）</translation>
+  </message>
+  <message>
+   <source>Success against offset</source>
+   <translation>成功率与偏移的关系</translation>
+  </message>
+  <message>
+   <source>Success by landmarks</source>
+   <translation>成功率与地标数的关系</translation>
+  </message>
+  <message>
+   <source>Success rate</source>
+   <translation>成功率</translation>
+  </message>
+  <message>
+   <source>Success under noise</source>
+   <translation>噪声下的成功率</translation>
+  </message>
+  <message>
+   <source>Tables and charts in one file to read and print.</source>
+   <translation>表格和图表，汇总在一个可供阅读和打印的文件中。</translation>
+  </message>
+  <message>
+   <source>Target CRS</source>
+   <translation>目标坐标参照系</translation>
+  </message>
+  <message>
+   <source>Text or number field that tells the class of each polygon.</source>
+   <translation>给出每个多边形类别的文本或数值字段。</translation>
+  </message>
+  <message>
+   <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
+   <translation>数据处理提供程序 SemRef 已停用；请在选项中启用。</translation>
+  </message>
+  <message>
+   <source>The database has no window “{name}”.</source>
+   <translation>数据库中没有窗口“{name}”。</translation>
+  </message>
+  <message>
+   <source>The disk is full while writing {name}; free some space or choose another place.</source>
+   <translation>写入 {name} 时磁盘已满；请释放一些空间或选择其他位置。</translation>
+  </message>
+  <message>
+   <source>The geometry of feature {id} is invalid: {reason}.</source>
+   <translation>要素 {id} 的几何图形无效：{reason}。</translation>
+  </message>
+  <message>
+   <source>The geometry of feature {id} was made valid: {reason}.</source>
+   <translation>要素 {id} 的几何图形已修复为有效：{reason}。</translation>
+  </message>
+  <message>
+   <source>The heights (Z) of feature {id} were left out.</source>
+   <translation>要素 {id} 的高程（Z）已舍弃。</translation>
+  </message>
+  <message>
+   <source>The hit lies outside the area of the project’s CRS; choose another one to see it.</source>
+   <translation>命中位置在工程坐标参照系的适用区域之外；请选择其他坐标参照系以查看该位置。</translation>
+  </message>
+  <message>
+   <source>The image is described as this database’s windows are; the settings below are then not used.</source>
+   <translation>影像按该数据库窗口的方式描述；此时不使用下面的设置。</translation>
+  </message>
+  <message>
+   <source>The label map brings no class names; its classes are named by their values.</source>
+   <translation>标签图不带类别名称；其类别以值命名。</translation>
+  </message>
+  <message>
+   <source>The largest of each kind</source>
+   <translation>各种类中最大的问题</translation>
+  </message>
+  <message>
+   <source>The lines from the center to the landmarks of the topology vector</source>
+   <translation>从中心到拓扑向量各地标的连线</translation>
+  </message>
+  <message>
+   <source>The map that images are cut from: the database’s own or another of the same ground, in the database’s CRS and with its classes; the pixel size may differ.</source>
+   <translation>从中裁取影像的地图：数据库自身的地图或同一地面的另一幅地图，须采用数据库的坐标参照系和类别；像元大小可以不同。</translation>
+  </message>
+  <message>
+   <source>The maps share no class names: classes are matched by their values.</source>
+   <translation>两图没有相同的类别名称：类别按值匹配。</translation>
+  </message>
+  <message>
+   <source>The model does not say its resolution: the image is taken as it is.</source>
+   <translation>模型未说明其分辨率：影像按原样处理。</translation>
+  </message>
+  <message>
+   <source>The network that makes labels of photos; leave empty for label images</source>
+   <translation>由照片生成标签的网络；输入为标签影像时请留空</translation>
+  </message>
+  <message>
+   <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
+   <translation>图层将要栅格化的像元大小：在该像元大小下会丢失、合并或分裂的地标也会被报告。若留空则不检查。</translation>
+  </message>
+  <message>
+   <source>The positions are a temporary layer of the project now; export it to keep them.</source>
+   <translation>位置现在是工程中的临时图层；如需保留请导出。</translation>
+  </message>
+  <message>
+   <source>The same windows, turned about their centers.</source>
+   <translation>同样的窗口，绕其中心旋转。</translation>
+  </message>
+  <message>
+   <source>The selected image appears here.</source>
+   <translation>所选影像将显示在此处。</translation>
+  </message>
+  <message>
+   <source>The shape is not that of {source}, so the image is taken as it is.</source>
+   <translation>影像的形状与 {source} 不符，因此影像按原样处理。</translation>
+  </message>
+  <message>
+   <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.</source>
+   <translation>最小比例（{smallest:g}）大于最大比例（{largest:g}）；请同时给出两者，较小者在前。</translation>
+  </message>
+  <message>
+   <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
+   <translation>步长（{stride:g}）大于窗口（{size:g}），窗口之间的地面会被遗漏；请使步长不超过窗口大小。</translation>
+  </message>
+  <message>
+   <source>There is no database {path}; choose another file.</source>
+   <translation>没有数据库 {path}；请选择其他文件。</translation>
+  </message>
+  <message>
+   <source>Tile size (pixels)</source>
+   <translation>图块大小（像元）</translation>
+  </message>
+  <message>
+   <source>Too few landmarks</source>
+   <translation>地标太少</translation>
+  </message>
+  <message>
+   <source>Topology vector</source>
+   <translation>拓扑向量</translation>
+  </message>
+  <message>
+   <source>Topology vector (He &amp; Wu 2025)</source>
+   <translation>拓扑向量（He &amp; Wu 2025）</translation>
+  </message>
+  <message>
+   <source>Topology vector (published)</source>
+   <translation>拓扑向量（已发表）</translation>
+  </message>
+  <message>
+   <source>Trials</source>
+   <translation>试验</translation>
+  </message>
+  <message>
+   <source>Trials lie around windows that have at least so many landmarks; 20 leaves open country out.</source>
+   <translation>试验位于至少有这么多地标的窗口周围；取 20 可排除空旷的乡野。</translation>
+  </message>
+  <message>
+   <source>Tried on the same images, side by side. The outputs’ rates and the grid of noise are those of the first of automatic, constellation, map correlation, topology vector that is chosen.</source>
+   <translation>在相同的影像上并列试验。输出的比率和噪声格网采用所选方法中排在最前的一个，顺序为自动、星座匹配、地图相关、拓扑向量。</translation>
+  </message>
+  <message>
+   <source>Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off the windows and spoiled, then localized with one method or several.
+
+The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer: on its own map a database always does better.</source>
+   <translation>试验参考数据库：从标签图裁取真值已知的影像，对其旋转、缩放、偏离窗口并加以扰动，再用一种或多种方法定位。
+
+报告对各方法进行比较，包括 He &amp; Wu 2025 的两个表格、成功率与偏移和噪声的关系、误差、误接受，以及置信度的意义。随机种子相同，结果相同。要得到如实的答案，请使用与数据库不同日期的标签图：在数据库自身的地图上，结果总会更好。</translation>
+  </message>
+  <message>
+   <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
+
+The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.</source>
+   <translation>用分割网络（ONNX）将照片或正射影像转换为标签图。
+
+若影像和模型的分辨率均已知，则将影像重采样到模型的分辨率，并以相互重叠的图块处理，使接缝不可见。标签图与影像位置相同，并采用模型的类别。</translation>
+  </message>
+  <message>
+   <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
+
+Pixels that no range covers are unlabeled (0). With nearest color, black is unlabeled unless a class is black.</source>
+   <translation>将以颜色表示类别的影像转换为标签图，按类别表的 HSV 范围（如论文所述）或按最近的类别颜色。
+
+不在任何范围内的像元无标签（0）。使用最近颜色时，除非某个类别为黑色，否则黑色无标签。</translation>
+  </message>
+  <message>
+   <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
+   <translation>被多边形包围、面积不超过该值的未覆盖处会被填补；细长的无论面积大小都会填补。</translation>
+  </message>
+  <message>
+   <source>Uncovered places up to this area, enclosed by polygons, are gaps; thin ones are at any area.</source>
+   <translation>被多边形包围、面积不超过该值的未覆盖处视为间隙；细长的无论面积大小都视为间隙。</translation>
+  </message>
+  <message>
+   <source>Unreadable</source>
+   <translation>无法读取</translation>
+  </message>
+  <message>
+   <source>Unverified match</source>
+   <translation>未验证的匹配</translation>
+  </message>
+  <message>
+   <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
+   <translation>有效的单部件多边形，带有标注图层的字段，以米为单位。</translation>
+  </message>
+  <message>
+   <source>Validation fraction</source>
+   <translation>验证比例</translation>
+  </message>
+  <message>
+   <source>Value</source>
+   <translation>值</translation>
+  </message>
+  <message>
+   <source>Values and colors for the model’s classes, found by name; for a model that does not name its classes: one line an output of the network, in order of value.</source>
+   <translation>模型各类别的值和颜色，按名称查找；若模型没有给出类别名称：网络的每个输出一行，按值的顺序排列。</translation>
+  </message>
+  <message>
+   <source>Vector</source>
+   <translation>向量</translation>
+  </message>
+  <message>
+   <source>What became of the images of the map:</source>
+   <translation>地图影像的结果：</translation>
+  </message>
+  <message>
+   <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
+   <translation>要检查的内容，例如来自“分割影像”。必须采用标注标签图的坐标参照系。</translation>
+  </message>
+  <message>
+   <source>What is held to be true: single-band class values, for example from “Rasterize annotation”.</source>
+   <translation>作为真值的内容：单波段类别值，例如来自“栅格化标注”。</translation>
+  </message>
+  <message>
+   <source>What the confidence is worth</source>
+   <translation>置信度的意义</translation>
+  </message>
+  <message>
+   <source>Where it succeeds</source>
+   <translation>成功的条件</translation>
+  </message>
+  <message>
+   <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
+   <translation>各类别的标注像元归入了何处，以占该行的比例表示；对角线为正确。</translation>
+  </message>
+  <message>
+   <source>Where the images are known to be, roughly. It speeds up the search and is never needed.</source>
+   <translation>影像的大致已知位置。可加快搜索，但从不是必需的。</translation>
+  </message>
+  <message>
+   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north.</source>
+   <translation>影像顶边的大致指向，以自坐标北起顺时针的度数表示。</translation>
+  </message>
+  <message>
+   <source>Where the image’s top points to, in degrees clockwise from grid north</source>
+   <translation>影像顶边的指向，以自坐标北起顺时针的度数表示</translation>
+  </message>
+  <message>
+   <source>Whether a position was found</source>
+   <translation>是否找到位置</translation>
+  </message>
+  <message>
+   <source>Window</source>
+   <translation>窗口</translation>
+  </message>
+  <message>
+   <source>Window before</source>
+   <translation>上一个窗口</translation>
+  </message>
+  <message>
+   <source>Window name</source>
+   <translation>窗口名称</translation>
+  </message>
+  <message>
+   <source>Window size (map units)</source>
+   <translation>窗口大小（地图单位）</translation>
+  </message>
+  <message>
+   <source>Windows</source>
+   <translation>窗口</translation>
+  </message>
+  <message>
+   <source>Windows are whole pixels: window size {size:g}, stride {stride:g}.</source>
+   <translation>窗口为整像元：窗口大小 {size:g}，步长 {stride:g}。</translation>
+  </message>
+  <message>
+   <source>Windows elsewhere with the nearest vectors; double-click to inspect one</source>
+   <translation>别处向量最接近的窗口；双击可查看其中之一</translation>
+  </message>
+  <message>
+   <source>Windows seen from 2 to 0.5 times their size, without noise. The method of the paper compares vectors: a distance above 2 is no match.</source>
+   <translation>以 2 至 0.5 倍大小看到的窗口，无噪声。论文的方法比较向量：距离大于 2 即无匹配。</translation>
+  </message>
+  <message>
+   <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
+   <translation>没有数据库时：向量包含离中心最近的多少个地标。</translation>
+  </message>
+  <message>
+   <source>Without a database: names or values separated by “;”. If left out, the role in the class table counts.</source>
+   <translation>没有数据库时：以“;”分隔的名称或值。若留空，则以类别表中的角色为准。</translation>
+  </message>
+  <message>
+   <source>Without a database: smallest landmark in square map units, in pixels without georeference.</source>
+   <translation>没有数据库时：最小的地标，以平方地图单位表示，没有地理参照时为像元。</translation>
+  </message>
+  <message>
+   <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
+   <translation>没有数据库时：类别。若留空，则为标签影像自身所带的类别。</translation>
+  </message>
+  <message>
+   <source>Writing the database</source>
+   <translation>正在写入数据库</translation>
+  </message>
+  <message>
+   <source>Writing tiles</source>
+   <translation>正在写入图块</translation>
+  </message>
+  <message>
+   <source>Zoom to hit</source>
+   <translation>缩放到命中位置</translation>
+  </message>
+  <message>
+   <source>annotated</source>
+   <translation>标注</translation>
+  </message>
+  <message>
+   <source>annotated pixels</source>
+   <translation>标注像元</translation>
+  </message>
+  <message>
+   <source>area</source>
+   <translation>面积</translation>
+  </message>
+  <message>
+   <source>class</source>
+   <translation>类别</translation>
+  </message>
+  <message>
+   <source>confidence</source>
+   <translation>置信度</translation>
+  </message>
+  <message>
+   <source>confidence told</source>
+   <translation>给出的置信度</translation>
+  </message>
+  <message>
+   <source>confidence {value:.2f}</source>
+   <translation>置信度 {value:.2f}</translation>
+  </message>
+  <message>
+   <source>distance</source>
+   <translation>距离</translation>
+  </message>
+  <message>
+   <source>distance {value:.3f}</source>
+   <translation>距离 {value:.3f}</translation>
+  </message>
+  <message>
+   <source>distance {value:.4f}</source>
+   <translation>距离 {value:.4f}</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <translation>误差</translation>
+  </message>
+  <message>
+   <source>error, m</source>
+   <translation>误差，m</translation>
+  </message>
+  <message>
+   <source>errors</source>
+   <translation>错误</translation>
+  </message>
+  <message>
+   <source>false accepts</source>
+   <translation>误接受</translation>
+  </message>
+  <message>
+   <source>findings</source>
+   <translation>问题</translation>
+  </message>
+  <message>
+   <source>found</source>
+   <translation>找到的比例</translation>
+  </message>
+  <message>
+   <source>heading</source>
+   <translation>航向</translation>
+  </message>
+  <message>
+   <source>heading {value:.1f}°</source>
+   <translation>航向 {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>images with a fix</source>
+   <translation>有定位结果的影像</translation>
+  </message>
+  <message>
+   <source>in the 95 % ellipse</source>
+   <translation>在 95% 椭圆内</translation>
+  </message>
+  <message>
+   <source>information</source>
+   <translation>信息</translation>
+  </message>
+  <message>
+   <source>kind</source>
+   <translation>种类</translation>
+  </message>
+  <message>
+   <source>kind, see the table</source>
+   <translation>种类，见表</translation>
+  </message>
+  <message>
+   <source>landmarks in the window</source>
+   <translation>窗口中的地标</translation>
+  </message>
+  <message>
+   <source>landmarks invented</source>
+   <translation>虚增的地标</translation>
+  </message>
+  <message>
+   <source>landmarks missed</source>
+   <translation>漏检的地标</translation>
+  </message>
+  <message>
+   <source>mean IoU</source>
+   <translation>平均 IoU</translation>
+  </message>
+  <message>
+   <source>median error</source>
+   <translation>误差中值</translation>
+  </message>
+  <message>
+   <source>no class</source>
+   <translation>无类别</translation>
+  </message>
+  <message>
+   <source>of right fixes</source>
+   <translation>正确定位结果</translation>
+  </message>
+  <message>
+   <source>of the classes that are annotated</source>
+   <translation>有标注的类别</translation>
+  </message>
+  <message>
+   <source>offset from the nearest window, share of the stride</source>
+   <translation>到最近窗口的偏移，以步长的比例表示</translation>
+  </message>
+  <message>
+   <source>overall accuracy</source>
+   <translation>总体精度</translation>
+  </message>
+  <message>
+   <source>pixel size {value:.3g} m</source>
+   <translation>像元大小 {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>predicted</source>
+   <translation>预测</translation>
+  </message>
+  <message>
+   <source>right among the fixes</source>
+   <translation>定位结果中正确的比例</translation>
+  </message>
+  <message>
+   <source>right fixes</source>
+   <translation>正确定位结果</translation>
+  </message>
+  <message>
+   <source>right where predicted</source>
+   <translation>预测中正确的比例</translation>
+  </message>
+  <message>
+   <source>scale</source>
+   <translation>比例</translation>
+  </message>
+  <message>
+   <source>the output</source>
+   <translation>输出</translation>
+  </message>
+  <message>
+   <source>warnings</source>
+   <translation>警告</translation>
+  </message>
+  <message>
+   <source>window {value}</source>
+   <translation>窗口 {value}</translation>
+  </message>
+  <message>
+   <source>within {value:.2f} m (95 %)</source>
+   <translation>{value:.2f} m 以内（95%）</translation>
+  </message>
+  <message>
+   <source>wrong fixes</source>
+   <translation>错误定位结果</translation>
+  </message>
+  <message>
+   <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
+   <translation>两个要素同时占有的 {area:.2f} m² 归 {name}（要素 {id}），不再属于要素 {other}。</translation>
+  </message>
+  <message>
+   <source>{before} features became {after} polygons; {changes} changes</source>
+   <translation>{before} 个要素变为 {after} 个多边形；{changes} 处更改</translation>
+  </message>
+  <message>
+   <source>{count} images to localize.</source>
+   <translation>待定位影像 {count} 幅。</translation>
+  </message>
+  <message>
+   <source>{count} landmarks in the centered square of {size} pixels.</source>
+   <translation>{size} 像元的居中正方形内有 {count} 个地标。</translation>
+  </message>
+  <message>
+   <source>{count} landmarks, center {x:.0f} {y:.0f}</source>
+   <translation>{count} 个地标，中心 {x:.0f} {y:.0f}</translation>
+  </message>
+  <message>
+   <source>{count} pixels compared</source>
+   <translation>比较了 {count} 个像元</translation>
+  </message>
+  <message>
+   <source>{count} places disagree.</source>
+   <translation>{count} 处不一致。</translation>
+  </message>
+  <message>
+   <source>{database}, images cut from {labels}</source>
+   <translation>{database}，影像裁取自 {labels}</translation>
+  </message>
+  <message>
+   <source>{fixes} of {images} images have a fix.</source>
+   <translation>{images} 幅影像中有 {fixes} 幅得到定位结果。</translation>
+  </message>
+  <message>
+   <source>{image} can’t be shown on the map.</source>
+   <translation>{image} 无法在地图上显示。</translation>
+  </message>
+  <message>
+   <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
+   <translation>{image}：距离 {distance:.3f}，置信度 {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{issues} findings, {errors} of them errors</source>
+   <translation>{issues} 个问题，其中 {errors} 个错误</translation>
+  </message>
+  <message>
+   <source>{jumps} of {checked} fixes with a time are jumps.</source>
+   <translation>{checked} 个带有时间的定位结果中有 {jumps} 个跳变。</translation>
+  </message>
+  <message>
+   <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
+   <translation>{lacking} 个窗口（{share:.0%}）的地标少于三个，没有向量。</translation>
+  </message>
+  <message>
+   <source>{layer}: {features} features</source>
+   <translation>{layer}：{features} 个要素</translation>
+  </message>
+  <message>
+   <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
+   <translation>{method}：正确 {right}，错误 {wrong}，误接受 {accepts}，误差中值 {error}</translation>
+  </message>
+  <message>
+   <source>{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.</source>
+   <translation>{model}：{classes}；由 {provider} 运行，图块为 {width} × {height} 像元。</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) and {other_name} (feature {other}) claim the same {area:.2f} m², and only the order of the features says which lies on top.</source>
+   <translation>{name}（要素 {id}）和 {other_name}（要素 {other}）占有相同的 {area:.2f} m²，只能由要素的顺序决定哪个在上。</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) covers {area:.2f} m², less than the minimum area: it is no landmark.</source>
+   <translation>{name}（要素 {id}）的面积为 {area:.2f} m²，小于最小面积：不作为地标。</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) falls into {number:.0f} pieces of pixels.</source>
+   <translation>{name}（要素 {id}）分裂为 {number:.0f} 块像元。</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) has the same outline as {other_name} (feature {other}).</source>
+   <translation>{name}（要素 {id}）与 {other_name}（要素 {other}）的轮廓相同。</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}) lies on {area:.2f} m² of {other_name} (feature {other}), as their order says.</source>
+   <translation>按要素的顺序，{name}（要素 {id}）覆盖了 {other_name}（要素 {other}）的 {area:.2f} m²。</translation>
+  </message>
+  <message>
+   <source>{name} (feature {id}, {area:.2f} m²): the outline of its pixels stays under the minimum area, so it is no landmark.</source>
+   <translation>{name}（要素 {id}，{area:.2f} m²）：其像元的轮廓小于最小面积，因此不作为地标。</translation>
+  </message>
+  <message>
+   <source>{name} (features {id} and {other}): their pixels touch, so they become one landmark.</source>
+   <translation>{name}（要素 {id} 和 {other}）：它们的像元相接，因此会合并成一个地标。</translation>
+  </message>
+  <message>
+   <source>{name} can’t be written; choose a place where you may write.</source>
+   <translation>无法写入 {name}；请选择有写入权限的位置。</translation>
+  </message>
+  <message>
+   <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
+   <translation>{name}：IoU {iou:.1%}，标注像元 {pixels} 个</translation>
+  </message>
+  <message>
+   <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
+   <translation>{name} 的 {number:.0f} 个相接要素合并为一个多边形，采用要素 {id} 的属性。</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
+   <translation>{path} 不是 SemRef 参考数据库；请选择由“构建参考数据库”生成的数据库。</translation>
+  </message>
+  <message>
+   <source>{predicted} against {reference}</source>
+   <translation>{predicted} 与 {reference} 的比较</translation>
+  </message>
+  <message>
+   <source>{seconds:.0f} s.</source>
+   <translation>{seconds:.0f} 秒。</translation>
+  </message>
+  <message>
+   <source>{share:.1%} of the pixels match no class.</source>
+   <translation>{share:.1%} 的像元不匹配任何类别。</translation>
+  </message>
+  <message>
+   <source>{source} does not measure in meters; the label map is made in {target}.</source>
+   <translation>{source} 不以米为单位；标签图将采用 {target} 生成。</translation>
+  </message>
+  <message>
+   <source>{source} does not measure in meters; the result is in {target}.</source>
+   <translation>{source} 不以米为单位；结果采用 {target}。</translation>
+  </message>
+  <message>
+   <source>{source} tells no focal length, so the image is taken as it is.</source>
+   <translation>{source} 未给出焦距，因此影像按原样处理。</translation>
+  </message>
+  <message>
+   <source>{training} tiles to train on, {validation} to validate on</source>
+   <translation>训练图块 {training} 个，验证图块 {validation} 个</translation>
+  </message>
+  <message>
+   <source>{value} landmarks in the image</source>
+   <translation>影像中有 {value} 个地标</translation>
+  </message>
+  <message>
+   <source>{windows} windows, {references} landmarks.</source>
+   <translation>{windows} 个窗口，{references} 个地标。</translation>
+  </message>
+ </context>
+</TS>
