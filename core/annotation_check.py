@@ -19,6 +19,7 @@ from .annotation_polygons import (
     valid_polygons,
 )
 from .annotation_validity import find_invalid, find_unusable
+from .geometry_bytes import to_wkb
 from .planar_partition import PlanarPartition, Regions, dissolve, find_regions, partition_polygons
 from .reference_objects import minimum_area_px
 from .region_pixels import RegionRuns, count_pieces, lost_regions, merged_regions
@@ -95,11 +96,11 @@ class AnnotationCheck:
             value, area = int(regions.classes[region]), float(regions.areas[region])
             feature_id = int(polygons.feature_ids[owners[region]])
             if area < self._settings.minimum_area:
-                wkb = shapely.to_wkb(geometry)
+                wkb = to_wkb(geometry)
                 self.findings.append(Finding(SMALL, INFORMATION, wkb, feature_id, None, value, area=area))
             else:
                 bounds = tuple(shapely.bounds(geometry).tolist())
-                self.landmarks.append(DrawnRegion(shapely.to_wkb(geometry), bounds, value, feature_id, area))
+                self.landmarks.append(DrawnRegion(to_wkb(geometry), bounds, value, feature_id, area))
 
 
 def classes_seen(polygons: AnnotatedPolygons, top: np.ndarray) -> np.ndarray:
@@ -141,7 +142,7 @@ def find_gaps_and_slivers(
             Finding(
                 GAP if merge.from_class == NOTHING else SLIVER,
                 WARNING,
-                shapely.to_wkb(shapely.union_all(partition.faces[merge.faces])),
+                to_wkb(shapely.union_all(partition.faces[merge.faces])),
                 int(polygons.feature_ids[owner]) if owner >= 0 else None,
                 class_value=merge.from_class,
                 other_class=merge.to_class,

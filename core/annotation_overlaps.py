@@ -20,6 +20,7 @@ from .annotation_findings import (
     Finding,
 )
 from .annotation_polygons import AnnotatedPolygons
+from .geometry_bytes import to_wkb
 from .planar_partition import PlanarPartition
 
 NARROWEST_M = 0.001
@@ -33,7 +34,7 @@ def find_duplicates(polygons: AnnotatedPolygons) -> Tuple[List[Finding], np.ndar
     """
     first_of: Dict[bytes, int] = {}
     repeated, found = np.zeros(len(polygons), bool), []
-    for n, wkb in enumerate(shapely.to_wkb(shapely.normalize(polygons.geometries))):
+    for n, wkb in enumerate(to_wkb(shapely.normalize(polygons.geometries))):
         first = first_of.setdefault(wkb, n)
         if first == n:
             continue
@@ -129,7 +130,7 @@ def _pair(
     return Finding(
         kind,
         severity,
-        shapely.to_wkb(shown),
+        to_wkb(shown),
         int(polygons.feature_ids[one]),
         int(polygons.feature_ids[other]),
         int(polygons.classes[one]),

@@ -20,6 +20,7 @@ from .annotation_polygons import (
     valid_polygons,
 )
 from .annotation_validity import find_invalid, find_unusable
+from .geometry_bytes import to_wkb
 from .planar_partition import PlanarPartition, Regions, dissolve, find_regions, partition_polygons
 
 
@@ -84,7 +85,7 @@ class AnnotationRepair:
         order = np.lexsort((*shapely.bounds(geometries).T, features))
         self.polygons = [
             RepairedPolygon(wkb, feature)
-            for wkb, feature in zip(shapely.to_wkb(geometries[order]).tolist(), features[order].tolist())
+            for wkb, feature in zip(to_wkb(geometries[order]).tolist(), features[order].tolist())
         ]
         self.changes += _dissolved(polygons, regions, own, dict(zip(numbers.tolist(), geometries)), owners)
 
@@ -94,7 +95,7 @@ def _merged(merge: Merge, polygons: AnnotatedPolygons, partition: PlanarPartitio
     return Finding(
         GAP if merge.from_class == NOTHING else SLIVER,
         INFORMATION,
-        shapely.to_wkb(shapely.union_all(partition.faces[merge.faces])),
+        to_wkb(shapely.union_all(partition.faces[merge.faces])),
         int(polygons.feature_ids[owner]) if owner >= 0 else None,
         class_value=merge.from_class,
         other_class=merge.to_class,
@@ -113,7 +114,7 @@ def _dissolved(
         Finding(
             DISSOLVED,
             INFORMATION,
-            shapely.to_wkb(geometries[region]),
+            to_wkb(geometries[region]),
             int(polygons.feature_ids[owners[region]]),
             class_value=int(regions.classes[region]),
             area=float(regions.areas[region]),

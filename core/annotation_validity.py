@@ -10,6 +10,7 @@ import shapely
 
 from .annotation_findings import ERROR, INVALID, NO_AREA, NO_GEOMETRY, NOTHING, WARNING, Finding
 from .annotation_polygons import AnnotatedFeature, AnnotatedPolygons, FeatureParts
+from .geometry_bytes import to_wkb
 
 UNREADABLE = "Coordinates or rings that can't be used"
 """Reason for geometries that GEOS does not even read."""
@@ -68,7 +69,7 @@ def _invalid(feature: AnnotatedFeature, geometry) -> Finding:
 
 def _mark_at(x: float, y: float) -> bytes:
     """WKB of a small square to look at, around a place without extent."""
-    return shapely.to_wkb(shapely.box(x - _MARK_M, y - _MARK_M, x + _MARK_M, y + _MARK_M))
+    return to_wkb(shapely.box(x - _MARK_M, y - _MARK_M, x + _MARK_M, y + _MARK_M))
 
 
 def _reason(geometry) -> Tuple[str, float, float]:

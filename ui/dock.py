@@ -13,6 +13,7 @@ from qgis.PyQt.QtWidgets import QFrame, QLabel, QProgressBar, QPushButton, QScro
 from ..core.errors import DatabaseError, LabelMapError
 from ..processing.translation import tr
 from .background import DatabaseShelf, Reader
+from .correct_tab import CorrectTab
 from .database_layers import add_database_to_map
 from .drapes import lay_on_map
 from .findings import FIX, Finding, read_findings
@@ -24,6 +25,8 @@ from .localization_run import LocalizationRun
 from .messages import Messages
 from .prior_row import PriorRow
 from .results import ResultsBox
+
+UPDATE_DATABASE = "semref:updatedatabase"
 
 
 class SemRefDock(QgsDockWidget):
@@ -46,6 +49,7 @@ class SemRefDock(QgsDockWidget):
         self.state = _ShorteningLabel()
         self.results = ResultsBox()
         self.inspect = InspectTab(canvas)
+        self.correct = CorrectTab(canvas)
         self.tabs = QTabWidget()
         self._shelf = DatabaseShelf()
         self._pictures = Reader(self)
@@ -61,6 +65,7 @@ class SemRefDock(QgsDockWidget):
         self._pictures.forget()
         self._databases.forget()
         self.inspect.shut_down()
+        self.correct.shut_down()
         self.prior.shut_down()
         self._highlight.remove()
         self._highlight = self._positions = None
@@ -86,6 +91,7 @@ class SemRefDock(QgsDockWidget):
         self.tabs.setDocumentMode(True)
         self.tabs.addTab(localize, tr("Localize"))
         self.tabs.addTab(self.inspect, tr("Inspect"))
+        self.tabs.addTab(self.correct, tr("Correct"))
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
@@ -118,6 +124,7 @@ class SemRefDock(QgsDockWidget):
         self.visibilityChanged.connect(self._follow_visibility)
         self.inspect.databaseWanted.connect(self._read_database)
         self.inspect.said.connect(self._messages.info)
+        self.correct.updateAsked.connect(self._update_database)
         self._pictures.answered.connect(self._show_picture)
         self._pictures.failed.connect(self._show_no_picture)
         self._databases.answered.connect(self.inspect.use)
@@ -226,6 +233,13 @@ class SemRefDock(QgsDockWidget):
             self._messages.info(tr("Choose a database."))
             return
         self._databases.read(tr("Reading the database"), self._shelf.read, self.database.path())
+
+    def _update_database(self, places: QgsVectorLayer) -> None:
+        """Opens the algorithm's dialog: the corrected label map has to be chosen."""
+        from processing import execAlgorithmDialog
+
+        QgsProject.instance().addMapLayer(places)
+        execAlgorithmDialog(UPDATE_DATABASE, {"DATABASE": self.database.path(), "CHANGED": places})
 
     def _forget_database(self) -> None:
         self._databases.forget()

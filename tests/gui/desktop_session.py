@@ -6,12 +6,21 @@ import traceback
 from collections import Counter
 
 import qgis.utils
-from qgis.core import QgsApplication
+from qgis.core import (
+    QgsApplication,
+    QgsFeature,
+    QgsGeometry,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsVectorLayer,
+)
 from qgis.PyQt.QtCore import QCoreApplication, QEvent, QTimer
 from qgis.PyQt.QtWidgets import QDockWidget, QToolBar
 
 ROUNDS = 5
 PLUGIN = "semref"
+BOW_TIE = "POLYGON((0 0, 20 20, 20 0, 0 20, 0 0))"
+SQUARE = "POLYGON((100 0, 120 0, 120 20, 100 20, 100 0))"
 messages = []
 
 
@@ -59,13 +68,37 @@ def one_round() -> dict:
     return {"loaded": loaded, "unloaded": unloaded, "algorithms": algorithms, "added": added, "left": left}
 
 
+def check_annotation() -> dict:
+    """Shapely at work beside QGIS's own GEOS, which desktop QGIS lets it use."""
+    layer = QgsVectorLayer("Polygon?crs=EPSG:32632&field=class:string", "cover", "memory")
+    for wkt in BOW_TIE, SQUARE:
+        feature = QgsFeature(layer.fields())
+        feature.setGeometry(QgsGeometry.fromWkt(wkt))
+        feature["class"] = "building"
+        layer.dataProvider().addFeature(feature)
+    context = QgsProcessingContext()
+    parameters = {"INPUT": layer, "CLASS_FIELD": "class"}
+    registry = QgsApplication.processingRegistry()
+    checked = registry.createAlgorithmById("semref:checkannotation")
+    found, _ = checked.run({**parameters, "ISSUES": "memory:"}, context, QgsProcessingFeedback())
+    issues = context.takeResultLayer(found["ISSUES"])
+    repaired, _ = registry.createAlgorithmById("semref:repairannotation").run(
+        {**parameters, "OUTPUT": "memory:"}, context, QgsProcessingFeedback()
+    )
+    clean = context.takeResultLayer(repaired["OUTPUT"])
+    return {
+        "kinds": sorted({issue["kind"] for issue in issues.getFeatures()}),
+        "area": sum(feature.geometry().area() for feature in clean.getFeatures()),
+    }
+
+
 def session() -> dict:
     qgis.utils.updateAvailablePlugins()
     rounds = [one_round() for _ in range(ROUNDS)]
     # The plugin stays loaded while QGIS quits, as it does for a user.
     stays = qgis.utils.loadPlugin(PLUGIN) and qgis.utils.startPlugin(PLUGIN)
     settle()
-    return {"rounds": rounds, "stays": stays}
+    return {"rounds": rounds, "stays": stays, "check": check_annotation()}
 
 
 def run() -> None:

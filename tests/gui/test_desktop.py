@@ -94,3 +94,9 @@ def test_unloading_leaves_nothing_behind(desktop):
 def test_qgis_quits_cleanly_with_the_plugin_loaded(desktop):
     assert desktop["stays"] is True
     assert desktop["exit_status"] == 0, desktop["output"]
+
+
+def test_annotations_are_checked_and_repaired_beside_the_geos_of_qgis(desktop):
+    assert "invalid" in " ".join(desktop["check"]["kinds"])
+    # The bow tie's two triangles of 100 m², and the square.
+    assert abs(desktop["check"]["area"] - 600) < 0.1

@@ -661,3 +661,73 @@ def test_the_places_where_an_ambiguous_image_may_lie_are_outlined(dock, iface, r
     assert lefts == pytest.approx([50, 350], abs=2)
     assert shown_center(iface) is None
     assert iface.canvas.extent().contains(places.boundingBox())
+
+
+@pytest.fixture
+def issues(qgis_app, dock):
+    """Three findings in a row, 100 m apart, as “Check annotation” gives them."""
+    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
+
+    fields = "field=kind:string&field=severity:string&field=message:string&field=area:double"
+    layer = QgsVectorLayer(f"Polygon?crs={CRS}&{fields}", "issues", "memory")
+    for number, kind in enumerate(("overlap", "gap", "sliver")):
+        feature = QgsFeature(layer.fields())
+        left, top = ORIGIN[0] + 100 * number, ORIGIN[1]
+        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(left, top - 10, left + 10, top)))
+        feature.setAttributes([kind, "warning", f"Here is a {kind}.", 100.0])
+        layer.dataProvider().addFeature(feature)
+    layer.updateExtents()
+    QgsProject.instance().addMapLayer(layer)
+    dock.correct.layer.setLayer(layer)
+    return layer
+
+
+def listed(tab) -> list[str]:
+    return [tab.places.item(row, 0).text() for row in range(tab.places.rowCount())]
+
+
+def test_an_annotator_goes_through_the_places_and_marks_what_is_done(dock, iface, issues):
+    tab = dock.correct
+    assert listed(tab) == ["overlap", "gap", "sliver"]
+    tab.after.click()
+    assert "Here is a overlap." in tab.text.text()
+    assert iface.canvas.extent().contains(next(issues.getFeatures()).geometry().boundingBox())
+    (mark,) = rubber_bands(iface, "Polygon")
+    assert mark.area() == pytest.approx(100)
+    tab.done.click()
+    assert "Here is a gap." in tab.text.text()
+    assert (tab.progress.value(), tab.progress.maximum()) == (1, 3)
+    tab.open.setChecked(True)
+    assert listed(tab) == ["gap", "sliver"]
+
+
+def test_what_is_done_is_remembered_in_the_project_and_not_in_the_table(dock, issues):
+    fields = issues.fields().names()
+    dock.correct.places.selectRow(2)
+    dock.correct.done.click()
+    dock.correct.layer.setLayer(None)
+    dock.correct.layer.setLayer(issues)
+    assert dock.correct.progress.value() == 1
+    assert issues.fields().names() == fields
+
+
+def test_the_done_places_go_to_the_update_of_the_database(dock, issues):
+    asked = []
+    dock.correct.updateAsked.disconnect()
+    dock.correct.updateAsked.connect(asked.append)
+    assert not dock.correct.update_button.isEnabled()
+    dock.correct.places.selectRow(1)
+    dock.correct.done.click()
+    dock.correct.update_button.click()
+    (places,) = asked
+    assert [feature["kind"] for feature in places.getFeatures()] == ["gap"]
+
+
+def test_a_layer_that_is_removed_while_it_is_corrected_leaves_an_empty_list(dock, iface, issues):
+    from qgis.core import QgsProject
+
+    dock.correct.places.selectRow(1)
+    QgsProject.instance().removeMapLayer(issues.id())
+    settle()
+    assert dock.correct.places.rowCount() == 0
+    assert rubber_bands(iface, "Polygon") == []
