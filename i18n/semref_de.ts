@@ -4,6 +4,10 @@
  <context>
   <name>SemRef</name>
   <message>
+   <source>%v of %m done</source>
+   <translation>%v von %m erledigt</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>2 % der Geländekante</translation>
   </message>
@@ -116,6 +120,10 @@
    <translation>Winkel zur nächsten Landmarke, geteilt durch den größten</translation>
   </message>
   <message>
+   <source>Annotated</source>
+   <translation>Annotiert</translation>
+  </message>
+  <message>
    <source>Annotated label map</source>
    <translation>Annotierte Klassenkarte</translation>
   </message>
@@ -146,6 +154,10 @@
   <message>
    <source>Approximate position</source>
    <translation>Ungefähre Position</translation>
+  </message>
+  <message>
+   <source>Area</source>
+   <translation>Fläche</translation>
   </message>
   <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
@@ -252,6 +264,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Datenbank wählen.</translation>
   </message>
   <message>
+   <source>Choose a layer of issues or disagreements</source>
+   <translation>Einen Layer mit Befunden oder Abweichungen wählen</translation>
+  </message>
+  <message>
    <source>Choose a reference database</source>
    <translation>Referenzdatenbank wählen</translation>
   </message>
@@ -340,6 +356,14 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
    <translation>x, y kopieren</translation>
   </message>
   <message>
+   <source>Correct</source>
+   <translation>Verbessern</translation>
+  </message>
+  <message>
+   <source>Corrected places</source>
+   <translation>Verbesserte Stellen</translation>
+  </message>
+  <message>
    <source>Counting labels</source>
    <translation>Klassenwerte werden gezählt</translation>
   </message>
@@ -394,6 +418,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
    <translation>Abstandsverhältnisse, Winkeldifferenzen und Klassenränge sowie die verwendeten Klassen.</translation>
+  </message>
+  <message>
+   <source>Done, next</source>
+   <translation>Erledigt, weiter</translation>
   </message>
   <message>
    <source>Draw on the map where the images are known to be: press at the middle and drag</source>
@@ -684,6 +712,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Als Layer behalten</translation>
   </message>
   <message>
+   <source>Kind</source>
+   <translation>Art</translation>
+  </message>
+  <message>
    <source>Label image</source>
    <translation>Klassenbild</translation>
   </message>
@@ -812,6 +844,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Kartenkorrelation</translation>
   </message>
   <message>
+   <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
+   <translation>Merkt die Stelle als erledigt vor und geht zur nächsten offenen (Strg+D)</translation>
+  </message>
+  <message>
    <source>Maximum speed (map units per second)</source>
    <translation>Höchstgeschwindigkeit (Karteneinheiten pro Sekunde)</translation>
   </message>
@@ -826,6 +862,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Median error</source>
    <translation>Medianer Fehler</translation>
+  </message>
+  <message>
+   <source>Message</source>
+   <translation>Meldung</translation>
   </message>
   <message>
    <source>Method</source>
@@ -880,12 +920,20 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Nächster Doppelgänger im Abstand {value:.3f}</translation>
   </message>
   <message>
+   <source>Next place</source>
+   <translation>Nächste Stelle</translation>
+  </message>
+  <message>
    <source>Next window</source>
    <translation>Nächstes Fenster</translation>
   </message>
   <message>
    <source>No match</source>
    <translation>Kein Treffer</translation>
+  </message>
+  <message>
+   <source>No place to look at.</source>
+   <translation>Keine Stelle zum Ansehen.</translation>
   </message>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
@@ -980,6 +1028,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Ein Polygon je gefundenem Standort: das Gelände, das das Bild zeigt, oder beim Topologievektor das getroffene Fenster.</translation>
   </message>
   <message>
+   <source>Only what is open</source>
+   <translation>Nur Offenes</translation>
+  </message>
+  <message>
    <source>Only with an approximate heading: other headings are not searched.</source>
    <translation>Nur mit ungefährer Ausrichtung: Andere Ausrichtungen werden nicht durchsucht.</translation>
   </message>
@@ -990,6 +1042,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Opacity of the labels</source>
    <translation>Deckkraft der Klassen</translation>
+  </message>
+  <message>
+   <source>Opens “Update reference database” with the places that are done</source>
+   <translation>Öffnet „Referenzdatenbank aktualisieren“ mit den erledigten Stellen</translation>
   </message>
   <message>
    <source>Outlining the disagreements</source>
@@ -1032,6 +1088,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Pixelgröße, mit der das Netz trainiert wurde; ohne Angabe die aus den Metadaten des Modells. Bilder ohne Georeferenz werden genommen, wie sie sind.</translation>
   </message>
   <message>
+   <source>Place before</source>
+   <translation>Vorige Stelle</translation>
+  </message>
+  <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>Punkte mit Klasse, Fläche und Pixelposition; ohne Georeferenzierung in Pixeln (y nach oben, negativ).</translation>
   </message>
@@ -1046,6 +1106,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Possible places</source>
    <translation>Mögliche Orte</translation>
+  </message>
+  <message>
+   <source>Predicted</source>
+   <translation>Vorhergesagt</translation>
   </message>
   <message>
    <source>Predicted label map</source>
@@ -1444,6 +1508,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
   </message>
   <message>
+   <source>The result of “Check annotation” or “Compare label maps”</source>
+   <translation>Das Ergebnis von „Annotation prüfen“ oder „Klassenkarten vergleichen“</translation>
+  </message>
+  <message>
    <source>The same windows, turned about their centers.</source>
    <translation>Dieselben Fenster, um ihre Mitte gedreht.</translation>
   </message>
@@ -1538,6 +1606,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Unverified match</source>
    <translation>Ungeprüfter Treffer</translation>
+  </message>
+  <message>
+   <source>Update the database…</source>
+   <translation>Datenbank aktualisieren …</translation>
   </message>
   <message>
    <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
