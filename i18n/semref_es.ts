@@ -4,6 +4,10 @@
  <context>
   <name>SemRef</name>
   <message>
+   <source>%v of %m done</source>
+   <translation>%v de %m hechos</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>2 % del lado del terreno</translation>
   </message>
@@ -116,6 +120,10 @@
    <translation>Ángulo hasta el hito siguiente, dividido por el ángulo mayor</translation>
   </message>
   <message>
+   <source>Annotated</source>
+   <translation>Clase anotada</translation>
+  </message>
+  <message>
    <source>Annotated label map</source>
    <translation>Mapa de etiquetas anotado</translation>
   </message>
@@ -146,6 +154,10 @@
   <message>
    <source>Approximate position</source>
    <translation>Posición aproximada</translation>
+  </message>
+  <message>
+   <source>Area</source>
+   <translation>Área</translation>
   </message>
   <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
@@ -252,6 +264,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Elija una base de datos.</translation>
   </message>
   <message>
+   <source>Choose a layer of issues or disagreements</source>
+   <translation>Elegir una capa de hallazgos o discrepancias</translation>
+  </message>
+  <message>
    <source>Choose a reference database</source>
    <translation>Elegir una base de datos de referencia</translation>
   </message>
@@ -340,6 +356,14 @@ Las clases se emparejan por nombre, o por valor si los mapas no comparten nombre
    <translation>Copiar x, y</translation>
   </message>
   <message>
+   <source>Correct</source>
+   <translation>Corregir</translation>
+  </message>
+  <message>
+   <source>Corrected places</source>
+   <translation>Lugares corregidos</translation>
+  </message>
+  <message>
    <source>Counting labels</source>
    <translation>Contando etiquetas</translation>
   </message>
@@ -394,6 +418,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
    <translation>Razones de distancias, diferencias de ángulos y rangos de clases, con las clases usadas.</translation>
+  </message>
+  <message>
+   <source>Done, next</source>
+   <translation>Hecho, siguiente</translation>
   </message>
   <message>
    <source>Draw on the map where the images are known to be: press at the middle and drag</source>
@@ -684,6 +712,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Conservar como capa</translation>
   </message>
   <message>
+   <source>Kind</source>
+   <translation>Tipo</translation>
+  </message>
+  <message>
    <source>Label image</source>
    <translation>Imagen de etiquetas</translation>
   </message>
@@ -812,6 +844,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Correlación de mapas</translation>
   </message>
   <message>
+   <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
+   <translation>Marca el lugar como hecho y pasa al siguiente que no lo está (Ctrl+D)</translation>
+  </message>
+  <message>
    <source>Maximum speed (map units per second)</source>
    <translation>Velocidad máxima (unidades del mapa por segundo)</translation>
   </message>
@@ -826,6 +862,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Median error</source>
    <translation>Error mediano</translation>
+  </message>
+  <message>
+   <source>Message</source>
+   <translation>Mensaje</translation>
   </message>
   <message>
    <source>Method</source>
@@ -880,12 +920,20 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>La ventana más parecida está a la distancia {value:.3f}</translation>
   </message>
   <message>
+   <source>Next place</source>
+   <translation>Lugar siguiente</translation>
+  </message>
+  <message>
    <source>Next window</source>
    <translation>Ventana siguiente</translation>
   </message>
   <message>
    <source>No match</source>
    <translation>Sin coincidencia</translation>
+  </message>
+  <message>
+   <source>No place to look at.</source>
+   <translation>Ningún lugar que examinar.</translation>
   </message>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
@@ -980,6 +1028,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Un polígono por posición encontrada: el terreno que muestra la imagen, o la ventana coincidente en el método del vector topológico.</translation>
   </message>
   <message>
+   <source>Only what is open</source>
+   <translation>Solo lo pendiente</translation>
+  </message>
+  <message>
    <source>Only with an approximate heading: other headings are not searched.</source>
    <translation>Solo con un rumbo aproximado: no se buscan otros rumbos.</translation>
   </message>
@@ -990,6 +1042,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Opacity of the labels</source>
    <translation>Opacidad de las etiquetas</translation>
+  </message>
+  <message>
+   <source>Opens “Update reference database” with the places that are done</source>
+   <translation>Abre «Actualizar base de datos de referencia» con los lugares hechos</translation>
   </message>
   <message>
    <source>Outlining the disagreements</source>
@@ -1032,6 +1088,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Tamaño de píxel con el que se entrenó la red; si se omite, el de los metadatos del modelo. Las imágenes sin georreferencia se toman tal cual.</translation>
   </message>
   <message>
+   <source>Place before</source>
+   <translation>Lugar anterior</translation>
+  </message>
+  <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>Puntos con clase, área y posición en píxeles; en píxeles (y hacia arriba, negativa) sin georreferencia.</translation>
   </message>
@@ -1046,6 +1106,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Possible places</source>
    <translation>Lugares posibles</translation>
+  </message>
+  <message>
+   <source>Predicted</source>
+   <translation>Clase predicha</translation>
   </message>
   <message>
    <source>Predicted label map</source>
@@ -1444,6 +1508,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Las posiciones son ahora una capa temporal del proyecto; expórtela para conservarlas.</translation>
   </message>
   <message>
+   <source>The result of “Check annotation” or “Compare label maps”</source>
+   <translation>El resultado de «Comprobar anotación» o «Comparar mapas de etiquetas»</translation>
+  </message>
+  <message>
    <source>The same windows, turned about their centers.</source>
    <translation>Las mismas ventanas, giradas alrededor de su centro.</translation>
   </message>
@@ -1538,6 +1606,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Unverified match</source>
    <translation>Coincidencia no verificada</translation>
+  </message>
+  <message>
+   <source>Update the database…</source>
+   <translation>Actualizar la base de datos…</translation>
   </message>
   <message>
    <source>Valid single polygons with the fields of the annotation layer, in meters.</source>

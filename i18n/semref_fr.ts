@@ -4,6 +4,10 @@
  <context>
   <name>SemRef</name>
   <message>
+   <source>%v of %m done</source>
+   <translation>%v sur %m terminés</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>2 % du côté du terrain</translation>
   </message>
@@ -116,6 +120,10 @@
    <translation>Angle jusqu’au repère visuel suivant, rapporté au plus grand angle</translation>
   </message>
   <message>
+   <source>Annotated</source>
+   <translation>Classe annotée</translation>
+  </message>
+  <message>
    <source>Annotated label map</source>
    <translation>Carte d’étiquettes annotée</translation>
   </message>
@@ -146,6 +154,10 @@
   <message>
    <source>Approximate position</source>
    <translation>Position approximative</translation>
+  </message>
+  <message>
+   <source>Area</source>
+   <translation>Surface</translation>
   </message>
   <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
@@ -252,6 +264,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Choisissez une base de données.</translation>
   </message>
   <message>
+   <source>Choose a layer of issues or disagreements</source>
+   <translation>Choisir une couche de constats ou de divergences</translation>
+  </message>
+  <message>
    <source>Choose a reference database</source>
    <translation>Choisir une base de données de référence</translation>
   </message>
@@ -340,6 +356,14 @@ Les classes sont associées par leur nom, ou par leur valeur si les cartes n’o
    <translation>Copier x, y</translation>
   </message>
   <message>
+   <source>Correct</source>
+   <translation>Corriger</translation>
+  </message>
+  <message>
+   <source>Corrected places</source>
+   <translation>Endroits corrigés</translation>
+  </message>
+  <message>
    <source>Counting labels</source>
    <translation>Comptage des étiquettes</translation>
   </message>
@@ -394,6 +418,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
    <translation>Rapports de distances, différences d’angles et rangs de classes, avec les classes utilisées.</translation>
+  </message>
+  <message>
+   <source>Done, next</source>
+   <translation>Terminé, suivant</translation>
   </message>
   <message>
    <source>Draw on the map where the images are known to be: press at the middle and drag</source>
@@ -684,6 +712,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Garder comme couche</translation>
   </message>
   <message>
+   <source>Kind</source>
+   <translation>Type</translation>
+  </message>
+  <message>
    <source>Label image</source>
    <translation>Image d’étiquettes</translation>
   </message>
@@ -812,6 +844,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Corrélation de cartes</translation>
   </message>
   <message>
+   <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
+   <translation>Marque l’endroit comme terminé et passe au suivant qui ne l’est pas (Ctrl+D)</translation>
+  </message>
+  <message>
    <source>Maximum speed (map units per second)</source>
    <translation>Vitesse maximale (unités de carte par seconde)</translation>
   </message>
@@ -826,6 +862,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Median error</source>
    <translation>Erreur médiane</translation>
+  </message>
+  <message>
+   <source>Message</source>
+   <translation>Message</translation>
   </message>
   <message>
    <source>Method</source>
@@ -880,12 +920,20 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Sosie le plus proche à la distance {value:.3f}</translation>
   </message>
   <message>
+   <source>Next place</source>
+   <translation>Endroit suivant</translation>
+  </message>
+  <message>
    <source>Next window</source>
    <translation>Fenêtre suivante</translation>
   </message>
   <message>
    <source>No match</source>
    <translation>Aucune correspondance</translation>
+  </message>
+  <message>
+   <source>No place to look at.</source>
+   <translation>Aucun endroit à examiner.</translation>
   </message>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
@@ -980,6 +1028,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Un polygone par position trouvée : le terrain que montre l’image, ou la fenêtre correspondante pour la méthode du vecteur topologique.</translation>
   </message>
   <message>
+   <source>Only what is open</source>
+   <translation>Seulement ce qui reste à faire</translation>
+  </message>
+  <message>
    <source>Only with an approximate heading: other headings are not searched.</source>
    <translation>Seulement avec un cap approximatif : les autres caps ne sont pas cherchés.</translation>
   </message>
@@ -990,6 +1042,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Opacity of the labels</source>
    <translation>Opacité des étiquettes</translation>
+  </message>
+  <message>
+   <source>Opens “Update reference database” with the places that are done</source>
+   <translation>Ouvre « Mettre à jour une base de données de référence » avec les endroits terminés</translation>
   </message>
   <message>
    <source>Outlining the disagreements</source>
@@ -1032,6 +1088,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Taille de pixel sur laquelle le réseau a été entraîné ; en cas d’omission, celle des métadonnées du modèle. Les images sans géoréférence sont prises telles quelles.</translation>
   </message>
   <message>
+   <source>Place before</source>
+   <translation>Endroit précédent</translation>
+  </message>
+  <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>Points avec classe, surface et position en pixels ; en pixels (y vers le haut, négatif) sans géoréférence.</translation>
   </message>
@@ -1046,6 +1106,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Possible places</source>
    <translation>Lieux possibles</translation>
+  </message>
+  <message>
+   <source>Predicted</source>
+   <translation>Classe prédite</translation>
   </message>
   <message>
    <source>Predicted label map</source>
@@ -1444,6 +1508,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les positions sont maintenant une couche temporaire du projet ; exportez-la pour les conserver.</translation>
   </message>
   <message>
+   <source>The result of “Check annotation” or “Compare label maps”</source>
+   <translation>Le résultat de « Vérifier l’annotation » ou de « Comparer des cartes d’étiquettes »</translation>
+  </message>
+  <message>
    <source>The same windows, turned about their centers.</source>
    <translation>Les mêmes fenêtres, tournées autour de leur centre.</translation>
   </message>
@@ -1538,6 +1606,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Unverified match</source>
    <translation>Correspondance non vérifiée</translation>
+  </message>
+  <message>
+   <source>Update the database…</source>
+   <translation>Mettre à jour la base de données…</translation>
   </message>
   <message>
    <source>Valid single polygons with the fields of the annotation layer, in meters.</source>

@@ -27,8 +27,9 @@ update_translations = load_tool()
 
 
 def placeholders(text: str) -> set[tuple[str, str]]:
-    """Names with their format, as in ``{share:.1%}``."""
-    return {(name, form) for _, name, form, _ in string.Formatter().parse(text) if name is not None}
+    """Names with their format, as in ``{share:.1%}``, and Qt's numbers of a progress bar, as in ``%v``."""
+    named = {(name, form) for _, name, form, _ in string.Formatter().parse(text) if name is not None}
+    return named | {(number, "") for number in re.findall("%[vmp]", text)}
 
 
 def pairs(path: Path) -> list[tuple[str, str]]:
