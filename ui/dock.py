@@ -28,6 +28,9 @@ from .results import ResultsBox
 
 UPDATE_DATABASE = "semref:updatedatabase"
 
+LOCALIZE, INSPECT, CORRECT = range(3)
+"""The dock's tabs."""
+
 
 class SemRefDock(QgsDockWidget):
     """``shut_down`` before it is deleted: it cancels what runs and clears the canvas."""
@@ -78,7 +81,7 @@ class SemRefDock(QgsDockWidget):
     def inspect_window(self, name: str) -> None:
         """Shows the window of this name in the second tab."""
         self.setUserVisible(True)
-        self.tabs.setCurrentWidget(self.inspect)
+        self.tabs.setCurrentIndex(INSPECT)
         self.inspect.show_window(name)
 
     def _lay_out(self) -> None:
@@ -89,21 +92,16 @@ class SemRefDock(QgsDockWidget):
             layout.addWidget(widget)
         layout.addWidget(self.results, 1)
         self.tabs.setDocumentMode(True)
-        self.tabs.addTab(localize, tr("Localize"))
-        self.tabs.addTab(self.inspect, tr("Inspect"))
-        self.tabs.addTab(self.correct, tr("Correct"))
+        for page, title in (
+            (localize, tr("Localize")), (self.inspect, tr("Inspect")), (self.correct, tr("Correct")),
+        ):  # fmt: skip
+            self.tabs.addTab(_scrolling(page), title)
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
         layout.addWidget(self.database)
         layout.addWidget(self.tabs, 1)
-        area = QScrollArea()
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setWidgetResizable(True)
-        area.setWidget(content)
-        # The dock can be made lower than its content, but not narrower.
-        area.setMinimumWidth(content.minimumSizeHint().width() + area.verticalScrollBar().sizeHint().width())
-        self.setWidget(area)
+        self.setWidget(content)
 
     def _connect(self) -> None:
         self.database.changed.connect(self._show_idle)
@@ -269,6 +267,16 @@ class SemRefDock(QgsDockWidget):
             lay_on_map(finding, self.database.path())
         except LabelMapError as error:
             self._messages.error(str(error))
+
+
+def _scrolling(page: QWidget) -> QScrollArea:
+    """The dock can be made lower than a page's content, but not narrower."""
+    area = QScrollArea()
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidgetResizable(True)
+    area.setWidget(page)
+    area.setMinimumWidth(page.minimumSizeHint().width() + area.verticalScrollBar().sizeHint().width())
+    return area
 
 
 def _picture(shelf: DatabaseShelf, database: str, image: str, model: str) -> ImagePicture:

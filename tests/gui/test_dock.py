@@ -613,7 +613,7 @@ def test_the_locator_bar_finds_windows_by_name(dock, iface, area):
     assert [result.displayString for result in found] == ["150_200", "150_250"]
     locator.triggerResult(found[1])
     wait_until(lambda: dock.inspect.numbers.rowCount(), "the window")
-    assert dock.tabs.currentWidget() is dock.inspect
+    assert dock.inspect.isVisible()
     assert dock.inspect.name.text() == "150_250"
 
 
