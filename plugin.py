@@ -7,6 +7,7 @@ from pathlib import Path
 from qgis.core import QgsApplication, QgsSettings
 from qgis.PyQt.QtCore import QCoreApplication, QLocale, QTranslator
 
+from .processing.components import add_components_to_path
 from .processing.provider import register_provider
 
 _TRANSLATIONS = Path(__file__).resolve().parent / "i18n"
@@ -22,6 +23,7 @@ class SemRefPlugin:
         self._entry = None
 
     def initProcessing(self) -> None:
+        add_components_to_path()
         self._translator = _install_translator()
         self._provider = register_provider(QgsApplication.processingRegistry())
 

@@ -35,3 +35,7 @@ class ImageError(SemRefError):
 
 class ModelError(SemRefError):
     """A segmentation model is broken, says too little about itself, or doesn't fit what it is used for."""
+
+
+class ComponentError(SemRefError):
+    """A Python package that SemRef needs can't be installed or removed."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import importlib.util
 from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import Any, Callable, Dict, Generator, List, Tuple
@@ -18,6 +17,7 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QIcon
 
 from ..core.errors import SemRefError
+from .components import OPENCV, Package, how_to_install, missing
 from .translation import tr
 
 ICON_PATH = Path(__file__).resolve().parent.parent / "resources" / "icon.svg"
@@ -26,19 +26,6 @@ ANNOTATION, REFERENCE_DATABASE, LOCALIZATION = "annotation", "referencedatabase"
 
 CANCEL_EVERY_S = 0.2
 """How often a cancel is looked for during work that can't be interrupted."""
-
-_PACKAGES = {"numpy": "numpy", "cv2": "opencv-python-headless"}
-"""What every algorithm needs: what pip calls each, by the name it is imported by."""
-
-SHAPELY = {"shapely": "'shapely>=2'", "shapely.constructive": "'shapely>=2'"}
-"""For MORE_PACKAGES. Shapely has the second module since version 2; Debian 12 brings an older one."""
-
-_DEBIAN_PACKAGES = {
-    "numpy": "python3-numpy",
-    "opencv-python-headless": "python3-opencv",
-    "onnxruntime": "python3-onnxruntime",
-    "'shapely>=2'": "python3-shapely",
-}
 
 
 class Canceled(Exception):
@@ -51,8 +38,8 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     ID = ""
     GROUP = ""
     TAGS: Tuple[str, ...] = ()
-    MORE_PACKAGES: Dict[str, str] = {}
-    """Python packages that it needs beside all algorithms': what pip calls each, by the name it is imported by."""
+    PACKAGES: Tuple[Package, ...] = (OPENCV,)
+    """Python packages that it needs beside QGIS's own."""
 
     def title(self) -> str:
         raise NotImplementedError
@@ -115,12 +102,9 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return paragraphs + "".join(f"<h3>{title}</h3><p>{text}</p>" for title, text in entries)
 
     def canExecute(self):
-        missing = _missing_packages({**_PACKAGES, **self.MORE_PACKAGES})
-        if missing:
-            return False, tr(
-                "SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with "
-                "“python3 -m pip install {packages}”, or “apt install {debian_packages}” on Debian and Ubuntu."
-            ).format(packages=" ".join(missing), debian_packages=" ".join(_DEBIAN_PACKAGES[name] for name in missing))
+        lacking = missing(self.PACKAGES)
+        if lacking:
+            return False, how_to_install(lacking)
         return True, ""
 
     def prepareAlgorithm(self, parameters, context, feedback) -> bool:
@@ -145,15 +129,6 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             if error.errno not in _DISK_ERRORS:
                 raise
             raise QgsProcessingException(_disk_sentence(error)) from error
-
-
-def _missing_packages(packages: Dict[str, str]) -> List[str]:
-    """What pip has to install, each once; a module after its parent, which find_spec has to find first."""
-    missing = []
-    for module, package in packages.items():
-        if package not in missing and importlib.util.find_spec(module) is None:
-            missing.append(package)
-    return missing
 
 
 _DISK_ERRORS = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EPERM, errno.EFBIG)

@@ -14,7 +14,8 @@ from qgis.core import (
 from ..core.annotation_findings import CHECKED_KINDS, ERROR
 from .annotation_algorithm import AnnotationAlgorithm, geometry_of
 from .annotation_messages import FIELDS, row_of, sentence
-from .base import SHAPELY, cancelable, check_canceled, follow, interruptible
+from .base import cancelable, check_canceled, follow, interruptible
+from .components import OPENCV, SHAPELY
 from .compat import MULTI_POLYGON, SOURCE_POLYGON, wkt_for_gdal
 from .rasterize_annotation import pixel_grid, union_of_bounds
 from .sinks import Sink
@@ -27,7 +28,7 @@ READ, CHECKED, BURNT, DONE = 20.0, 70.0, 90.0, 95.0
 class CheckAnnotation(AnnotationAlgorithm):
     ID = "checkannotation"
     TAGS = ("validate", "topology", "quality", "overlap", "gap", "sliver", "invalid geometry", "land cover")
-    MORE_PACKAGES = SHAPELY
+    PACKAGES = (OPENCV, SHAPELY)
 
     MINIMUM_AREA = "MINIMUM_AREA"
     MAXIMUM_GAP = "MAXIMUM_GAP"

@@ -8,7 +8,8 @@ from ..core.annotation_findings import ERROR, OUTSIDE_CRS
 from ..core.errors import ParameterError
 from .annotation_algorithm import AnnotationAlgorithm, geometry_of
 from .annotation_messages import FIELDS, change_sentence, row_of
-from .base import SHAPELY, check_canceled, follow, interruptible
+from .base import check_canceled, follow, interruptible
+from .components import OPENCV, SHAPELY
 from .compat import MULTI_POLYGON, POLYGON, SOURCE_POLYGON
 from .sinks import Sink
 from .translation import tr
@@ -20,7 +21,7 @@ READ, REPAIRED = 20.0, 95.0
 class RepairAnnotation(AnnotationAlgorithm):
     ID = "repairannotation"
     TAGS = ("clean", "topology", "fix geometries", "dissolve", "overlap", "gap", "sliver", "land cover")
-    MORE_PACKAGES = SHAPELY
+    PACKAGES = (OPENCV, SHAPELY)
 
     MAXIMUM_GAP = "MAXIMUM_GAP"
     MINIMUM_AREA = "MINIMUM_AREA"

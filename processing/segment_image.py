@@ -13,6 +13,7 @@ from qgis.core import (
 
 from .base import ANNOTATION, SemRefAlgorithm, check_canceled
 from .compat import wkt_for_gdal
+from .components import ONNXRUNTIME, OPENCV
 from .threads import worker_threads
 from .translation import tr
 
@@ -21,7 +22,7 @@ class SegmentImage(SemRefAlgorithm):
     ID = "segmentimage"
     GROUP = ANNOTATION
     TAGS = ("segmentation", "network", "onnx", "deepness", "land cover", "label map", "orthophoto", "photo")
-    MORE_PACKAGES = {"onnxruntime": "onnxruntime"}
+    PACKAGES = (OPENCV, ONNXRUNTIME)
 
     INPUT = "INPUT"
     MODEL = "MODEL"

@@ -1,4 +1,4 @@
-"""The plugin's version, which stands in metadata.txt and nowhere else."""
+"""What metadata.txt says and nothing else repeats: the plugin's version and where it lives on the web."""
 
 import configparser
 from functools import lru_cache
@@ -7,8 +7,16 @@ from pathlib import Path
 _METADATA = Path(__file__).resolve().parent.parent / "metadata.txt"
 
 
-@lru_cache(maxsize=1)
 def plugin_version() -> str:
+    return _general()["version"]
+
+
+def user_guide_url() -> str:
+    return f"{_general()['homepage']}/blob/main/docs/user_guide.md"
+
+
+@lru_cache(maxsize=1)
+def _general() -> configparser.SectionProxy:
     metadata = configparser.ConfigParser(interpolation=None)
     metadata.read(_METADATA, encoding="utf-8")
-    return metadata.get("general", "version")
+    return metadata["general"]

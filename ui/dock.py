@@ -23,6 +23,7 @@ from .inputs import MARGIN_PX, DatabaseBox, ImageBox, MethodRow
 from .inspect_tab import InspectTab
 from .localization_run import LocalizationRun
 from .messages import Messages
+from .missing_notice import MissingNotice
 from .prior_row import PriorRow
 from .results import ResultsBox
 
@@ -39,10 +40,11 @@ class SemRefDock(QgsDockWidget):
         super().__init__("SemRef", parent)
         # QGIS restores a dock's place by this name.
         self.setObjectName("SemRefDock")
-        self._messages = Messages(message_bar)
+        self.messages = Messages(message_bar)
         self._highlight: Optional[HitHighlight] = HitHighlight(canvas)
         self._positions: Optional[QgsVectorLayer] = None
         self.run = LocalizationRun(self)
+        self.notice = MissingNotice()
         self.database = DatabaseBox()
         self.images = ImageBox()
         self.method = MethodRow()
@@ -99,6 +101,7 @@ class SemRefDock(QgsDockWidget):
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
+        layout.addWidget(self.notice)
         layout.addWidget(self.database)
         layout.addWidget(self.tabs, 1)
         self.setWidget(content)
@@ -121,14 +124,14 @@ class SemRefDock(QgsDockWidget):
         self.run.canceled.connect(self._show_canceled)
         self.visibilityChanged.connect(self._follow_visibility)
         self.inspect.databaseWanted.connect(self._read_database)
-        self.inspect.said.connect(self._messages.info)
+        self.inspect.said.connect(self.messages.info)
         self.correct.updateAsked.connect(self._update_database)
         self._pictures.answered.connect(self._show_picture)
         self._pictures.failed.connect(self._show_no_picture)
         self._databases.answered.connect(self.inspect.use)
-        self._databases.failed.connect(self._messages.error)
+        self._databases.failed.connect(self.messages.error)
         for reader in (self._pictures, self._databases):
-            reader.broke.connect(self._messages.bug)
+            reader.broke.connect(self.messages.bug)
 
     # --- running ---
 
@@ -188,11 +191,11 @@ class SemRefDock(QgsDockWidget):
 
     def _show_failure(self, sentence: str) -> None:
         self._show_idle()
-        self._messages.error(sentence)
+        self.messages.error(sentence)
 
     def _show_bug(self, report: str) -> None:
         self._show_idle()
-        self._messages.bug(report)
+        self.messages.bug(report)
 
     def _show_canceled(self) -> None:
         self._show_idle()
@@ -202,7 +205,7 @@ class SemRefDock(QgsDockWidget):
 
     def _show_hit(self, finding: Optional[Finding]) -> None:
         if not self._highlight.show(finding):
-            self._messages.warning(
+            self.messages.warning(
                 tr("The hit lies outside the area of the project’s CRS; choose another one to see it.")
             )
         self._zoom_if_asked()
@@ -228,7 +231,7 @@ class SemRefDock(QgsDockWidget):
     def _read_database(self) -> None:
         """The inspected database, in the background."""
         if not self.database.path():
-            self._messages.info(tr("Choose a database."))
+            self.messages.info(tr("Choose a database."))
             return
         self._databases.read(tr("Reading the database"), self._shelf.read, self.database.path())
 
@@ -255,18 +258,18 @@ class SemRefDock(QgsDockWidget):
         try:
             add_database_to_map(self.database.path(), QgsProject.instance())
         except DatabaseError as error:
-            self._messages.error(str(error))
+            self.messages.error(str(error))
 
     def _keep_results(self) -> None:
         # A copy: the user may remove the layer and keep the results again.
         QgsProject.instance().addMapLayer(self._positions.clone())
-        self._messages.info(tr("The positions are a temporary layer of the project now; export it to keep them."))
+        self.messages.info(tr("The positions are a temporary layer of the project now; export it to keep them."))
 
     def _drape(self, finding: Finding) -> None:
         try:
             lay_on_map(finding, self.database.path())
         except LabelMapError as error:
-            self._messages.error(str(error))
+            self.messages.error(str(error))
 
 
 def _scrolling(page: QWidget) -> QScrollArea:

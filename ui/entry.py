@@ -1,21 +1,26 @@
-"""The ways in: one button and one menu entry that show and hide the dock, and the locator bar."""
+"""The ways in: button and menu entry that show and hide the dock, locator bar, options page, user guide."""
 
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QIcon
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import Qt, QUrl
+from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
 from ..processing.base import ICON_PATH
 from ..processing.translation import tr
+from ..processing.version import user_guide_url
+from .component_installer import ComponentInstaller
+from .components_page import PAGE
 from .dock import SemRefDock
+from .options import OptionsFactory
 from .window_locator import WindowLocator
 
 MENU = "SemRef"
 
 
 class DockEntry:
-    """Adds dock, button, menu entry and locator filter; ``remove`` takes them away in reverse order."""
+    """Adds dock, button, menu entries, locator filter and options page; ``remove`` takes them away in reverse order."""
 
     def __init__(self, iface) -> None:
         self._iface = iface
@@ -31,8 +36,28 @@ class DockEntry:
         self._dock.setToggleVisibilityAction(self._action)
         self._locator = WindowLocator(self._dock.read_database, self._dock.inspect_window)
         iface.registerLocatorFilter(self._locator)
+        self._help = QAction(QgsApplication.getThemeIcon("/mActionHelpContents.svg"), tr("User guide"), window)
+        self._help.setObjectName("SemRefHelpAction")
+        self._help.triggered.connect(_open_user_guide)
+        iface.addPluginToMenu(MENU, self._help)
+        # Not the page's: it goes on when the options are closed.
+        self._installer = ComponentInstaller(window)
+        self._options = OptionsFactory(self._installer)
+        iface.registerOptionsWidgetFactory(self._options)
+        self._dock.notice.installAsked.connect(self._show_options)
+        self._options.changed.connect(self._dock.notice.refresh)
+        for signal in (self._installer.installed, self._installer.failed, self._installer.canceled):
+            signal.connect(self._dock.notice.refresh)
+        self._installer.failed.connect(self._dock.messages.error)
+        self._installer.broke.connect(self._dock.messages.bug)
 
     def remove(self) -> None:
+        self._installer.cancel()
+        self._iface.unregisterOptionsWidgetFactory(self._options)
+        self._options.deleteLater()
+        self._installer.deleteLater()
+        self._iface.removePluginMenu(MENU, self._help)
+        self._help.deleteLater()
         # QGIS deletes it.
         self._iface.deregisterLocatorFilter(self._locator)
         self._dock.shut_down()
@@ -41,4 +66,11 @@ class DockEntry:
         self._iface.removePluginMenu(MENU, self._action)
         self._iface.removeToolBarIcon(self._action)
         self._action.deleteLater()
-        self._dock = self._action = self._locator = None
+        self._dock = self._action = self._locator = self._help = self._options = self._installer = None
+
+    def _show_options(self) -> None:
+        self._iface.showOptionsDialog(self._iface.mainWindow(), PAGE)
+
+
+def _open_user_guide() -> None:
+    QDesktopServices.openUrl(QUrl(user_guide_url()))

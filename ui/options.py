@@ -1,0 +1,26 @@
+"""SemRef's page in QGIS's options."""
+
+from __future__ import annotations
+
+from qgis.gui import QgsOptionsWidgetFactory
+from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtGui import QIcon
+
+from ..processing.base import ICON_PATH
+from .component_installer import ComponentInstaller
+from .components_page import ComponentsPage
+
+
+class OptionsFactory(QgsOptionsWidgetFactory):
+    """changed: packages were removed on the page."""
+
+    changed = pyqtSignal()
+
+    def __init__(self, installer: ComponentInstaller) -> None:
+        super().__init__("SemRef", QIcon(str(ICON_PATH)))
+        self._installer = installer
+
+    def createWidget(self, parent=None) -> ComponentsPage:
+        page = ComponentsPage(self._installer, parent)
+        page.removed.connect(self.changed)
+        return page
