@@ -108,6 +108,10 @@
    <translation>Mehrdeutig</translation>
   </message>
   <message>
+   <source>An error in SemRef stopped the installation; please report what stands below.</source>
+   <translation>Ein Fehler in SemRef hat die Installation abgebrochen; bitte melden Sie, was unten steht.</translation>
+  </message>
+  <message>
    <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
    <translation>Ein Fehler in SemRef hat die Arbeit abgebrochen; bitte melden, was das Protokoll unter „SemRef“ zeigt.</translation>
   </message>
@@ -252,6 +256,14 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Prüfung einer Annotation</translation>
   </message>
   <message>
+   <source>Checking and repairing annotations</source>
+   <translation>Annotationen prüfen und reparieren</translation>
+  </message>
+  <message>
+   <source>Checking {package}…</source>
+   <translation>{package} wird geprüft …</translation>
+  </message>
+  <message>
    <source>Choose a GeoPackage</source>
    <translation>GeoPackage wählen</translation>
   </message>
@@ -262,6 +274,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Choose a database.</source>
    <translation>Datenbank wählen.</translation>
+  </message>
+  <message>
+   <source>Choose a folder with wheels (*.whl)</source>
+   <translation>Ordner mit Wheels (*.whl) wählen</translation>
   </message>
   <message>
    <source>Choose a layer of issues or disagreements</source>
@@ -336,6 +352,10 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
    <translation>Vergleich von Klassenkarten</translation>
   </message>
   <message>
+   <source>Components</source>
+   <translation>Komponenten</translation>
+  </message>
+  <message>
    <source>Confidence</source>
    <translation>Konfidenz</translation>
   </message>
@@ -346,6 +366,14 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
   <message>
    <source>Constellation</source>
    <translation>Konstellation</translation>
+  </message>
+  <message>
+   <source>Copied: {command}</source>
+   <translation>Kopiert: {command}</translation>
+  </message>
+  <message>
+   <source>Copy command</source>
+   <translation>Befehl kopieren</translation>
   </message>
   <message>
    <source>Copy longitude, latitude</source>
@@ -466,6 +494,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Evaluation of localization</source>
    <translation>Bewertung der Lokalisierung</translation>
+  </message>
+  <message>
+   <source>Everything: label maps, databases, localization</source>
+   <translation>Alles: Klassenkarten, Datenbanken, Lokalisierung</translation>
   </message>
   <message>
    <source>Export training tiles</source>
@@ -692,6 +724,30 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Untersuchen</translation>
   </message>
   <message>
+   <source>Install</source>
+   <translation>Installieren</translation>
+  </message>
+  <message>
+   <source>Install from a folder of wheels…</source>
+   <translation>Aus einem Ordner mit Wheels installieren …</translation>
+  </message>
+  <message>
+   <source>Installed and ready; QGIS need not be restarted.</source>
+   <translation>Installiert und bereit; QGIS muss nicht neu gestartet werden.</translation>
+  </message>
+  <message>
+   <source>Installed by SemRef</source>
+   <translation>Von SemRef installiert</translation>
+  </message>
+  <message>
+   <source>Installing {package}…</source>
+   <translation>{package} wird installiert …</translation>
+  </message>
+  <message>
+   <source>Install…</source>
+   <translation>Installieren …</translation>
+  </message>
+  <message>
    <source>IoU</source>
    <translation>IoU</translation>
   </message>
@@ -820,6 +876,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Nachbarn derselben Klasse werden geprüft</translation>
   </message>
   <message>
+   <source>Looking for QGIS’s Python…</source>
+   <translation>Das Python von QGIS wird gesucht …</translation>
+  </message>
+  <message>
    <source>Looking for gaps and slivers</source>
    <translation>Lücken und Splitter werden gesucht</translation>
   </message>
@@ -896,6 +956,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Gespiegelte Bilder (%)</translation>
   </message>
   <message>
+   <source>Missing</source>
+   <translation>Fehlt</translation>
+  </message>
+  <message>
    <source>Model</source>
    <translation>Modell</translation>
   </message>
@@ -926,6 +990,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Next window</source>
    <translation>Nächstes Fenster</translation>
+  </message>
+  <message>
+   <source>No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead.</source>
+   <translation>Kein Python {version} wie das von QGIS gefunden (gesucht: {paths}); verwenden Sie stattdessen „{command}“.</translation>
   </message>
   <message>
    <source>No match</source>
@@ -1064,6 +1132,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Übersicht</translation>
   </message>
   <message>
+   <source>Package</source>
+   <translation>Paket</translation>
+  </message>
+  <message>
    <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
    <translation>Teil der Versuche, die ein gespiegeltes Stück der Karte zeigen. Sie sehen aus wie die Karte, können aber nie richtig sein: Ein Fix für ein solches Bild ist falsch angenommen.</translation>
   </message>
@@ -1128,6 +1200,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Projiziertes KBS in Metern. Ohne Angabe: das des Layers, wenn es metrisch ist, sonst eine UTM-Zone.</translation>
   </message>
   <message>
+   <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
+   <translation>QGIS bringt diese Python-Pakete nicht überall mit. SemRef kann sie für dieses QGIS in einen eigenen Ordner installieren; was QGIS hat, vor allem numpy, bleibt, wie es ist.</translation>
+  </message>
+  <message>
    <source>Radius around it (map units)</source>
    <translation>Radius darum (Karteneinheiten)</translation>
   </message>
@@ -1164,6 +1240,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Wird gelesen …</translation>
   </message>
   <message>
+   <source>Ready</source>
+   <translation>Bereit</translation>
+  </message>
+  <message>
    <source>Ready to localize.</source>
    <translation>Bereit zum Lokalisieren.</translation>
   </message>
@@ -1186,6 +1266,14 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Remove</source>
    <translation>Entfernen</translation>
+  </message>
+  <message>
+   <source>Remove what SemRef installed</source>
+   <translation>Von SemRef Installiertes entfernen</translation>
+  </message>
+  <message>
+   <source>Removed; what is in use stays in memory until QGIS is closed.</source>
+   <translation>Entfernt; was in Gebrauch ist, bleibt im Speicher, bis QGIS geschlossen wird.</translation>
   </message>
   <message>
    <source>Repair annotation</source>
@@ -1280,6 +1368,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Segmentierung</translation>
   </message>
   <message>
+   <source>Segmenting photos with a network</source>
+   <translation>Fotos mit einem Netz segmentieren</translation>
+  </message>
+  <message>
    <source>Select a result to see its hit on the map.</source>
    <translation>Ein Ergebnis wählen, um seinen Treffer auf der Karte zu sehen.</translation>
   </message>
@@ -1288,8 +1380,8 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>SemRef-Bildausschnitte</translation>
   </message>
   <message>
-   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install {debian_packages}” on Debian and Ubuntu.</source>
-   <translation>SemRef braucht das Python-Paket {packages}. Es muss für das Python von QGIS installiert sein, zum Beispiel mit „python3 -m pip install {packages}“ oder unter Debian und Ubuntu mit „apt install {debian_packages}“.</translation>
+   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
+   <translation>SemRef braucht das Python-Paket {packages}. Installieren Sie es unter Einstellungen ▸ Optionen ▸ SemRef oder durch Eingabe von {commands}.</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -1392,6 +1484,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Wird gestartet…</translation>
   </message>
   <message>
+   <source>State</source>
+   <translation>Zustand</translation>
+  </message>
+  <message>
    <source>Status</source>
    <translation>Status</translation>
   </message>
@@ -1452,6 +1548,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Datenträger ist beim Schreiben voll geworden ({name}); Platz schaffen oder einen anderen Ort wählen.</translation>
   </message>
   <message>
+   <source>The disk is full: {folder} needs about 500 MB.</source>
+   <translation>Der Datenträger ist voll: {folder} braucht etwa 500 MB.</translation>
+  </message>
+  <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
    <translation>Die Geometrie von Objekt {id} ist ungültig: {reason}.</translation>
   </message>
@@ -1500,12 +1600,28 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Netz, das aus Fotos Klassen macht; bei Klassenbildern leer lassen</translation>
   </message>
   <message>
+   <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>Der Paketindex ist nicht erreichbar; prüfen Sie das Netz und Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus einem Ordner mit Wheels.</translation>
+  </message>
+  <message>
+   <source>The package index has no {package} for Python {python} on this system.</source>
+   <translation>Der Paketindex hat kein {package} für Python {python} auf diesem System.</translation>
+  </message>
+  <message>
+   <source>The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, or install from a folder of wheels.</source>
+   <translation>Dem Zertifikat des Paketindex wird nicht vertraut; fragen Sie Ihre Netzverwaltung, wie pip hier eingerichtet wird, oder installieren Sie aus einem Ordner mit Wheels.</translation>
+  </message>
+  <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>Die Pixelgröße, mit der der Layer gerastert werden soll: Landmarken, die solche Pixel verlieren, verschmelzen oder zerteilen würden, werden ebenfalls gemeldet. Ohne Angabe wird nicht danach gesehen.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
+  </message>
+  <message>
+   <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
+   <translation>Der Proxy ist nicht nutzbar; prüfen Sie ihn unter Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus Wheels.</translation>
   </message>
   <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
@@ -1542,6 +1658,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Too few landmarks</source>
    <translation>Zu wenige Landmarken</translation>
+  </message>
+  <message>
+   <source>Too old</source>
+   <translation>Zu alt</translation>
   </message>
   <message>
    <source>Topology vector</source>
@@ -1612,6 +1732,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Datenbank aktualisieren …</translation>
   </message>
   <message>
+   <source>User guide</source>
+   <translation>Benutzerhandbuch</translation>
+  </message>
+  <message>
    <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
    <translation>Gültige einzelne Polygone mit den Feldern des Annotationslayers, in Metern.</translation>
   </message>
@@ -1634,6 +1758,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>What became of the images of the map:</source>
    <translation>Was aus den Bildern der Karte wurde:</translation>
+  </message>
+  <message>
+   <source>What for</source>
+   <translation>Wofür</translation>
   </message>
   <message>
    <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
@@ -1732,6 +1860,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Auf Treffer zoomen</translation>
   </message>
   <message>
+   <source>add the package python3-pip with OSGeo4W’s setup</source>
+   <translation>fügen Sie das Paket python3-pip mit dem Setup von OSGeo4W hinzu</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>annotiert</translation>
   </message>
@@ -1816,6 +1948,14 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Hinweise</translation>
   </message>
   <message>
+   <source>install it with “{command}”</source>
+   <translation>installieren Sie es mit „{command}“</translation>
+  </message>
+  <message>
+   <source>it ended without a word</source>
+   <translation>es endete ohne ein Wort</translation>
+  </message>
+  <message>
    <source>kind</source>
    <translation>Art</translation>
   </message>
@@ -1862,6 +2002,14 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>overall accuracy</source>
    <translation>Gesamtgenauigkeit</translation>
+  </message>
+  <message>
+   <source>pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.</source>
+   <translation>pip kann den SOCKS-Proxy der Netzwerkeinstellungen von QGIS nicht nutzen; stellen Sie dort einen HTTP-Proxy oder keinen ein.</translation>
+  </message>
+  <message>
+   <source>pip could not install {package}: {reason}.</source>
+   <translation>pip konnte {package} nicht installieren: {reason}.</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -1944,6 +2092,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Standort gefunden für {fixes} von {images} Bildern.</translation>
   </message>
   <message>
+   <source>{folder} has no wheel of {package} for Python {python} on this system.</source>
+   <translation>{folder} enthält kein Wheel von {package} für Python {python} auf diesem System.</translation>
+  </message>
+  <message>
    <source>{image} can’t be shown on the map.</source>
    <translation>{image} kann nicht auf der Karte gezeigt werden.</translation>
   </message>
@@ -2004,6 +2156,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>{name} (Objekte {id} und {other}): ihre Pixel berühren sich, sie werden also eine Landmarke.</translation>
   </message>
   <message>
+   <source>{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.</source>
+   <translation>{name} kann nicht entfernt werden, vermutlich weil es in Gebrauch ist; starten Sie QGIS neu und entfernen Sie es noch einmal.</translation>
+  </message>
+  <message>
    <source>{name} can’t be written; choose a place where you may write.</source>
    <translation>{name} lässt sich nicht schreiben; einen Ort mit Schreibrecht wählen.</translation>
   </message>
@@ -2016,12 +2172,32 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>{number:.0f} Objekte von {name}, die sich berühren, sind ein Polygon mit den Attributen von Objekt {id}.</translation>
   </message>
   <message>
+   <source>{packages} is missing; without it nothing can be localized.</source>
+   <translation>{packages} fehlt; ohne kann nichts lokalisiert werden.</translation>
+  </message>
+  <message>
+   <source>{package} can’t be installed: {reason}: {name}.</source>
+   <translation>{package} kann nicht installiert werden: {reason}: {name}.</translation>
+  </message>
+  <message>
+   <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
+   <translation>{package} wurde installiert, ist aber mit numpy {numpy} nicht nutzbar: {reason}; es wurde wieder entfernt.</translation>
+  </message>
+  <message>
+   <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
+   <translation>{path} ist eine ältere Version, als SemRef nutzen kann, und QGIS findet sie zuerst; aktualisieren oder entfernen Sie sie.</translation>
+  </message>
+  <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
    <translation>{path} ist keine SemRef-Referenzdatenbank; eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
   </message>
   <message>
    <source>{predicted} against {reference}</source>
    <translation>{predicted} gegen {reference}</translation>
+  </message>
+  <message>
+   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
+   <translation>{python}, das Python von QGIS, hat kein pip; {how_to_get_pip} oder verwenden Sie stattdessen „{command}“.</translation>
   </message>
   <message>
    <source>{seconds:.0f} s.</source>

@@ -108,6 +108,10 @@
    <translation>Ambigua</translation>
   </message>
   <message>
+   <source>An error in SemRef stopped the installation; please report what stands below.</source>
+   <translation>Un error en SemRef detuvo la instalación; por favor, comunique lo que aparece abajo.</translation>
+  </message>
+  <message>
    <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
    <translation>Un error en SemRef detuvo el trabajo; informe de lo que el panel de mensajes de registro muestra en «SemRef».</translation>
   </message>
@@ -252,6 +256,14 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Comprobación de una anotación</translation>
   </message>
   <message>
+   <source>Checking and repairing annotations</source>
+   <translation>Comprobar y reparar anotaciones</translation>
+  </message>
+  <message>
+   <source>Checking {package}…</source>
+   <translation>Comprobando {package}…</translation>
+  </message>
+  <message>
    <source>Choose a GeoPackage</source>
    <translation>Elegir un GeoPackage</translation>
   </message>
@@ -262,6 +274,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Choose a database.</source>
    <translation>Elija una base de datos.</translation>
+  </message>
+  <message>
+   <source>Choose a folder with wheels (*.whl)</source>
+   <translation>Elegir una carpeta con wheels (*.whl)</translation>
   </message>
   <message>
    <source>Choose a layer of issues or disagreements</source>
@@ -336,6 +352,10 @@ Las clases se emparejan por nombre, o por valor si los mapas no comparten nombre
    <translation>Comparación de mapas de etiquetas</translation>
   </message>
   <message>
+   <source>Components</source>
+   <translation>Componentes</translation>
+  </message>
+  <message>
    <source>Confidence</source>
    <translation>Confianza</translation>
   </message>
@@ -346,6 +366,14 @@ Las clases se emparejan por nombre, o por valor si los mapas no comparten nombre
   <message>
    <source>Constellation</source>
    <translation>Constelación</translation>
+  </message>
+  <message>
+   <source>Copied: {command}</source>
+   <translation>Copiado: {command}</translation>
+  </message>
+  <message>
+   <source>Copy command</source>
+   <translation>Copiar orden</translation>
   </message>
   <message>
    <source>Copy longitude, latitude</source>
@@ -466,6 +494,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Evaluation of localization</source>
    <translation>Evaluación de la localización</translation>
+  </message>
+  <message>
+   <source>Everything: label maps, databases, localization</source>
+   <translation>Todo: mapas de clases, bases de datos, localización</translation>
   </message>
   <message>
    <source>Export training tiles</source>
@@ -692,6 +724,30 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Inspeccionar</translation>
   </message>
   <message>
+   <source>Install</source>
+   <translation>Instalar</translation>
+  </message>
+  <message>
+   <source>Install from a folder of wheels…</source>
+   <translation>Instalar desde una carpeta de wheels…</translation>
+  </message>
+  <message>
+   <source>Installed and ready; QGIS need not be restarted.</source>
+   <translation>Instalado y listo; no hace falta reiniciar QGIS.</translation>
+  </message>
+  <message>
+   <source>Installed by SemRef</source>
+   <translation>Instalado por SemRef</translation>
+  </message>
+  <message>
+   <source>Installing {package}…</source>
+   <translation>Instalando {package}…</translation>
+  </message>
+  <message>
+   <source>Install…</source>
+   <translation>Instalar…</translation>
+  </message>
+  <message>
    <source>IoU</source>
    <translation>IoU</translation>
   </message>
@@ -820,6 +876,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Examinando vecinos de una misma clase</translation>
   </message>
   <message>
+   <source>Looking for QGIS’s Python…</source>
+   <translation>Buscando el Python de QGIS…</translation>
+  </message>
+  <message>
    <source>Looking for gaps and slivers</source>
    <translation>Buscando huecos y astillas</translation>
   </message>
@@ -896,6 +956,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Imágenes reflejadas (%)</translation>
   </message>
   <message>
+   <source>Missing</source>
+   <translation>Falta</translation>
+  </message>
+  <message>
    <source>Model</source>
    <translation>Modelo</translation>
   </message>
@@ -926,6 +990,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Next window</source>
    <translation>Ventana siguiente</translation>
+  </message>
+  <message>
+   <source>No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead.</source>
+   <translation>No se encontró un Python {version} como el de QGIS (se buscó en {paths}); use en su lugar «{command}».</translation>
   </message>
   <message>
    <source>No match</source>
@@ -1064,6 +1132,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Vista general</translation>
   </message>
   <message>
+   <source>Package</source>
+   <translation>Paquete</translation>
+  </message>
+  <message>
    <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
    <translation>Parte de los ensayos que muestran un trozo reflejado del mapa. Se parecen al mapa pero nunca pueden ser correctos: una posición encontrada para uno de ellos es una falsa aceptación.</translation>
   </message>
@@ -1128,6 +1200,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>SRC proyectado en metros. Si se omite: el de la capa si es métrico; si no, una zona UTM.</translation>
   </message>
   <message>
+   <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
+   <translation>QGIS no trae estos paquetes de Python en todas partes. SemRef puede instalarlos para este QGIS en una carpeta propia; lo que QGIS tiene, sobre todo numpy, queda como está.</translation>
+  </message>
+  <message>
    <source>Radius around it (map units)</source>
    <translation>Radio alrededor de ella (unidades del mapa)</translation>
   </message>
@@ -1164,6 +1240,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Leyendo…</translation>
   </message>
   <message>
+   <source>Ready</source>
+   <translation>Listo</translation>
+  </message>
+  <message>
    <source>Ready to localize.</source>
    <translation>Listo para localizar.</translation>
   </message>
@@ -1186,6 +1266,14 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Remove</source>
    <translation>Eliminar</translation>
+  </message>
+  <message>
+   <source>Remove what SemRef installed</source>
+   <translation>Quitar lo que instaló SemRef</translation>
+  </message>
+  <message>
+   <source>Removed; what is in use stays in memory until QGIS is closed.</source>
+   <translation>Quitado; lo que está en uso sigue en memoria hasta que se cierre QGIS.</translation>
   </message>
   <message>
    <source>Repair annotation</source>
@@ -1280,6 +1368,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Segmentando</translation>
   </message>
   <message>
+   <source>Segmenting photos with a network</source>
+   <translation>Segmentar fotos con una red</translation>
+  </message>
+  <message>
    <source>Select a result to see its hit on the map.</source>
    <translation>Seleccione un resultado para ver su coincidencia en el mapa.</translation>
   </message>
@@ -1288,8 +1380,8 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Huellas de SemRef</translation>
   </message>
   <message>
-   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install {debian_packages}” on Debian and Ubuntu.</source>
-   <translation>SemRef necesita el paquete de Python {packages}. Instálelo para el Python de QGIS, por ejemplo con «python3 -m pip install {packages}», o «apt install {debian_packages}» en Debian y Ubuntu.</translation>
+   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
+   <translation>SemRef necesita el paquete de Python {packages}. Instálelo en Configuración ▸ Opciones ▸ SemRef, o escribiendo {commands}.</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -1392,6 +1484,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Iniciando…</translation>
   </message>
   <message>
+   <source>State</source>
+   <translation>Estado</translation>
+  </message>
+  <message>
    <source>Status</source>
    <translation>Estado</translation>
   </message>
@@ -1452,6 +1548,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El disco se llenó al escribir {name}; libere espacio o elija otro lugar.</translation>
   </message>
   <message>
+   <source>The disk is full: {folder} needs about 500 MB.</source>
+   <translation>El disco está lleno: {folder} necesita unos 500 MB.</translation>
+  </message>
+  <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
    <translation>La geometría del objeto espacial {id} no es válida: {reason}.</translation>
   </message>
@@ -1500,12 +1600,28 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La red que hace etiquetas a partir de fotos; déjelo vacío para imágenes de etiquetas</translation>
   </message>
   <message>
+   <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>No se puede acceder al índice de paquetes; compruebe la red y Configuración ▸ Opciones ▸ Red, o instale desde una carpeta de wheels.</translation>
+  </message>
+  <message>
+   <source>The package index has no {package} for Python {python} on this system.</source>
+   <translation>El índice de paquetes no tiene {package} para Python {python} en este sistema.</translation>
+  </message>
+  <message>
+   <source>The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, or install from a folder of wheels.</source>
+   <translation>El certificado del índice de paquetes no es de confianza; pregunte a quien administra su red cómo se configura pip aquí, o instale desde una carpeta de wheels.</translation>
+  </message>
+  <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>El tamaño de píxel con el que se rasterizará la capa: también se informa de los hitos que esos píxeles perderían, unirían o dividirían. Si se omite, no se examina.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Las posiciones son ahora una capa temporal del proyecto; expórtela para conservarlas.</translation>
+  </message>
+  <message>
+   <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
+   <translation>El proxy no se puede usar; compruébelo en Configuración ▸ Opciones ▸ Red, o instale desde wheels.</translation>
   </message>
   <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
@@ -1542,6 +1658,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Too few landmarks</source>
    <translation>Muy pocos hitos</translation>
+  </message>
+  <message>
+   <source>Too old</source>
+   <translation>Demasiado antiguo</translation>
   </message>
   <message>
    <source>Topology vector</source>
@@ -1612,6 +1732,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Actualizar la base de datos…</translation>
   </message>
   <message>
+   <source>User guide</source>
+   <translation>Guía del usuario</translation>
+  </message>
+  <message>
    <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
    <translation>Polígonos simples válidos con los campos de la capa de anotación, en metros.</translation>
   </message>
@@ -1634,6 +1758,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>What became of the images of the map:</source>
    <translation>Qué fue de las imágenes del mapa:</translation>
+  </message>
+  <message>
+   <source>What for</source>
+   <translation>Para qué</translation>
   </message>
   <message>
    <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
@@ -1732,6 +1860,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Zum a la coincidencia</translation>
   </message>
   <message>
+   <source>add the package python3-pip with OSGeo4W’s setup</source>
+   <translation>añada el paquete python3-pip con el instalador de OSGeo4W</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>anotado</translation>
   </message>
@@ -1816,6 +1948,14 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>información</translation>
   </message>
   <message>
+   <source>install it with “{command}”</source>
+   <translation>instálelo con «{command}»</translation>
+  </message>
+  <message>
+   <source>it ended without a word</source>
+   <translation>terminó sin decir nada</translation>
+  </message>
+  <message>
    <source>kind</source>
    <translation>tipo</translation>
   </message>
@@ -1862,6 +2002,14 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>overall accuracy</source>
    <translation>exactitud global</translation>
+  </message>
+  <message>
+   <source>pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.</source>
+   <translation>pip no puede usar el proxy SOCKS de la configuración de red de QGIS; ponga allí un proxy HTTP o ninguno.</translation>
+  </message>
+  <message>
+   <source>pip could not install {package}: {reason}.</source>
+   <translation>pip no pudo instalar {package}: {reason}.</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -1944,6 +2092,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Posición encontrada para {fixes} de {images} imágenes.</translation>
   </message>
   <message>
+   <source>{folder} has no wheel of {package} for Python {python} on this system.</source>
+   <translation>{folder} no tiene ningún wheel de {package} para Python {python} en este sistema.</translation>
+  </message>
+  <message>
    <source>{image} can’t be shown on the map.</source>
    <translation>{image} no se puede mostrar en el mapa.</translation>
   </message>
@@ -2004,6 +2156,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>{name} (objetos espaciales {id} y {other}): sus píxeles se tocan, así que se convierten en un solo hito.</translation>
   </message>
   <message>
+   <source>{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.</source>
+   <translation>{name} no se puede quitar, probablemente porque está en uso; reinicie QGIS y quítelo de nuevo.</translation>
+  </message>
+  <message>
    <source>{name} can’t be written; choose a place where you may write.</source>
    <translation>{name} no se puede escribir; elija un lugar en el que tenga permiso para escribir.</translation>
   </message>
@@ -2016,12 +2172,32 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>{number:.0f} objetos espaciales de {name} que se tocan son un solo polígono con los atributos del objeto espacial {id}.</translation>
   </message>
   <message>
+   <source>{packages} is missing; without it nothing can be localized.</source>
+   <translation>Falta {packages}; sin él no se puede localizar nada.</translation>
+  </message>
+  <message>
+   <source>{package} can’t be installed: {reason}: {name}.</source>
+   <translation>{package} no se puede instalar: {reason}: {name}.</translation>
+  </message>
+  <message>
+   <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
+   <translation>{package} se instaló, pero no se puede usar con numpy {numpy}: {reason}; se ha quitado de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
+   <translation>{path} es una versión más antigua de la que SemRef puede usar, y QGIS la encuentra primero; actualícela o quítela.</translation>
+  </message>
+  <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
    <translation>{path} no es una base de datos de referencia de SemRef; elija una creada con «Crear base de datos de referencia».</translation>
   </message>
   <message>
    <source>{predicted} against {reference}</source>
    <translation>{predicted} frente a {reference}</translation>
+  </message>
+  <message>
+   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
+   <translation>{python}, el Python de QGIS, no tiene pip; {how_to_get_pip}, o use en su lugar «{command}».</translation>
   </message>
   <message>
    <source>{seconds:.0f} s.</source>

@@ -108,6 +108,10 @@
    <translation>Ambiguë</translation>
   </message>
   <message>
+   <source>An error in SemRef stopped the installation; please report what stands below.</source>
+   <translation>Une erreur dans SemRef a interrompu l’installation ; veuillez signaler ce qui figure ci-dessous.</translation>
+  </message>
+  <message>
    <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
    <translation>Une erreur dans SemRef a interrompu le travail ; veuillez signaler ce que le panneau Journal des messages affiche sous « SemRef ».</translation>
   </message>
@@ -252,6 +256,14 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Vérification d’une annotation</translation>
   </message>
   <message>
+   <source>Checking and repairing annotations</source>
+   <translation>Vérifier et réparer les annotations</translation>
+  </message>
+  <message>
+   <source>Checking {package}…</source>
+   <translation>Vérification de {package}…</translation>
+  </message>
+  <message>
    <source>Choose a GeoPackage</source>
    <translation>Choisir un GeoPackage</translation>
   </message>
@@ -262,6 +274,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Choose a database.</source>
    <translation>Choisissez une base de données.</translation>
+  </message>
+  <message>
+   <source>Choose a folder with wheels (*.whl)</source>
+   <translation>Choisir un dossier de wheels (*.whl)</translation>
   </message>
   <message>
    <source>Choose a layer of issues or disagreements</source>
@@ -336,6 +352,10 @@ Les classes sont associées par leur nom, ou par leur valeur si les cartes n’o
    <translation>Comparaison de cartes d’étiquettes</translation>
   </message>
   <message>
+   <source>Components</source>
+   <translation>Composants</translation>
+  </message>
+  <message>
    <source>Confidence</source>
    <translation>Confiance</translation>
   </message>
@@ -346,6 +366,14 @@ Les classes sont associées par leur nom, ou par leur valeur si les cartes n’o
   <message>
    <source>Constellation</source>
    <translation>Constellation</translation>
+  </message>
+  <message>
+   <source>Copied: {command}</source>
+   <translation>Copié : {command}</translation>
+  </message>
+  <message>
+   <source>Copy command</source>
+   <translation>Copier la commande</translation>
   </message>
   <message>
    <source>Copy longitude, latitude</source>
@@ -466,6 +494,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Evaluation of localization</source>
    <translation>Évaluation de la localisation</translation>
+  </message>
+  <message>
+   <source>Everything: label maps, databases, localization</source>
+   <translation>Tout : cartes de classes, bases de données, localisation</translation>
   </message>
   <message>
    <source>Export training tiles</source>
@@ -692,6 +724,30 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Inspecter</translation>
   </message>
   <message>
+   <source>Install</source>
+   <translation>Installer</translation>
+  </message>
+  <message>
+   <source>Install from a folder of wheels…</source>
+   <translation>Installer depuis un dossier de wheels…</translation>
+  </message>
+  <message>
+   <source>Installed and ready; QGIS need not be restarted.</source>
+   <translation>Installé et prêt ; inutile de redémarrer QGIS.</translation>
+  </message>
+  <message>
+   <source>Installed by SemRef</source>
+   <translation>Installé par SemRef</translation>
+  </message>
+  <message>
+   <source>Installing {package}…</source>
+   <translation>Installation de {package}…</translation>
+  </message>
+  <message>
+   <source>Install…</source>
+   <translation>Installer…</translation>
+  </message>
+  <message>
    <source>IoU</source>
    <translation>IoU</translation>
   </message>
@@ -820,6 +876,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Examen des voisins de même classe</translation>
   </message>
   <message>
+   <source>Looking for QGIS’s Python…</source>
+   <translation>Recherche du Python de QGIS…</translation>
+  </message>
+  <message>
    <source>Looking for gaps and slivers</source>
    <translation>Recherche des lacunes et des polygones parasites</translation>
   </message>
@@ -896,6 +956,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Images en miroir (%)</translation>
   </message>
   <message>
+   <source>Missing</source>
+   <translation>Absent</translation>
+  </message>
+  <message>
    <source>Model</source>
    <translation>Modèle</translation>
   </message>
@@ -926,6 +990,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Next window</source>
    <translation>Fenêtre suivante</translation>
+  </message>
+  <message>
+   <source>No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead.</source>
+   <translation>Aucun Python {version} comme celui de QGIS n’a été trouvé (cherché : {paths}) ; utilisez plutôt « {command} ».</translation>
   </message>
   <message>
    <source>No match</source>
@@ -1064,6 +1132,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Vue d’ensemble</translation>
   </message>
   <message>
+   <source>Package</source>
+   <translation>Paquet</translation>
+  </message>
+  <message>
    <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
    <translation>Part des essais qui montrent un morceau de carte en miroir. Ils ressemblent à la carte mais ne peuvent jamais être corrects : une position trouvée pour l’un d’eux est une fausse acceptation.</translation>
   </message>
@@ -1128,6 +1200,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>SCR projeté en mètres. En cas d’omission : celui de la couche s’il est métrique, sinon une zone UTM.</translation>
   </message>
   <message>
+   <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
+   <translation>QGIS ne fournit pas ces paquets Python partout. SemRef peut les installer pour ce QGIS dans un dossier à lui ; ce que QGIS possède, numpy surtout, reste tel quel.</translation>
+  </message>
+  <message>
    <source>Radius around it (map units)</source>
    <translation>Rayon autour d’elle (unités de carte)</translation>
   </message>
@@ -1164,6 +1240,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Lecture…</translation>
   </message>
   <message>
+   <source>Ready</source>
+   <translation>Prêt</translation>
+  </message>
+  <message>
    <source>Ready to localize.</source>
    <translation>Prêt à localiser.</translation>
   </message>
@@ -1186,6 +1266,14 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Remove</source>
    <translation>Supprimer</translation>
+  </message>
+  <message>
+   <source>Remove what SemRef installed</source>
+   <translation>Supprimer ce que SemRef a installé</translation>
+  </message>
+  <message>
+   <source>Removed; what is in use stays in memory until QGIS is closed.</source>
+   <translation>Supprimé ; ce qui est utilisé reste en mémoire jusqu’à la fermeture de QGIS.</translation>
   </message>
   <message>
    <source>Repair annotation</source>
@@ -1280,6 +1368,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Segmentation</translation>
   </message>
   <message>
+   <source>Segmenting photos with a network</source>
+   <translation>Segmenter des photos avec un réseau</translation>
+  </message>
+  <message>
    <source>Select a result to see its hit on the map.</source>
    <translation>Sélectionnez un résultat pour voir sa correspondance sur la carte.</translation>
   </message>
@@ -1288,8 +1380,8 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Emprises au sol SemRef</translation>
   </message>
   <message>
-   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install {debian_packages}” on Debian and Ubuntu.</source>
-   <translation>SemRef a besoin du paquet Python {packages}. Installez-le pour le Python de QGIS, par exemple avec « python3 -m pip install {packages} », ou « apt install {debian_packages} » sous Debian et Ubuntu.</translation>
+   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
+   <translation>SemRef a besoin du paquet Python {packages}. Installez-le sous Préférences ▸ Options ▸ SemRef, ou en tapant {commands}.</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -1392,6 +1484,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Démarrage…</translation>
   </message>
   <message>
+   <source>State</source>
+   <translation>État</translation>
+  </message>
+  <message>
    <source>Status</source>
    <translation>État</translation>
   </message>
@@ -1452,6 +1548,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le disque est plein pendant l’écriture de {name} ; libérez de l’espace ou choisissez un autre emplacement.</translation>
   </message>
   <message>
+   <source>The disk is full: {folder} needs about 500 MB.</source>
+   <translation>Le disque est plein : {folder} a besoin d’environ 500 Mo.</translation>
+  </message>
+  <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
    <translation>La géométrie de l’entité {id} est invalide : {reason}.</translation>
   </message>
@@ -1500,12 +1600,28 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le réseau qui fait des étiquettes à partir de photos ; laisser vide pour des images d’étiquettes</translation>
   </message>
   <message>
+   <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>L’index des paquets est injoignable ; vérifiez le réseau et Préférences ▸ Options ▸ Réseau, ou installez depuis un dossier de wheels.</translation>
+  </message>
+  <message>
+   <source>The package index has no {package} for Python {python} on this system.</source>
+   <translation>L’index des paquets n’a pas {package} pour Python {python} sur ce système.</translation>
+  </message>
+  <message>
+   <source>The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, or install from a folder of wheels.</source>
+   <translation>Le certificat de l’index des paquets n’est pas reconnu ; demandez à l’administrateur de votre réseau comment pip se configure ici, ou installez depuis un dossier de wheels.</translation>
+  </message>
+  <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>La taille de pixel avec laquelle la couche sera rastérisée : les repères visuels que de tels pixels perdraient, fusionneraient ou diviseraient sont aussi signalés. En cas d’omission, ce n’est pas examiné.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Les positions sont maintenant une couche temporaire du projet ; exportez-la pour les conserver.</translation>
+  </message>
+  <message>
+   <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
+   <translation>Le proxy est inutilisable ; vérifiez-le sous Préférences ▸ Options ▸ Réseau, ou installez depuis des wheels.</translation>
   </message>
   <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
@@ -1542,6 +1658,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Too few landmarks</source>
    <translation>Trop peu de repères visuels</translation>
+  </message>
+  <message>
+   <source>Too old</source>
+   <translation>Trop ancien</translation>
   </message>
   <message>
    <source>Topology vector</source>
@@ -1612,6 +1732,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Mettre à jour la base de données…</translation>
   </message>
   <message>
+   <source>User guide</source>
+   <translation>Guide de l’utilisateur</translation>
+  </message>
+  <message>
    <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
    <translation>Polygones simples valides avec les champs de la couche d’annotation, en mètres.</translation>
   </message>
@@ -1634,6 +1758,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>What became of the images of the map:</source>
    <translation>Ce que sont devenues les images de la carte :</translation>
+  </message>
+  <message>
+   <source>What for</source>
+   <translation>Usage</translation>
   </message>
   <message>
    <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
@@ -1732,6 +1860,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Zoomer sur la correspondance</translation>
   </message>
   <message>
+   <source>add the package python3-pip with OSGeo4W’s setup</source>
+   <translation>ajoutez le paquet python3-pip avec l’installateur d’OSGeo4W</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>annoté</translation>
   </message>
@@ -1816,6 +1948,14 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>informations</translation>
   </message>
   <message>
+   <source>install it with “{command}”</source>
+   <translation>installez-le avec « {command} »</translation>
+  </message>
+  <message>
+   <source>it ended without a word</source>
+   <translation>il s’est terminé sans un mot</translation>
+  </message>
+  <message>
    <source>kind</source>
    <translation>type</translation>
   </message>
@@ -1862,6 +2002,14 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>overall accuracy</source>
    <translation>exactitude globale</translation>
+  </message>
+  <message>
+   <source>pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.</source>
+   <translation>pip ne peut pas utiliser le proxy SOCKS des réglages réseau de QGIS ; indiquez-y un proxy HTTP ou aucun.</translation>
+  </message>
+  <message>
+   <source>pip could not install {package}: {reason}.</source>
+   <translation>pip n’a pas pu installer {package} : {reason}.</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -1944,6 +2092,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Position trouvée pour {fixes} images sur {images}.</translation>
   </message>
   <message>
+   <source>{folder} has no wheel of {package} for Python {python} on this system.</source>
+   <translation>{folder} n’a pas de wheel de {package} pour Python {python} sur ce système.</translation>
+  </message>
+  <message>
    <source>{image} can’t be shown on the map.</source>
    <translation>{image} ne peut pas être affichée sur la carte.</translation>
   </message>
@@ -2004,6 +2156,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>{name} (entités {id} et {other}) : leurs pixels se touchent, elles deviennent donc un seul repère visuel.</translation>
   </message>
   <message>
+   <source>{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.</source>
+   <translation>{name} ne peut pas être supprimé, sans doute parce qu’il est utilisé ; redémarrez QGIS et supprimez-le de nouveau.</translation>
+  </message>
+  <message>
    <source>{name} can’t be written; choose a place where you may write.</source>
    <translation>{name} ne peut pas être écrit ; choisissez un emplacement où vous avez le droit d’écrire.</translation>
   </message>
@@ -2016,12 +2172,32 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>{number:.0f} entités de {name} qui se touchent forment un seul polygone avec les attributs de l’entité {id}.</translation>
   </message>
   <message>
+   <source>{packages} is missing; without it nothing can be localized.</source>
+   <translation>{packages} est absent ; sans lui, rien ne peut être localisé.</translation>
+  </message>
+  <message>
+   <source>{package} can’t be installed: {reason}: {name}.</source>
+   <translation>{package} ne peut pas être installé : {reason} : {name}.</translation>
+  </message>
+  <message>
+   <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
+   <translation>{package} a été installé, mais est inutilisable avec numpy {numpy} : {reason} ; il a été retiré.</translation>
+  </message>
+  <message>
+   <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
+   <translation>{path} est une version trop ancienne pour SemRef, et QGIS la trouve d’abord ; mettez-la à jour ou supprimez-la.</translation>
+  </message>
+  <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
    <translation>{path} n’est pas une base de données de référence SemRef ; choisissez-en une créée par « Créer une base de données de référence ».</translation>
   </message>
   <message>
    <source>{predicted} against {reference}</source>
    <translation>{predicted} comparée à {reference}</translation>
+  </message>
+  <message>
+   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
+   <translation>{python}, le Python de QGIS, n’a pas pip ; {how_to_get_pip}, ou utilisez plutôt « {command} ».</translation>
   </message>
   <message>
    <source>{seconds:.0f} s.</source>

@@ -4,6 +4,10 @@
  <context>
   <name>SemRef</name>
   <message>
+   <source>%v of %m done</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>地面边长的 2%</translation>
   </message>
@@ -104,6 +108,10 @@
    <translation>不唯一</translation>
   </message>
   <message>
+   <source>An error in SemRef stopped the installation; please report what stands below.</source>
+   <translation>SemRef 中的错误中断了安装；请报告下方的内容。</translation>
+  </message>
+  <message>
    <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
    <translation>SemRef 出错，工作已停止；请反馈日志信息面板中“SemRef”标签页显示的内容。</translation>
   </message>
@@ -114,6 +122,10 @@
   <message>
    <source>Angle to the next landmark over the largest angle</source>
    <translation>到下一个地标的夹角与最大夹角之比</translation>
+  </message>
+  <message>
+   <source>Annotated</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Annotated label map</source>
@@ -146,6 +158,10 @@
   <message>
    <source>Approximate position</source>
    <translation>大致位置</translation>
+  </message>
+  <message>
+   <source>Area</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
@@ -240,6 +256,14 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>标注检查报告</translation>
   </message>
   <message>
+   <source>Checking and repairing annotations</source>
+   <translation>检查和修复标注</translation>
+  </message>
+  <message>
+   <source>Checking {package}…</source>
+   <translation>正在检查 {package}…</translation>
+  </message>
+  <message>
    <source>Choose a GeoPackage</source>
    <translation>选择 GeoPackage</translation>
   </message>
@@ -250,6 +274,14 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Choose a database.</source>
    <translation>请选择数据库。</translation>
+  </message>
+  <message>
+   <source>Choose a folder with wheels (*.whl)</source>
+   <translation>选择包含 wheel 的文件夹 (*.whl)</translation>
+  </message>
+  <message>
+   <source>Choose a layer of issues or disagreements</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -320,6 +352,10 @@ Classes are matched by name, or by value where the maps share no names. Maps of 
    <translation>标签图比较</translation>
   </message>
   <message>
+   <source>Components</source>
+   <translation>组件</translation>
+  </message>
+  <message>
    <source>Confidence</source>
    <translation>置信度</translation>
   </message>
@@ -332,12 +368,28 @@ Classes are matched by name, or by value where the maps share no names. Maps of 
    <translation>星座匹配</translation>
   </message>
   <message>
+   <source>Copied: {command}</source>
+   <translation>已复制：{command}</translation>
+  </message>
+  <message>
+   <source>Copy command</source>
+   <translation>复制命令</translation>
+  </message>
+  <message>
    <source>Copy longitude, latitude</source>
    <translation>复制经度、纬度</translation>
   </message>
   <message>
    <source>Copy x, y</source>
    <translation>复制 x、y</translation>
+  </message>
+  <message>
+   <source>Correct</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Corrected places</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Counting labels</source>
@@ -396,6 +448,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>距离比、角度差和类别序号，以及所用的类别。</translation>
   </message>
   <message>
+   <source>Done, next</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Draw on the map where the images are known to be: press at the middle and drag</source>
    <translation>在地图上画出影像的已知大致位置：在中心按下并拖动</translation>
   </message>
@@ -438,6 +494,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Evaluation of localization</source>
    <translation>定位评估</translation>
+  </message>
+  <message>
+   <source>Everything: label maps, databases, localization</source>
+   <translation>全部功能：标签图、数据库、定位</translation>
   </message>
   <message>
    <source>Export training tiles</source>
@@ -664,6 +724,30 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>查看</translation>
   </message>
   <message>
+   <source>Install</source>
+   <translation>安装</translation>
+  </message>
+  <message>
+   <source>Install from a folder of wheels…</source>
+   <translation>从 wheel 文件夹安装…</translation>
+  </message>
+  <message>
+   <source>Installed and ready; QGIS need not be restarted.</source>
+   <translation>已安装并可使用；无需重启 QGIS。</translation>
+  </message>
+  <message>
+   <source>Installed by SemRef</source>
+   <translation>由 SemRef 安装</translation>
+  </message>
+  <message>
+   <source>Installing {package}…</source>
+   <translation>正在安装 {package}…</translation>
+  </message>
+  <message>
+   <source>Install…</source>
+   <translation>安装…</translation>
+  </message>
+  <message>
    <source>IoU</source>
    <translation>IoU</translation>
   </message>
@@ -682,6 +766,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Keep results as layer</source>
    <translation>将结果保留为图层</translation>
+  </message>
+  <message>
+   <source>Kind</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Label image</source>
@@ -788,6 +876,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>正在检查同类别的相邻要素</translation>
   </message>
   <message>
+   <source>Looking for QGIS’s Python…</source>
+   <translation>正在查找 QGIS 的 Python…</translation>
+  </message>
+  <message>
    <source>Looking for gaps and slivers</source>
    <translation>正在查找间隙和碎片</translation>
   </message>
@@ -812,6 +904,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>地图相关</translation>
   </message>
   <message>
+   <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Maximum speed (map units per second)</source>
    <translation>最大速度（地图单位每秒）</translation>
   </message>
@@ -826,6 +922,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Median error</source>
    <translation>误差中值</translation>
+  </message>
+  <message>
+   <source>Message</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Method</source>
@@ -856,6 +956,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>镜像影像（%）</translation>
   </message>
   <message>
+   <source>Missing</source>
+   <translation>缺失</translation>
+  </message>
+  <message>
    <source>Model</source>
    <translation>模型</translation>
   </message>
@@ -880,12 +984,24 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>最近的相似窗口，距离 {value:.3f}</translation>
   </message>
   <message>
+   <source>Next place</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Next window</source>
    <translation>下一个窗口</translation>
   </message>
   <message>
+   <source>No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead.</source>
+   <translation>未找到与 QGIS 相同的 Python {version}（查找过 {paths}）；请改用“{command}”。</translation>
+  </message>
+  <message>
    <source>No match</source>
    <translation>无匹配</translation>
+  </message>
+  <message>
+   <source>No place to look at.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
@@ -980,6 +1096,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>每个定位结果一个多边形：影像所覆盖的地面，或拓扑向量法所匹配的窗口。</translation>
   </message>
   <message>
+   <source>Only what is open</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Only with an approximate heading: other headings are not searched.</source>
    <translation>仅在给出大致航向时有效：不搜索其他航向。</translation>
   </message>
@@ -990,6 +1110,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Opacity of the labels</source>
    <translation>标签的不透明度</translation>
+  </message>
+  <message>
+   <source>Opens “Update reference database” with the places that are done</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Outlining the disagreements</source>
@@ -1006,6 +1130,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Overview</source>
    <translation>概览</translation>
+  </message>
+  <message>
+   <source>Package</source>
+   <translation>软件包</translation>
   </message>
   <message>
    <source>Part of the trials that show a mirrored piece of the map. They look like the map but can never be right: a fix of one is a false accept.</source>
@@ -1032,6 +1160,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>训练网络时所用的像元大小；若留空，则采用模型元数据中的值。没有地理参照的影像按原样处理。</translation>
   </message>
   <message>
+   <source>Place before</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>带有类别、面积和像元位置的点；没有地理参照时以像元为单位（y 轴向上，为负值）。</translation>
   </message>
@@ -1048,6 +1180,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>可能地点</translation>
   </message>
   <message>
+   <source>Predicted</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Predicted label map</source>
    <translation>预测的标签图</translation>
   </message>
@@ -1062,6 +1198,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>以米为单位的投影坐标参照系。若留空：图层自身的坐标参照系以米为单位时采用该坐标参照系，否则采用 UTM 分带。</translation>
+  </message>
+  <message>
+   <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
+   <translation>QGIS 并非在所有系统上都自带这些 Python 软件包。SemRef 可以为当前 QGIS 把它们安装到自己的文件夹中；QGIS 已有的软件包，尤其是 numpy，保持不变。</translation>
   </message>
   <message>
    <source>Radius around it (map units)</source>
@@ -1100,6 +1240,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>正在读取…</translation>
   </message>
   <message>
+   <source>Ready</source>
+   <translation>就绪</translation>
+  </message>
+  <message>
    <source>Ready to localize.</source>
    <translation>可以开始定位。</translation>
   </message>
@@ -1122,6 +1266,14 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Remove</source>
    <translation>移除</translation>
+  </message>
+  <message>
+   <source>Remove what SemRef installed</source>
+   <translation>移除 SemRef 安装的内容</translation>
+  </message>
+  <message>
+   <source>Removed; what is in use stays in memory until QGIS is closed.</source>
+   <translation>已移除；正在使用的内容会留在内存中，直到 QGIS 关闭。</translation>
   </message>
   <message>
    <source>Repair annotation</source>
@@ -1216,6 +1368,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>正在分割</translation>
   </message>
   <message>
+   <source>Segmenting photos with a network</source>
+   <translation>用网络分割照片</translation>
+  </message>
+  <message>
    <source>Select a result to see its hit on the map.</source>
    <translation>选择一个结果，即可在地图上查看其命中位置。</translation>
   </message>
@@ -1224,8 +1380,8 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>SemRef 覆盖范围</translation>
   </message>
   <message>
-   <source>SemRef needs the Python package {packages}. Install it for QGIS’s Python, for example with “python3 -m pip install {packages}”, or “apt install {debian_packages}” on Debian and Ubuntu.</source>
-   <translation>SemRef 需要 Python 包 {packages}。请为 QGIS 的 Python 安装它，例如使用“python3 -m pip install {packages}”，在 Debian 和 Ubuntu 上使用“apt install {debian_packages}”。</translation>
+   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
+   <translation>SemRef 需要 Python 软件包 {packages}。请在 设置 ▸ 选项 ▸ SemRef 中安装，或输入 {commands}。</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -1328,6 +1484,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>正在启动…</translation>
   </message>
   <message>
+   <source>State</source>
+   <translation>状态</translation>
+  </message>
+  <message>
    <source>Status</source>
    <translation>状态</translation>
   </message>
@@ -1388,6 +1548,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>写入 {name} 时磁盘已满；请释放一些空间或选择其他位置。</translation>
   </message>
   <message>
+   <source>The disk is full: {folder} needs about 500 MB.</source>
+   <translation>磁盘已满：{folder} 约需 500 MB。</translation>
+  </message>
+  <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
    <translation>要素 {id} 的几何图形无效：{reason}。</translation>
   </message>
@@ -1436,12 +1600,32 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>由照片生成标签的网络；输入为标签影像时请留空</translation>
   </message>
   <message>
+   <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
+   <translation>无法访问软件包索引；请检查网络和 设置 ▸ 选项 ▸ 网络，或从 wheel 文件夹安装。</translation>
+  </message>
+  <message>
+   <source>The package index has no {package} for Python {python} on this system.</source>
+   <translation>软件包索引中没有适用于此系统 Python {python} 的 {package}。</translation>
+  </message>
+  <message>
+   <source>The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, or install from a folder of wheels.</source>
+   <translation>软件包索引的证书不受信任；请向网络管理员询问此处 pip 的设置方法，或从 wheel 文件夹安装。</translation>
+  </message>
+  <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>图层将要栅格化的像元大小：在该像元大小下会丢失、合并或分裂的地标也会被报告。若留空则不检查。</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>位置现在是工程中的临时图层；如需保留请导出。</translation>
+  </message>
+  <message>
+   <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
+   <translation>代理无法使用；请在 设置 ▸ 选项 ▸ 网络 中检查，或从 wheel 安装。</translation>
+  </message>
+  <message>
+   <source>The result of “Check annotation” or “Compare label maps”</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The same windows, turned about their centers.</source>
@@ -1474,6 +1658,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Too few landmarks</source>
    <translation>地标太少</translation>
+  </message>
+  <message>
+   <source>Too old</source>
+   <translation>版本过旧</translation>
   </message>
   <message>
    <source>Topology vector</source>
@@ -1540,6 +1728,14 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>未验证的匹配</translation>
   </message>
   <message>
+   <source>Update the database…</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>User guide</source>
+   <translation>用户指南</translation>
+  </message>
+  <message>
    <source>Valid single polygons with the fields of the annotation layer, in meters.</source>
    <translation>有效的单部件多边形，带有标注图层的字段，以米为单位。</translation>
   </message>
@@ -1562,6 +1758,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>What became of the images of the map:</source>
    <translation>地图影像的结果：</translation>
+  </message>
+  <message>
+   <source>What for</source>
+   <translation>用途</translation>
   </message>
   <message>
    <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
@@ -1660,6 +1860,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>缩放到命中位置</translation>
   </message>
   <message>
+   <source>add the package python3-pip with OSGeo4W’s setup</source>
+   <translation>请用 OSGeo4W 安装程序添加软件包 python3-pip</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>标注</translation>
   </message>
@@ -1744,6 +1948,14 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>信息</translation>
   </message>
   <message>
+   <source>install it with “{command}”</source>
+   <translation>请用“{command}”安装</translation>
+  </message>
+  <message>
+   <source>it ended without a word</source>
+   <translation>它没有任何输出就结束了</translation>
+  </message>
+  <message>
    <source>kind</source>
    <translation>种类</translation>
   </message>
@@ -1790,6 +2002,14 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>overall accuracy</source>
    <translation>总体精度</translation>
+  </message>
+  <message>
+   <source>pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.</source>
+   <translation>pip 无法使用 QGIS 网络设置中的 SOCKS 代理；请在那里设置 HTTP 代理或不用代理。</translation>
+  </message>
+  <message>
+   <source>pip could not install {package}: {reason}.</source>
+   <translation>pip 无法安装 {package}：{reason}。</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -1872,6 +2092,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>{images} 幅影像中有 {fixes} 幅得到定位结果。</translation>
   </message>
   <message>
+   <source>{folder} has no wheel of {package} for Python {python} on this system.</source>
+   <translation>{folder} 中没有适用于此系统 Python {python} 的 {package} wheel。</translation>
+  </message>
+  <message>
    <source>{image} can’t be shown on the map.</source>
    <translation>{image} 无法在地图上显示。</translation>
   </message>
@@ -1932,6 +2156,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>{name}（要素 {id} 和 {other}）：它们的像元相接，因此会合并成一个地标。</translation>
   </message>
   <message>
+   <source>{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.</source>
+   <translation>无法移除 {name}，可能正在使用；请重启 QGIS 后再次移除。</translation>
+  </message>
+  <message>
    <source>{name} can’t be written; choose a place where you may write.</source>
    <translation>无法写入 {name}；请选择有写入权限的位置。</translation>
   </message>
@@ -1944,12 +2172,32 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>{name} 的 {number:.0f} 个相接要素合并为一个多边形，采用要素 {id} 的属性。</translation>
   </message>
   <message>
+   <source>{packages} is missing; without it nothing can be localized.</source>
+   <translation>缺少 {packages}；没有它就无法定位。</translation>
+  </message>
+  <message>
+   <source>{package} can’t be installed: {reason}: {name}.</source>
+   <translation>无法安装 {package}：{reason}：{name}。</translation>
+  </message>
+  <message>
+   <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
+   <translation>已安装 {package}，但它无法与 numpy {numpy} 一起使用：{reason}；已重新移除。</translation>
+  </message>
+  <message>
+   <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
+   <translation>{path} 的版本对 SemRef 来说过旧，而 QGIS 会先找到它；请更新或移除它。</translation>
+  </message>
+  <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
    <translation>{path} 不是 SemRef 参考数据库；请选择由“构建参考数据库”生成的数据库。</translation>
   </message>
   <message>
    <source>{predicted} against {reference}</source>
    <translation>{predicted} 与 {reference} 的比较</translation>
+  </message>
+  <message>
+   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
+   <translation>QGIS 的 Python {python} 没有 pip；{how_to_get_pip}，或改用“{command}”。</translation>
   </message>
   <message>
    <source>{seconds:.0f} s.</source>

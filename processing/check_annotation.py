@@ -15,8 +15,8 @@ from ..core.annotation_findings import CHECKED_KINDS, ERROR
 from .annotation_algorithm import AnnotationAlgorithm, geometry_of
 from .annotation_messages import FIELDS, row_of, sentence
 from .base import cancelable, check_canceled, follow, interruptible
-from .components import OPENCV, SHAPELY
 from .compat import MULTI_POLYGON, SOURCE_POLYGON, wkt_for_gdal
+from .components import OPENCV, SHAPELY
 from .rasterize_annotation import pixel_grid, union_of_bounds
 from .sinks import Sink
 from .translation import tr

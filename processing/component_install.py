@@ -174,7 +174,7 @@ def pip_arguments(requirement: str, folder: str, wheels: str) -> List[str]:
 
 
 def proxy_url(proxy: QNetworkProxy) -> str:
-    """Such as ``http://user:password@host:3128``; nothing without a proxy."""
+    """Such as ``http://host:3128``, with user and password where they are set; nothing without a proxy."""
     schemes = {
         QNetworkProxy.ProxyType.HttpProxy: "http",
         QNetworkProxy.ProxyType.HttpCachingProxy: "http",
@@ -186,8 +186,9 @@ def proxy_url(proxy: QNetworkProxy) -> str:
     url.setScheme(schemes[proxy.type()])
     url.setHost(proxy.hostName())
     url.setPort(proxy.port() or -1)
-    url.setUserName(proxy.user())
-    url.setPassword(proxy.password())
+    if proxy.user():
+        url.setUserName(proxy.user())
+        url.setPassword(proxy.password())
     return bytes(url.toEncoded()).decode("ascii")
 
 

@@ -9,8 +9,8 @@ from ..core.errors import ParameterError
 from .annotation_algorithm import AnnotationAlgorithm, geometry_of
 from .annotation_messages import FIELDS, change_sentence, row_of
 from .base import check_canceled, follow, interruptible
-from .components import OPENCV, SHAPELY
 from .compat import MULTI_POLYGON, POLYGON, SOURCE_POLYGON
+from .components import OPENCV, SHAPELY
 from .sinks import Sink
 from .translation import tr
 

@@ -41,6 +41,8 @@ from .component_installer import ComponentInstaller
 PAGE = "SemRefOptions"
 """Name by which QGIS opens the page."""
 
+_LOG_STRETCH = 100
+
 _WHEELS_SETTING = "semref/options/wheels_folder"
 
 
@@ -104,7 +106,9 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout.addLayout(buttons)
         layout.addWidget(self.state)
         layout.addLayout(running)
-        layout.addWidget(self.log, 1)
+        layout.addWidget(self.log, _LOG_STRETCH)
+        # Keeps the rest together while there is no log.
+        layout.addStretch(1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(group, 1)

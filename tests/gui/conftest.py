@@ -54,6 +54,7 @@ def make_interface():
             self.menu_actions = []
             self.options_factories = []
             self.locator_filters = []
+            self.options_pages_shown = []
 
         def mainWindow(self):
             return self.window
@@ -99,6 +100,9 @@ def make_interface():
 
         def unregisterOptionsWidgetFactory(self, factory):
             self.options_factories.remove(factory)
+
+        def showOptionsDialog(self, parent, page):
+            self.options_pages_shown.append(page)
 
         def registerLocatorFilter(self, locator_filter):
             self.locator_filters.append(locator_filter)

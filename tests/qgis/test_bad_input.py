@@ -37,6 +37,8 @@ from made_inputs import (
 )
 from made_models import brightest_color, metadata, write_model
 
+from semref.processing import components
+
 RASTERIZE, DECODE, BUILD = "semref:rasterizeannotation", "semref:decodecolorlabels", "semref:builddatabase"
 DESCRIBE, LOCALIZE = "semref:describeimage", "semref:localizeimages"
 SEGMENT, COMPARE = "semref:segmentimage", "semref:comparelabels"

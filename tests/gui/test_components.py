@@ -1,0 +1,86 @@
+"""The options page and the dock's notice, in real windows."""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+
+
+@pytest.fixture
+def lacking(monkeypatch):
+    """OpenCV and ONNX Runtime are missing until taken out of this list."""
+    from semref.processing import components
+    from semref.ui import components_page
+
+    packages = [components.OPENCV, components.ONNXRUNTIME]
+    for module in (components, components_page):
+        monkeypatch.setattr(module, "is_missing", lambda package: package in packages)
+    return packages
+
+
+@pytest.fixture
+def plugin(lacking, iface, without_provider):
+    from semref.plugin import SemRefPlugin
+
+    loaded = SemRefPlugin(iface)
+    loaded.initGui()
+    yield loaded
+    loaded.unload()
+
+
+@pytest.fixture
+def page(plugin, iface):
+    made = iface.options_factories[0].createWidget(None)
+    made.resize(760, 460)
+    made.show()
+    yield made
+    made.deleteLater()
+
+
+def keep_picture(widget, name: str) -> None:
+    """For looking at, where SEMREF_PICTURES names a folder."""
+    from qgis.PyQt.QtCore import QCoreApplication
+
+    QCoreApplication.processEvents()
+    if "SEMREF_PICTURES" in os.environ:
+        widget.grab().save(os.path.join(os.environ["SEMREF_PICTURES"], f"{name}.png"))
+
+
+def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticked(page, lacking):
+    from qgis.core import QgsApplication
+    from qgis.PyQt.QtCore import Qt
+
+    from semref.processing.components import ONNXRUNTIME, install_command
+
+    states = [page.list.topLevelItem(row).text(2) for row in range(page.list.topLevelItemCount())]
+    assert states == ["Missing", "Ready", "Missing"]
+    assert page.install.isEnabled() and not page.progress.isVisible() and not page.log.isVisible()
+    page.list.topLevelItem(0).setCheckState(0, Qt.CheckState.Unchecked)
+    page.copy.click()
+    assert QgsApplication.clipboard().text() == install_command([ONNXRUNTIME])
+    keep_picture(page, "components_page")
+
+
+def test_a_failure_is_shown_on_the_page_and_in_the_message_bar(page, iface, plugin):
+    installer = plugin._entry._installer
+    installer.said.emit("Looking in links: /wheels\nERROR: No matching distribution found\n")
+    installer.failed.emit("The package index can’t be reached; check the network.")
+    assert page.log.isVisible() and "can’t be reached" in page.state.text()
+    assert "can’t be reached" in iface.bar.currentItem().text()
+    assert page.install.isEnabled()
+    keep_picture(page, "components_page_failed")
+
+
+def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lacking):
+    from semref.ui.components_page import PAGE
+
+    iface.tool_bar_actions[0].trigger()
+    dock = iface.docks[0]
+    assert dock.notice.isVisible() and "OpenCV is missing" in dock.notice.sentence.text()
+    keep_picture(dock, "dock_notice")
+    dock.notice.install.click()
+    assert iface.options_pages_shown == [PAGE]
+    lacking.clear()
+    plugin._entry._installer.installed.emit()
+    assert not dock.notice.isVisible()

@@ -1,0 +1,325 @@
+"""Missing Python packages: small wheels made here are installed by the real pip, without a network."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QCoreApplication
+from qgis.PyQt.QtNetwork import QNetworkProxy
+
+from semref.processing import component_install, components
+from semref.processing.components import ONNXRUNTIME, OPENCV, SHAPELY, Package
+from semref.ui.component_installer import ComponentInstaller
+
+DEADLINE_S = 60
+GOOD = Package("Made", "semref_made", "semref-made", "python3-made", "made", "python-made", "made")
+BROKEN = Package("Broken", "semref_broken", "semref-broken", "python3-broken", "broken", "python-broken", "broken")
+
+
+def make_wheel(folder: Path, package: Package, code: str) -> None:
+    """A wheel of one module; it asks for another numpy, which must not be heeded."""
+    information = f"{package.module}-1.0.dist-info"
+    metadata = f"Metadata-Version: 2.1\nName: {package.pip_name}\nVersion: 1.0\nRequires-Dist: numpy>=9\n"
+    files = {
+        f"{package.module}/__init__.py": code,
+        f"{information}/METADATA": metadata,
+        f"{information}/WHEEL": "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+    }
+    files[f"{information}/RECORD"] = "".join(f"{path},,\n" for path in [*files, f"{information}/RECORD"])
+    folder.mkdir(exist_ok=True)
+    with zipfile.ZipFile(folder / f"{package.module}-1.0-py3-none-any.whl", "w") as wheel:
+        for path, text in files.items():
+            wheel.writestr(path, text)
+
+
+@pytest.fixture
+def wheels(tmp_path) -> Path:
+    make_wheel(tmp_path / "wheels", GOOD, "import numpy\nVALUE = 7\n")
+    make_wheel(tmp_path / "wheels", BROKEN, "raise ImportError('compiled for another numpy')\n")
+    return tmp_path / "wheels"
+
+
+@pytest.fixture
+def root(qgis_app, tmp_path, monkeypatch) -> Path:
+    """SemRef's folder in an empty profile; path and modules are put back afterwards."""
+    monkeypatch.setattr(QgsApplication, "qgisSettingsDirPath", staticmethod(lambda: str(tmp_path / "profile")))
+    monkeypatch.setattr(components, "PACKAGES", (GOOD, BROKEN))
+    path = list(sys.path)
+    yield components.components_root()
+    sys.path[:] = path
+    sys.modules.pop(GOOD.module, None)
+    importlib.invalidate_caches()
+
+
+@pytest.fixture
+def installer(qgis_app):
+    """What was said is in `.ends`."""
+    made = ComponentInstaller()
+    made.ends = []
+    made.installed.connect(lambda: made.ends.append("installed"))
+    made.failed.connect(made.ends.append)
+    made.broke.connect(made.ends.append)
+    made.canceled.connect(lambda: made.ends.append("canceled"))
+    yield made
+    made.cancel()
+
+
+def end_of(installer) -> str:
+    deadline = time.monotonic() + DEADLINE_S
+    while not installer.ends:
+        assert time.monotonic() < deadline, f"the installation did not end; pip said: {installer.log}"
+        QCoreApplication.processEvents()
+        time.sleep(0.01)
+    return installer.ends[0]
+
+
+def python_that_answers(folder: Path, script: str) -> str:
+    """A stand-in for QGIS's Python."""
+    path = folder / "python3"
+    path.write_text(f"#!/bin/sh\n{script}\n")
+    path.chmod(0o755)
+    return str(path)
+
+
+def is_tidy(root: Path) -> bool:
+    """Whether no package and nothing half done lies there."""
+    return not root.exists() or [path for path in root.rglob("*") if path.name.startswith(".") or path.is_file()] == []
+
+
+# --- installing ---
+
+
+def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, wheels, installer):
+    numpy_path = np.__file__
+    installer.start([GOOD], str(wheels))
+    assert end_of(installer) == "installed", installer.log
+    module = importlib.import_module(GOOD.module)
+    assert module.VALUE == 7
+    folder = root / components.components_key(sys.version_info, np.__version__) / GOOD.module
+    assert Path(module.__file__).is_relative_to(folder)
+    assert sys.path[-1] == str(folder), "what QGIS has must come first"
+    assert not list(folder.parent.glob(".*")) and not list(folder.rglob("numpy*"))
+    assert importlib.util.find_spec("numpy").origin == numpy_path
+
+
+def test_what_cannot_be_imported_is_removed_and_explained_and_what_came_before_stays(root, wheels, installer):
+    installer.start([GOOD, BROKEN], str(wheels))
+    sentence = end_of(installer)
+    assert "semref-broken" in sentence and "compiled for another numpy" in sentence and np.__version__ in sentence
+    assert "removed" in sentence
+    assert not components.is_missing(GOOD)
+    assert components.is_missing(BROKEN)
+    assert [path.name for path in components.components_folder().iterdir()] == [GOOD.module]
+
+
+def test_a_folder_without_the_wheel_is_explained(root, tmp_path, installer):
+    (tmp_path / "empty").mkdir()
+    installer.start([GOOD], str(tmp_path / "empty"))
+    sentence = end_of(installer)
+    assert "no wheel of semref-made" in sentence and str(tmp_path / "empty") in sentence
+    assert is_tidy(root)
+
+
+def test_a_cancel_leaves_nothing_and_what_was_there_as_it_was(root, tmp_path, wheels, installer, monkeypatch):
+    script = 'case "$1" in -c) echo 3 {0} True;; *) touch "${{@: -1}}"; exec sleep 60;; esac'
+    python = python_that_answers(tmp_path, script.format(sys.version_info[1]))
+    monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python])
+    path = list(sys.path)
+    installer.start([GOOD], str(wheels))
+    deadline = time.monotonic() + DEADLINE_S
+    while not list(root.rglob("tmp")):
+        assert time.monotonic() < deadline
+        QCoreApplication.processEvents()
+    began = time.monotonic()
+    installer.cancel()
+    assert time.monotonic() - began < 1
+    assert installer.ends == ["canceled"] and not installer.running
+    assert is_tidy(root) and sys.path == path
+
+
+def test_a_python_without_pip_is_explained_with_the_command_of_the_system(root, tmp_path, installer, monkeypatch):
+    python = python_that_answers(tmp_path, f"echo 3 {sys.version_info[1]} False")
+    monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python])
+    monkeypatch.setattr(components, "_package_manager", lambda: "debian")
+    installer.start([GOOD])
+    sentence = end_of(installer)
+    assert f"{python}, the Python of QGIS, has no pip" in sentence
+    assert "sudo apt install python3-pip" in sentence and "sudo apt install python3-made" in sentence
+    assert is_tidy(root)
+
+
+@pytest.mark.parametrize("script", ["echo 2 7 True", "exit 3", "kill -9 $$"])
+def test_a_python_of_another_version_or_a_broken_one_is_not_used(root, tmp_path, installer, monkeypatch, script):
+    python = python_that_answers(tmp_path, script)
+    monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python, str(tmp_path / "missing")])
+    installer.start([GOOD])
+    sentence = end_of(installer)
+    assert sentence.startswith("No Python 3.") and python in sentence
+    assert is_tidy(root)
+
+
+def test_a_program_that_cannot_be_started_is_passed_over(root, tmp_path, wheels, installer, monkeypatch):
+    (tmp_path / "python3").write_text("no program")
+    monkeypatch.setattr(component_install, "python_candidates", lambda *a: [str(tmp_path / "python3"), sys.executable])
+    installer.start([GOOD], str(wheels))
+    assert end_of(installer) == "installed"
+
+
+def test_a_folder_that_cannot_be_made_is_explained(root, tmp_path, wheels, installer):
+    (tmp_path / "profile").write_text("a file")
+    installer.start([GOOD], str(wheels))
+    assert "semref-made can’t be installed" in end_of(installer)
+
+
+def test_an_older_package_that_comes_first_is_explained(root, wheels, installer, monkeypatch):
+    monkeypatch.setattr(component_install, "is_too_old", lambda package: package is GOOD)
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: type("Spec", (), {"origin": "/elsewhere/made.py"}))
+    installer.start([GOOD], str(wheels))
+    assert end_of(installer).startswith("/elsewhere/made.py is an older version")
+
+
+def test_removing_takes_the_folder_and_its_part_of_the_path(root, wheels, installer):
+    installer.start([GOOD], str(wheels))
+    end_of(installer)
+    components.remove_components()
+    assert not root.exists()
+    assert [entry for entry in sys.path if entry.startswith(str(root))] == []
+    assert components.is_missing(GOOD)
+
+
+# --- what is asked of pip ---
+
+
+def test_the_folder_changes_with_the_versions_of_python_and_numpy():
+    assert components.components_key((3, 11, 2), "1.24.2") == "cp311-numpy1.24"
+    assert components.components_key((3, 11, 2), "2.2.4") == "cp311-numpy2.2"
+    assert components.components_key((3, 13, 5), "2.2.4") == "cp313-numpy2.2"
+
+
+def test_opencv_fits_the_running_numpy():
+    assert OPENCV.requirement("1.24.2") == "opencv-python-headless<4.12"
+    assert OPENCV.requirement("2.2.4") == "opencv-python-headless>=4.10"
+
+
+def test_pip_gets_no_dependencies_no_sources_and_no_index_of_ours():
+    online = component_install.pip_arguments("a<2", "there", "")
+    assert {"--no-deps", "--only-binary=:all:", "--no-input"} <= set(online)
+    assert not [argument for argument in online if "index" in argument or "http" in argument]
+    assert component_install.pip_arguments("a<2", "there", "wheels")[-4:] == [
+        "--no-index",
+        "--find-links",
+        "wheels",
+        "a<2",
+    ]
+
+
+@pytest.mark.parametrize(
+    "proxy, url",
+    [
+        (QNetworkProxy(QNetworkProxy.ProxyType.NoProxy), ""),
+        (QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy), ""),
+        (QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy, "host", 3128), "http://host:3128"),
+        (
+            QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy, "host", 3128, "me", "p@ss:/w"),
+            "http://me:p%40ss%3A%2Fw@host:3128",  # pragma: allowlist secret
+        ),
+        (QNetworkProxy(QNetworkProxy.ProxyType.Socks5Proxy, "host", 1080), "socks5://host:1080"),
+    ],
+    ids=["none", "no host", "http", "with password", "socks"],
+)
+def test_the_proxy_is_that_of_qgis(proxy, url):
+    assert component_install.proxy_url(proxy) == url
+
+
+@pytest.mark.parametrize(
+    "output, words",
+    [
+        ("", "pip could not install a<2"),
+        ("WARNING: Retrying (Retry(total=4 …))\nERROR: No matching distribution found for a<2", "can’t be reached"),
+        ("ProxyError('Cannot connect to proxy.')", "proxy can’t be used"),
+        ("CERTIFICATE_VERIFY_FAILED", "certificate is not trusted"),
+        ("ERROR: Missing dependencies for SOCKS support.", "SOCKS proxy"),
+        ("OSError: [Errno 28] No space left on device", "disk is full"),
+        ("ERROR: No matching distribution found for a<2", "The package index has no a<2"),
+        ("one\nERROR: something else.\n\n", "pip could not install a<2: something else."),
+    ],
+)
+def test_every_failure_of_pip_is_one_sentence(qgis_app, output, words):
+    sentence = component_install.why_pip_failed("a<2", output, "")
+    assert words in sentence and sentence.endswith(".") and "\n" not in sentence
+
+
+def test_python_is_looked_for_where_qgis_has_it():
+    linux = component_install.python_candidates("/usr/bin/python3", "/usr", (3, 11), False)
+    assert linux[:2] == ["/usr/bin/python3", "/usr/bin/python3.11"] and len(linux) == len(set(linux))
+    bundle = "/Applications/QGIS.app/Contents/MacOS"
+    mac = component_install.python_candidates(f"{bundle}/QGIS", "/other", (3, 9), False)
+    assert f"{bundle}/bin/python3.9" in mac and f"{bundle}/QGIS" not in mac
+    prefix = "C:/OSGeo4W/apps/Python312"
+    windows = component_install.python_candidates("C:/OSGeo4W/bin/qgis-bin.exe", prefix, (3, 12), True)
+    assert windows[0] == os.path.join(prefix, "python.exe")
+
+
+@pytest.mark.parametrize(
+    "text, family",
+    [
+        ("", ""),
+        ("ID=debian\n", "debian"),
+        ('ID=ubuntu\nID_LIKE="debian"\n', "debian"),
+        ('ID="rhel"\nID_LIKE="fedora"\n', "fedora"),
+        ("ID=manjaro\nID_LIKE=arch\n", "arch"),
+        ("ID=else\n", ""),
+    ],
+)
+def test_the_package_manager_is_known_from_os_release(text, family):
+    assert components.system_family(text) == family
+
+
+def test_commands_name_the_packages_as_each_system_does(monkeypatch):
+    packages = [OPENCV, SHAPELY, ONNXRUNTIME]
+    monkeypatch.setattr(components, "_package_manager", lambda: "debian")
+    assert components.install_command(packages) == (
+        "sudo apt install python3-opencv python3-shapely python3-onnxruntime"
+    )
+    monkeypatch.setattr(components, "_package_manager", lambda: "")
+    assert components.install_command([OPENCV]).startswith('python3 -m pip install --no-deps "opencv-python-headless')
+
+
+# --- what is missing ---
+
+
+def test_a_package_without_its_newest_part_is_too_old(qgis_app, tmp_path, monkeypatch):
+    old = Package("Old", "semref_old", "old", "", "", "", "", newest_part="newest")
+    (tmp_path / "semref_old").mkdir()
+    (tmp_path / "semref_old" / "__init__.py").write_text("raise ImportError('is not imported')\n")
+    monkeypatch.setattr(sys, "path", [*sys.path, str(tmp_path)])
+    importlib.invalidate_caches()
+    assert components.is_missing(old) and components.is_too_old(old)
+    (tmp_path / "semref_old" / "newest.py").write_text("")
+    importlib.invalidate_caches()
+    assert not components.is_missing(old)
+
+
+def test_nothing_installed_adds_nothing_to_the_path(root):
+    path = list(sys.path)
+    components.add_components_to_path()
+    assert sys.path == path and not root.exists()
+
+
+def test_the_plugin_adds_what_is_installed_to_the_end_of_the_path(root, without_provider):
+    from semref.plugin import SemRefPlugin
+
+    folder = components.components_folder() / GOOD.module
+    folder.mkdir(parents=True)
+    plugin = SemRefPlugin(None)
+    plugin.initProcessing()
+    plugin.unload()
+    assert sys.path[-1] == str(folder)
