@@ -7,7 +7,7 @@ from typing import Optional, Tuple
 import numpy as np
 
 from .label_source import LabelSource
-from .reference_objects import CENTER_OF_FIRST_PIXEL
+from .reference_objects import center_coordinate
 
 _REACH = 256
 """Pixels around the current one that are held at a time, in every direction."""
@@ -80,6 +80,7 @@ def follow_outer_border(
     area = abs(twice_area) / 2
     if area < minimum_area or area <= 0:
         return None
-    center_x = x0 + six_x / (3 * twice_area) + CENTER_OF_FIRST_PIXEL
-    center_y = y0 + six_y / (3 * twice_area) + CENTER_OF_FIRST_PIXEL
+    six_areas = 3 * twice_area
+    center_x = center_coordinate(left, six_x + (x0 - left) * six_areas, six_areas)
+    center_y = center_coordinate(top, six_y + (y0 - top) * six_areas, six_areas)
     return value, center_x, center_y, area, left, top, right + 1, bottom + 1

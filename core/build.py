@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Iterator, List, Optional, Sequence, Tuple
@@ -15,6 +14,7 @@ from .database import BuildParameters, MapReferences, ReferenceDatabase, Windows
 from .distinctiveness import distinctiveness
 from .errors import LabelMapError, WindowError
 from .label_source import LabelSource
+from .map_hash import BlockHasher, map_hash
 from .overview import OVERVIEW_FACTOR, most_frequent_labels
 from .reference_objects import ReferenceObjects
 from .reference_objects import minimum_area_px as area_px
@@ -92,11 +92,11 @@ class DatabaseBuilder:
 
     def steps(self) -> Iterator[Tuple[str, float]]:
         """Yields (what is being done, share done 0…1). Raises LabelMapError for a map without reference objects."""
-        objects, map_hash = None, ""
+        objects, hashes = None, ()
         for share, result in self._scan():
             yield "Finding reference objects", 0.3 * share
             if result is not None:
-                objects, map_hash = result
+                objects, hashes = result
         if not len(objects):
             raise LabelMapError(
                 f"The map shows no reference object of {', '.join(c.name for c in self._table.references)} with at "
@@ -111,9 +111,8 @@ class DatabaseBuilder:
                 done += len(windows.counts)
                 yield "Describing windows", 0.3 + 0.5 * done / total
         windows = self._windows(described)
-        self.database = ReferenceDatabase(
-            windows, self._references(objects), self._table, self._parameters(map_hash), None
-        )
+        references = map_references(objects, self._frame)
+        self.database = ReferenceDatabase(windows, references, self._table, self._parameters(hashes), None)
 
     def compare_windows(self) -> Iterator[Tuple[str, float]]:
         """Yields (what is being done, share done); afterwards ``distinctiveness`` has a distance for every window.
@@ -129,19 +128,19 @@ class DatabaseBuilder:
             yield "Comparing windows", block.stop / len(index)
         self.distinctiveness = found
 
-    def _scan(self) -> Iterator[Tuple[float, Optional[Tuple[ReferenceObjects, str]]]]:
-        """One pass over the map: reference objects, overview and hash."""
+    def _scan(self) -> Iterator[Tuple[float, Optional[Tuple[ReferenceObjects, Tuple[str, ...]]]]]:
+        """One pass over the map: reference objects, overview and block hashes."""
         factor = self._settings.overview_factor
         catalogue = CatalogueBuilder(
             self._source, self._table.reference_values, self._minimum_area_px, band_multiple=factor
         )
-        pixels = hashlib.sha256(repr((self._source.shape_hw, self._frame.geotransform)).encode("ascii"))
         height, width = self._source.shape_hw
+        blocks = BlockHasher(width)
         # Filled in place: a list of bands would be held twice when it is joined.
         overview = np.empty((-(-height // factor), -(-width // factor)), np.uint8)
 
         def reduce(first: int, labels: np.ndarray) -> None:
-            pixels.update(np.ascontiguousarray(labels))
+            blocks.add(labels)
             reduced = most_frequent_labels(labels, factor)
             overview[first // factor:first // factor + len(reduced)] = reduced
 
@@ -157,7 +156,7 @@ class DatabaseBuilder:
         self.overview = overview
         for _ in catalogue.crossing():
             yield 0.9, None
-        yield 1.0, (catalogue.objects, pixels.hexdigest())
+        yield 1.0, (catalogue.objects, blocks.hashes)
 
     @property
     def _minimum_area_px(self) -> float:
@@ -190,11 +189,7 @@ class DatabaseBuilder:
             described=counts >= MINIMUM_REFERENCES,
         )
 
-    def _references(self, objects: ReferenceObjects) -> MapReferences:
-        areas = objects.areas_px * self._frame.pixel_size**2
-        return MapReferences(self._frame.to_map(objects.centers_xy), objects.classes, areas, objects.touches_edge)
-
-    def _parameters(self, map_hash: str) -> BuildParameters:
+    def _parameters(self, block_hashes: Tuple[str, ...]) -> BuildParameters:
         height, width = self._source.shape_hw
         settings, pixel = self._settings, self._frame.pixel_size
         return BuildParameters(
@@ -209,10 +204,19 @@ class DatabaseBuilder:
             references_per_vector=settings.references_per_vector,
             minimum_area=settings.minimum_area,
             overview_factor=settings.overview_factor,
-            map_hash=map_hash,
+            map_hash=map_hash((height, width), self._frame.geotransform, block_hashes),
             class_table_hash=self._table.digest(),
             plugin_version=self._plugin_version,
+            block_hashes=block_hashes,
         )
+
+
+def map_references(objects: ReferenceObjects, frame: MapFrame) -> MapReferences:
+    """The objects of a map (pixels) as references (map units)."""
+    areas = objects.areas_px * frame.pixel_size**2
+    return MapReferences(
+        frame.to_map(objects.centers_xy), objects.classes, areas, objects.touches_edge, objects.bounds
+    )
 
 
 def level_grids(shape_hw: Tuple[int, int], pixel_size: float, settings: BuildSettings) -> List[WindowGrid]:

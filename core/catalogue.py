@@ -70,7 +70,9 @@ class CatalogueBuilder:
         """Measures the regions that cross bands, one a step; yields how many are left. Call after ``bands()``."""
         groups = [(value, group) for value in self._values for group in self._seams[value].groups()]
         for left, (value, group) in zip(range(len(groups) - 1, -1, -1), groups):
-            row = self._measure(value, group)
+            row = measure_region(
+                self._source, value, group.bounds, group.first_pixel, self._minimum_area, self._patch_pixels
+            )
             if row is not None:
                 self._rows.append(rows_array([row]))
             yield left
@@ -101,20 +103,32 @@ class CatalogueBuilder:
             self._rows.append(shift_rows(rows_array(whole), 0, first))
         self._seams[value].add_band(mask, pieces, first)
 
-    def _measure(self, value: int, group: "_Group") -> Optional[tuple]:
-        left, top, right, bottom = group.bounds
-        # A polygon through pixel centres is never larger than its bounding box.
-        if (right - left) * (bottom - top) < self._minimum_area:
-            return None
-        if (right - left) * (bottom - top) > self._patch_pixels:
-            return follow_outer_border(self._source, value, group.first_pixel, self._minimum_area)
-        labels = self._source.read(left, top, right - left, bottom - top)
-        start = np.array([group.first_pixel[0] - left, group.first_pixel[1] - top])
-        for contour in outer_contours(class_mask(labels, value)):
-            if (contour[:, 0] == start).all(axis=1).any():
-                row = contour_row(contour, value, self._minimum_area)
-                return None if row is None else shift_row(row, left, top)
+
+def measure_region(
+    source: LabelSource,
+    value: int,
+    bounds: Tuple[int, int, int, int],
+    first_pixel: Tuple[int, int],
+    minimum_area_px: float,
+    patch_pixels: int = PATCH_PIXELS,
+) -> Optional[tuple]:
+    """Region row of the region within ``bounds`` (left, top, right, bottom) with this first pixel (column, row).
+
+    None when the region is smaller than ``minimum_area_px``.
+    """
+    left, top, right, bottom = bounds
+    # A polygon through pixel centres is never larger than its bounding box.
+    if (right - left) * (bottom - top) < minimum_area_px:
         return None
+    if (right - left) * (bottom - top) > patch_pixels:
+        return follow_outer_border(source, value, first_pixel, minimum_area_px)
+    labels = source.read(left, top, right - left, bottom - top)
+    start = np.array([first_pixel[0] - left, first_pixel[1] - top])
+    for contour in outer_contours(class_mask(labels, value)):
+        if (contour[:, 0] == start).all(axis=1).any():
+            row = contour_row(contour, value, minimum_area_px)
+            return None if row is None else shift_row(row, left, top)
+    return None
 
 
 class _Group:

@@ -39,13 +39,15 @@ class MapReferences:
     """The reference objects of the whole map, N of them.
 
     positions: (N, 2) float64 map coordinates (x, y); classes: (N,) uint8; areas_m2: (N,) float64;
-    touches_edge: (N,) bool.
+    touches_edge: (N,) bool; bounds_px: (N, 4) int64 first column, first row, last column + 1, last row + 1 on the label
+    map; None where they were not read.
     """
 
     positions: np.ndarray
     classes: np.ndarray
     areas_m2: np.ndarray
     touches_edge: np.ndarray
+    bounds_px: Optional[np.ndarray] = None
 
     def __len__(self) -> int:
         return len(self.classes)
@@ -56,7 +58,8 @@ class BuildParameters:
     """What a database was built with; kept in it under these names.
 
     crs: WKT of the metric CRS; geotransform: GDAL's six numbers of the label map; pixel_size, window_size and
-    stride in map units; minimum_area in m²; levels: multipliers of the window size.
+    stride in map units; minimum_area in m²; levels: multipliers of the window size. block_hashes: one a block of the
+    label map (``map_hash``), row by row; none in databases of versions that did not keep them.
     """
 
     crs: str
@@ -74,6 +77,7 @@ class BuildParameters:
     class_table_hash: str
     plugin_version: str
     format_version: int = FORMAT_VERSION
+    block_hashes: tuple = ()
 
     def __post_init__(self) -> None:
         if self.format_version > FORMAT_VERSION:

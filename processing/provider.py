@@ -20,6 +20,7 @@ from .rasterize_annotation import RasterizeAnnotation
 from .repair_annotation import RepairAnnotation
 from .segment_image import SegmentImage
 from .translation import tr
+from .update_database import UpdateDatabase
 
 MODELS = Path(__file__).resolve().parent.parent / "models"
 """Ready-made models (.model3) that are offered beside the algorithms."""
@@ -33,6 +34,7 @@ ALGORITHMS = (
     ExportTrainingTiles,
     SegmentImage,
     BuildDatabase,
+    UpdateDatabase,
     DescribeImage,
     LocalizeImages,
     EvaluateLocalization,

@@ -9,21 +9,21 @@ import json
 import os
 import sqlite3
 import struct
-from dataclasses import fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 from osgeo import gdal, gdal_array, ogr, osr
 
-from ...core.class_table import class_table_from_csv
+from ...core.class_table import ClassTable, class_table_from_csv
 from ...core.database import FORMAT_VERSION, BuildParameters, MapReferences, ReferenceDatabase, Windows
 from ...core.errors import DatabaseError
 from .gdal_errors import gdal_failure, gdal_failures
 from .label_map_file import set_class_colors
 
-WINDOWS, REFERENCES, OVERVIEW, CLASSES, PARAMETERS, STYLES = (
-    "windows", "references", "overview", "classes", "parameters", "layer_styles",
+WINDOWS, REFERENCES, BOUNDS, OVERVIEW, CLASSES, PARAMETERS, STYLES = (
+    "windows", "references", "reference_bounds", "overview", "classes", "parameters", "layer_styles",
 )  # fmt: skip
 
 _CLASS_COLUMNS = ("value", "name", "color", "role", "draw_order", "hsv_min", "hsv_max")
@@ -35,7 +35,10 @@ _WINDOW_FIELDS = (
     ("longitude", _REAL), ("latitude", _REAL), ("reference_count", _INTEGER), ("vector", _BLOB),
     ("distinctiveness", _REAL),
 )  # fmt: skip
-_REFERENCE_FIELDS = (("class", _INTEGER), ("class_name", _TEXT), ("area", _REAL), ("touches_edge", _BOOLEAN))
+REFERENCE_FIELDS = (("class", _INTEGER), ("class_name", _TEXT), ("area", _REAL), ("touches_edge", _BOOLEAN))
+BOUNDS_FIELDS = (
+    ("first_column", _INTEGER), ("first_row", _INTEGER), ("end_column", _INTEGER), ("end_row", _INTEGER),
+)  # fmt: skip
 _STYLE_FIELDS = (
     ("f_table_catalog", _TEXT), ("f_table_schema", _TEXT), ("f_table_name", _TEXT), ("f_geometry_column", _TEXT),
     ("styleName", _TEXT), ("styleQML", _TEXT), ("styleSLD", _TEXT), ("useAsDefault", _BOOLEAN), ("description", _TEXT),
@@ -89,17 +92,18 @@ class DatabaseWriter:
         for n, done in enumerate(self._write_layers(dataset, srs)):
             if n % _FEATURES_A_STEP == 0:
                 yield 0.9 * done / total
-        _close(dataset)
+        close(dataset)
         yield 0.9
         self._write_overview(srs)
-        _leave_wal(self._path)
+        leave_wal(self._path)
         yield 1.0
 
     def _write_layers(self, dataset: ogr.DataSource, srs: osr.SpatialReference) -> Iterator[int]:
         done = 0
         for name, srs_or_none, geometry, schema, rows in (
             (WINDOWS, srs, ogr.wkbPolygon, _WINDOW_FIELDS, self._window_rows()),
-            (REFERENCES, srs, ogr.wkbPoint, _REFERENCE_FIELDS, self._reference_rows()),
+            (REFERENCES, srs, ogr.wkbPoint, REFERENCE_FIELDS, self._reference_rows()),
+            (BOUNDS, None, ogr.wkbNone, BOUNDS_FIELDS, self._bounds_rows()),
             (CLASSES, None, ogr.wkbNone, _class_schema(), self._class_rows()),
             (PARAMETERS, None, ogr.wkbNone, (("key", _TEXT), ("value", _TEXT)), self._parameter_rows()),
             (STYLES, None, ogr.wkbNone, _STYLE_FIELDS, self._style_rows()),
@@ -109,10 +113,9 @@ class DatabaseWriter:
                 raise DatabaseError(f"The layer {name} can't be written: {gdal_failure()}.")
             for field_name, kind in schema:
                 layer.CreateField(_field_definition(field_name, kind))
-            kinds = [kind for _, kind in schema]
             dataset.StartTransaction()
             for wkb, values in rows:
-                _write_feature(layer, kinds, wkb, values)
+                write_feature(layer, schema, wkb, values)
                 done += 1
                 yield done
             dataset.CommitTransaction()
@@ -137,12 +140,12 @@ class DatabaseWriter:
             yield _square_wkb(x - half, y - half, x + half, y + half), values
 
     def _reference_rows(self) -> Iterator[Tuple[bytes, tuple]]:
-        references, names = self._database.references, {c.value: c.name for c in self._database.class_table}
-        for i in range(len(references)):
-            x, y = references.positions[i].tolist()
-            value = int(references.classes[i])
-            values = value, names[value], float(references.areas_m2[i]), int(references.touches_edge[i])
-            yield struct.pack("<BIdd", 1, ogr.wkbPoint, x, y), values
+        return reference_rows(self._database.references, self._database.class_table)
+
+    def _bounds_rows(self) -> Iterator[Tuple[None, tuple]]:
+        # In the references' order, and so with their fids.
+        for bounds in self._database.references.bounds_px.tolist():
+            yield None, tuple(bounds)
 
     def _class_rows(self) -> Iterator[Tuple[None, tuple]]:
         for c in self._database.class_table:
@@ -152,7 +155,7 @@ class DatabaseWriter:
     def _parameter_rows(self) -> Iterator[Tuple[None, tuple]]:
         parameters = self._database.parameters
         for item in fields(parameters):
-            yield None, (item.name, json.dumps(getattr(parameters, item.name)))
+            yield None, (item.name, parameter_text(parameters, item.name))
 
     def _style_rows(self) -> Iterator[Tuple[None, tuple]]:
         for table, qml in self._styles.items():
@@ -172,7 +175,22 @@ class DatabaseWriter:
         written = gdal.GetDriverByName("GPKG").CreateCopy(self._path, memory, options=options)
         if written is None:
             raise DatabaseError(f"The overview can't be written: {gdal_failure()}.")
-        _close(written)
+        close(written)
+
+
+def reference_rows(references: MapReferences, table: ClassTable) -> Iterator[Tuple[bytes, tuple]]:
+    """Geometry (WKB) and column values of each reference."""
+    names = {c.value: c.name for c in table}
+    for i in range(len(references)):
+        x, y = references.positions[i].tolist()
+        value = int(references.classes[i])
+        values = value, names[value], float(references.areas_m2[i]), int(references.touches_edge[i])
+        yield struct.pack("<BIdd", 1, ogr.wkbPoint, x, y), values
+
+
+def parameter_text(parameters: BuildParameters, name: str) -> str:
+    """A build parameter as it stands in the table ``parameters``."""
+    return json.dumps(getattr(parameters, name))
 
 
 def _field_definition(name: str, kind: str) -> ogr.FieldDefn:
@@ -189,9 +207,18 @@ def _class_schema() -> Tuple[Tuple[str, str], ...]:
     return tuple((name, kinds.get(name, _TEXT)) for name in _CLASS_COLUMNS)
 
 
-def _write_feature(layer: ogr.Layer, kinds: Sequence[str], wkb: Optional[bytes], values: tuple) -> None:
+def write_feature(
+    layer: ogr.Layer,
+    schema: Sequence[Tuple[str, str]],
+    wkb: Optional[bytes],
+    values: Sequence,
+    fid: Optional[int] = None,
+) -> int:
+    """Adds a feature and gives its fid."""
     feature = ogr.Feature(layer.GetLayerDefn())
-    for index, (kind, value) in enumerate(zip(kinds, values)):
+    if fid is not None:
+        feature.SetFID(fid)
+    for index, ((_, kind), value) in enumerate(zip(schema, values)):
         if value is None or (kind == _REAL and not np.isfinite(value)):
             continue
         if kind == _BLOB:
@@ -205,6 +232,7 @@ def _write_feature(layer: ogr.Layer, kinds: Sequence[str], wkb: Optional[bytes],
         feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(wkb))
     if layer.CreateFeature(feature) != ogr.OGRERR_NONE:
         raise DatabaseError(f"The database can't be written: {gdal_failure()}.")
+    return feature.GetFID()
 
 
 def _square_wkb(left: float, bottom: float, right: float, top: float) -> bytes:
@@ -212,14 +240,21 @@ def _square_wkb(left: float, bottom: float, right: float, top: float) -> bytes:
     return struct.pack("<BIII10d", 1, ogr.wkbPolygon, 1, 5, *ring)
 
 
-def _close(dataset) -> None:
+def close(dataset) -> None:
+    """Writes what waits; raises DatabaseError when that fails."""
     gdal.ErrorReset()
     dataset.FlushCache()
     if gdal.GetLastErrorType() >= gdal.CE_Failure:
         raise DatabaseError(f"The database can't be written: {gdal_failure()}.")
 
 
-def _leave_wal(path: str) -> None:
+def copy_database(path: str, target: str) -> None:
+    """Copies a database as it is, changes that still wait beside it included."""
+    with contextlib.closing(_connect(path)) as source, contextlib.closing(sqlite3.connect(target)) as copy:
+        source.backup(copy)
+
+
+def leave_wal(path: str) -> None:
     """No -wal and -shm beside the finished file."""
     with contextlib.closing(sqlite3.connect(path)) as connection:
         connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
@@ -297,13 +332,15 @@ def _read_parameters(connection: sqlite3.Connection, path: str) -> BuildParamete
                 f"{path} has format version {values['format_version']}, newer than this SemRef reads "
                 f"({FORMAT_VERSION}); update the plugin."
             )
+        # Databases of older versions have no block hashes.
+        values.setdefault("block_hashes", [])
         known = {item.name: values[item.name] for item in fields(BuildParameters)}
         for item in fields(BuildParameters):
             if not isinstance(known[item.name], _JSON_TYPES[item.type]):
                 raise TypeError(f"{item.name} (it is {known[item.name]!r})")
     except (KeyError, ValueError, TypeError) as error:
         raise DatabaseError(f"{path} has no readable parameter {error}; build it again.") from None
-    for name in ("geotransform", "levels"):
+    for name in ("geotransform", "levels", "block_hashes"):
         known[name] = tuple(known[name])
     return BuildParameters(**known)
 
@@ -358,6 +395,51 @@ def _points(blobs: Sequence[bytes]) -> np.ndarray:
         order = "<" if blob[8] else ">"
         found.append(struct.unpack_from(f"{order}dd", blob, 13))
     return np.array(found, np.float64).reshape(-1, 2)
+
+
+@dataclass(frozen=True)
+class StoredDatabase:
+    """A database as an update needs it.
+
+    database: with the references' bounds, None when the file has none; distinctiveness: (N,) of its windows, NaN for
+    NULL; window_fids, reference_fids: of its windows and references, in their order.
+    """
+
+    database: ReferenceDatabase
+    distinctiveness: np.ndarray
+    window_fids: Tuple[int, ...]
+    reference_fids: Tuple[int, ...]
+
+
+def read_stored_database(path: str) -> StoredDatabase:
+    """Reads what ``read_database`` reads and what an update needs besides; raises DatabaseError as that does."""
+    database = read_database(path)
+    try:
+        with contextlib.closing(_connect(path)) as connection:
+            windows = connection.execute("SELECT fid, distinctiveness FROM windows ORDER BY fid").fetchall()
+            fids = connection.execute('SELECT fid FROM "references" ORDER BY fid').fetchall()
+            bounds = _read_bounds(connection)
+    except (sqlite3.Error, ValueError) as error:
+        raise DatabaseError(
+            f"{path} is damaged or cut short ({error}); build it again or fetch another copy."
+        ) from None
+    if bounds is not None and len(bounds) != len(fids):
+        raise DatabaseError(f"{path} has {len(fids)} landmarks and bounds of {len(bounds)}; build it again.")
+    database = replace(database, references=replace(database.references, bounds_px=bounds))
+    distinctiveness = np.array([np.nan if value is None else value for _, value in windows], np.float64)
+    return StoredDatabase(database, distinctiveness, tuple(fid for fid, _ in windows), tuple(fid for fid, in fids))
+
+
+def _read_bounds(connection: sqlite3.Connection) -> Optional[np.ndarray]:
+    """(N, 4) int64 bounds of the references in the order of their fids; None in databases of older versions."""
+    found = connection.execute("SELECT count(*) FROM sqlite_master WHERE name = ?", (BOUNDS,)).fetchone()
+    if not found[0]:
+        return None
+    rows = connection.execute(
+        'SELECT first_column, first_row, end_column, end_row FROM reference_bounds AS b JOIN "references" AS r '
+        "ON r.fid = b.fid ORDER BY b.fid"
+    ).fetchall()
+    return np.array(rows, np.int64).reshape(-1, 4)
 
 
 def stored_style(path: str, table: str) -> Optional[str]:

@@ -6,8 +6,7 @@ import pytest
 from semref.core import distinctiveness as module
 from semref.core.distinctiveness import distinctiveness
 
-# The product form picks the nearest in single precision: of two that are nearly equal it may take either.
-NEARLY = 2e-3
+NEARLY = 1e-12
 
 
 def all_at_once(vectors, centers, sizes):

@@ -43,6 +43,7 @@ PARAMETERS = {
         "LABELS [REFERENCE_CLASSES] WINDOW_SIZE STRIDE [LEVELS] REFERENCES_PER_VECTOR MINIMUM_AREA DATABASE",
         "DATABASE WINDOW_COUNT REFERENCE_COUNT",
     ),
+    "updatedatabase": ("referencedatabase", "DATABASE LABELS [CHANGED] OUTPUT", "OUTPUT"),
     "describeimage": (
         "localization",
         "INPUT [DATABASE] REFERENCES [VECTOR]",

@@ -1,0 +1,227 @@
+"""semref:updatedatabase: the file that a rebuild makes, with the rows and fids of what did not change."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import sqlite3
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal, ogr
+from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
+
+BUILD, UPDATE = "semref:builddatabase", "semref:updatedatabase"
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+HEIGHT, WIDTH = 1100, 1300
+EDIT = (660, 560, 60)
+"""Column, row and size of the square in which the labels are corrected."""
+
+
+def map_labels():
+    labels = scattered_objects(HEIGHT, WIDTH, 900, seed=8)
+    labels[:, 700:703] = 2
+    return labels
+
+
+def edited_labels():
+    labels = map_labels()
+    column, row, size = EDIT
+    labels[row : row + size, column : column + size] = 4
+    labels[row + 3 : row + 30, column + 5 : column + 17] = 1
+    labels[row + 3 : row + 20, column + 25 : column + 38] = 3
+    return labels
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Old and new label map, the changed areas, and databases built of both maps."""
+    folder = tmp_path_factory.mktemp("update")
+    write_raster(folder / "old.tif", map_labels(), names=NAMES)
+    write_raster(folder / "new.tif", edited_labels(), names=NAMES)
+    write_layer(folder / "changed.gpkg", [(square(*EDIT),)], [], geometry=ogr.wkbPolygon)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def build(run_algorithm, folder):
+    def run(name, **parameters):
+        settings = {
+            "LABELS": str(folder / f"{name}.tif"),
+            "REFERENCE_CLASSES": "building;water;bare_land",
+            "WINDOW_SIZE": 240,
+            "STRIDE": 100,
+            "LEVELS": "1;2",
+            "MINIMUM_AREA": 40,
+            "DATABASE": str(folder / f"{name}.gpkg"),
+        }
+        return run_algorithm(BUILD, {**settings, **parameters})["DATABASE"]
+
+    return run
+
+
+@pytest.fixture(scope="module")
+def old(build):
+    return build("old")
+
+
+@pytest.fixture(scope="module")
+def rebuilt(build):
+    return build("new")
+
+
+@pytest.fixture
+def update(run_algorithm, folder, old, tmp_path):
+    def run(feedback=None, **parameters):
+        settings = {"DATABASE": old, "LABELS": str(folder / "new.tif"), "OUTPUT": str(tmp_path / "updated.gpkg")}
+        return run_algorithm(UPDATE, {**settings, **parameters}, feedback)["OUTPUT"]
+
+    return run
+
+
+def rows(database, sql):
+    with contextlib.closing(sqlite3.connect(f"file:{database}?mode=ro", uri=True)) as connection:
+        return connection.execute(sql).fetchall()
+
+
+def references(database):
+    """{(all but the fid)} of the references with their bounds."""
+    sql = (
+        'SELECT r.*, b.first_column, b.first_row, b.end_column, b.end_row FROM "references" r '
+        "JOIN reference_bounds b ON b.fid = r.fid"
+    )
+    return {row[0]: row[1:] for row in rows(database, sql)}
+
+
+def assert_same_content(database, expected):
+    for table in ("windows", "classes", "parameters", "layer_styles"):
+        key, columns = ("id", "f_table_name, styleQML") if table == "layer_styles" else ("fid", "*")
+        sql = f"SELECT {columns} FROM {table} ORDER BY {key}"
+        assert rows(database, sql) == rows(expected, sql), table
+    assert sorted(references(database).values()) == sorted(references(expected).values())
+    overviews = [read_pixels(f"GPKG:{path}:overview") for path in (database, expected)]
+    np.testing.assert_array_equal(*overviews)
+
+
+@pytest.mark.parametrize("areas", [True, False], ids=["with the changed areas", "by comparing"])
+def test_the_result_is_the_rebuilds(update, folder, old, rebuilt, areas):
+    before = Path(old).read_bytes()
+    output = update(CHANGED=str(folder / "changed.gpkg")) if areas else update()
+    assert_same_content(output, rebuilt)
+    vectors = [rows(path, "SELECT vector FROM windows ORDER BY fid") for path in (old, output)]
+    assert vectors[0] != vectors[1]
+    assert Path(old).read_bytes() == before
+    assert sorted(p.name for p in Path(output).parent.iterdir()) == ["updated.gpkg"]
+
+
+def test_what_did_not_change_keeps_its_fid(update, folder, old):
+    output = update(CHANGED=str(folder / "changed.gpkg"))
+    before, after = references(old), references(output)
+    gone, new = set(before) - set(after), set(after) - set(before)
+    assert gone and new and min(new) > max(before)
+    assert all(before[fid] == after[fid] for fid in set(before) & set(after))
+    assert len(set(before.values()) & set(after.values())) == len(set(before) & set(after))
+
+
+def test_updates_of_updates_lead_back(update, folder, old, tmp_path):
+    there = update(CHANGED=str(folder / "changed.gpkg"))
+    back = update(DATABASE=there, LABELS=str(folder / "old.tif"), OUTPUT=str(tmp_path / "back.gpkg"))
+    assert_same_content(back, old)
+
+
+def test_the_database_itself_can_be_replaced(update, folder, old, rebuilt, tmp_path):
+    place = str(shutil.copy(old, tmp_path / "area.gpkg"))
+    assert update(DATABASE=place, OUTPUT=place) == place
+    assert_same_content(place, rebuilt)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["area.gpkg"]
+
+
+def test_index_extent_and_counts_are_right_afterwards(update, folder, rebuilt):
+    output = update(CHANGED=str(folder / "changed.gpkg"))
+    for name in ("windows", "references"):
+        sources = [ogr.Open(path) for path in (output, rebuilt)]
+        layers = [source.GetLayerByName(name) for source in sources]
+        assert layers[0].GetFeatureCount() == layers[1].GetFeatureCount()
+        assert layers[0].GetExtent() == layers[1].GetExtent()
+        column, row, size = EDIT
+        for layer in layers:
+            layer.SetSpatialFilterRect(WEST + column, NORTH - row - size, WEST + column + size, NORTH - row)
+        assert layers[0].GetFeatureCount() == layers[1].GetFeatureCount() > 0
+    sql = "SELECT min_x, min_y, max_x, max_y FROM gpkg_contents WHERE table_name IN ('windows', 'references')"
+    assert rows(output, sql) == rows(rebuilt, sql)
+    assert rows(output, "PRAGMA integrity_check") == [("ok",)]
+    assert rows(output, "SELECT count(*) FROM rtree_references_geom") == [(len(references(output)),)]
+    layer = QgsVectorLayer(f"{output}|layername=references", "references", "ogr")
+    assert layer.isValid() and layer.featureCount() == len(references(rebuilt))
+
+
+def test_the_log_tells_what_changed(update, folder, old, feedback):
+    output = update(feedback, CHANGED=str(folder / "changed.gpkg"))
+    before, after = references(old), references(output)
+    told = f"{len(set(before) - set(after))} landmarks removed, {len(set(after) - set(before))} added."
+    assert told in feedback.textLog()
+
+
+def test_changes_waiting_in_a_wal_file_are_kept(update, old, tmp_path):
+    place = str(shutil.copy(old, tmp_path / "edited.gpkg"))
+    with contextlib.closing(sqlite3.connect(place)) as connection:
+        connection.execute("PRAGMA journal_mode=WAL")
+        connection.execute("UPDATE layer_styles SET description = 'mine'")
+        connection.commit()
+        assert os.path.getsize(place + "-wal")
+        output = update(DATABASE=place)
+    assert set(rows(output, "SELECT description FROM layer_styles")) == {("mine",)}
+
+
+def refused(sentence):
+    return pytest.raises(QgsProcessingException, match=sentence)
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"crs": 32633}, "The label map is in EPSG:32633 .*, the database in EPSG:32632"),
+        ({"transform": (WEST, 2.0, 0, NORTH, 0, -2.0)}, "The label map has pixels of 2 m, the database was built with"),
+        ({"transform": (WEST + 1, 1.0, 0, NORTH, 0, -1.0)}, "The label map has 1300 × 1100 pixels from 550001, 522000"),
+        ({"names": [*NAMES[:4], "meadow"]}, "don't have the same classes"),
+    ],
+    ids=["CRS", "pixel size", "place", "classes"],
+)
+def test_a_map_that_does_not_fit_is_refused(update, tmp_path, changes, sentence):
+    other = write_raster(tmp_path / "other.tif", edited_labels(), **{"names": NAMES, **changes})
+    with refused(sentence):
+        update(LABELS=str(other))
+    assert not (tmp_path / "updated.gpkg").exists()
+
+
+def test_a_database_of_an_older_version_is_refused_in_one_sentence(update, old, tmp_path):
+    place = shutil.copy(old, tmp_path / "older.gpkg")
+    with contextlib.closing(sqlite3.connect(place)) as connection:
+        connection.execute("DROP TABLE reference_bounds")
+        connection.execute("DELETE FROM parameters WHERE key = 'block_hashes'")
+        connection.commit()
+    with refused("which kept no block hashes and bounds of landmarks"):
+        update(DATABASE=str(place))
+
+
+def test_areas_without_polygons_or_in_another_crs(update, folder, rebuilt, tmp_path):
+    empty = write_layer(tmp_path / "empty.gpkg", [(None,)], [], geometry=ogr.wkbPolygon)
+    with refused("CHANGED has no polygon; leave it out"):
+        update(CHANGED=str(empty))
+    degrees = str(tmp_path / "degrees.gpkg")
+    gdal.VectorTranslate(degrees, str(folder / "changed.gpkg"), dstSRS="EPSG:4326", reproject=True)
+    assert_same_content(update(CHANGED=degrees), rebuilt)
+
+
+def test_a_cancel_leaves_nothing(update, old, tmp_path):
+    feedback = QgsProcessingFeedback()
+    feedback.progressChanged.connect(lambda share: share > 20 and feedback.cancel())
+    with refused("Canceled"):
+        update(feedback)
+    assert not list(tmp_path.iterdir())
