@@ -180,6 +180,14 @@
    <translation>Automatisch nimmt nur die Konstellation, ohne Kartenkorrelation: {reason}</translation>
   </message>
   <message>
+   <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
+
+All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
+   <translation>Bringt eine Referenzdatenbank auf den neuen Stand, nachdem ihre Klassenkarte berichtigt wurde: dasselbe Ergebnis wie ein neuer Aufbau, aber nur Fenster und Landmarken, die die Berichtigungen erreichen, werden angefasst.
+
+Alle Einstellungen kommen aus der Datenbank. Was sich nicht geändert hat, behält seine Zeile und seine fid; neue Landmarken kommen ans Ende. Die Klassenkarte muss Pixel, KBS und Klassen der alten haben.</translation>
+  </message>
+  <message>
    <source>Build reference database</source>
    <translation>Referenzdatenbank erstellen</translation>
   </message>
@@ -242,6 +250,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Canceling…</source>
    <translation>Wird abgebrochen…</translation>
+  </message>
+  <message>
+   <source>Changed areas</source>
+   <translation>Geänderte Bereiche</translation>
   </message>
   <message>
    <source>Changes</source>
@@ -386,6 +398,10 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
   <message>
    <source>Correct</source>
    <translation>Verbessern</translation>
+  </message>
+  <message>
+   <source>Corrected label map</source>
+   <translation>Berichtigte Klassenkarte</translation>
   </message>
   <message>
    <source>Corrected places</source>
@@ -652,6 +668,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>GeoPackage (*.gpkg)</translation>
   </message>
   <message>
+   <source>GeoPackage made by “Build reference database” or by this algorithm.</source>
+   <translation>Ein mit „Referenzdatenbank erstellen“ oder mit diesem Algorithmus erzeugtes GeoPackage.</translation>
+  </message>
+  <message>
    <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
    <translation>GeoTIFF, 8 Bit pro Pixel, im Pixelraster des Bildes.</translation>
   </message>
@@ -758,6 +778,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
    <translation>Mit {speed:g} Karteneinheiten pro Sekunde ist er von den Standorten davor und danach nicht zu erreichen.</translation>
+  </message>
+  <message>
+   <source>It may be the database itself, which is then replaced when the update is complete.</source>
+   <translation>Es darf die Datenbank selbst sein; sie wird dann ersetzt, wenn die neue vollständig ist.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -878,6 +902,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>Das Python von QGIS wird gesucht …</translation>
+  </message>
+  <message>
+   <source>Looking for changes</source>
+   <translation>Änderungen werden gesucht</translation>
   </message>
   <message>
    <source>Looking for gaps and slivers</source>
@@ -1170,6 +1198,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
    <translation>Polygone der Landbedeckung. Sie dürfen sich überlappen, mehrteilig, ungültig oder dreidimensional sein.</translation>
+  </message>
+  <message>
+   <source>Polygons that hold everything that was changed, such as the corrected issues: the map is read around them only, and changes outside their bounding boxes are missed. If left out, the whole map is compared with the database, which takes longer.</source>
+   <translation>Polygone, in denen alles liegt, was geändert wurde, etwa die behobenen Befunde: die Karte wird nur um sie herum gelesen, und Änderungen außerhalb ihrer umschließenden Rechtecke werden übersehen. Ohne Angabe wird die ganze Karte mit der Datenbank verglichen, was länger dauert.</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -1648,6 +1680,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Schrittweite ({stride:g}) ist größer als das Fenster ({size:g}), sodass Boden zwischen den Fenstern fehlen würde; die Schrittweite darf höchstens so groß sein wie das Fenster.</translation>
   </message>
   <message>
+   <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
+   <translation>Das ganze Gebiet, gerastert mit Pixelgröße und Ausdehnung der alten Klassenkarte.</translation>
+  </message>
+  <message>
    <source>There is no database {path}; choose another file.</source>
    <translation>Es gibt keine Datenbank {path}; eine andere Datei wählen.</translation>
   </message>
@@ -1728,8 +1764,16 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Ungeprüfter Treffer</translation>
   </message>
   <message>
+   <source>Update reference database</source>
+   <translation>Referenzdatenbank aktualisieren</translation>
+  </message>
+  <message>
    <source>Update the database…</source>
    <translation>Datenbank aktualisieren …</translation>
+  </message>
+  <message>
+   <source>Updated database</source>
+   <translation>Aktualisierte Datenbank</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -2218,6 +2262,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} nennt keine Brennweite; das Bild wird genommen, wie es ist.</translation>
+  </message>
+  <message>
+   <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>
+   <translation>{touched} von {windows} Fenstern geändert; {removed} Landmarken entfernt, {added} hinzugefügt.</translation>
   </message>
   <message>
    <source>{training} tiles to train on, {validation} to validate on</source>

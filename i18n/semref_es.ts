@@ -180,6 +180,14 @@
    <translation>Automático usa solo la constelación, sin correlación de mapas: {reason}</translation>
   </message>
   <message>
+   <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
+
+All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
+   <translation>Actualiza una base de datos de referencia después de corregir su mapa de etiquetas: el mismo resultado que crearla de nuevo, pero solo se rehacen las ventanas y los hitos a los que llegan las correcciones.
+
+Todos los ajustes vienen de la base de datos. Lo que no cambió conserva su fila y su fid; los hitos nuevos se añaden al final. El mapa de etiquetas debe tener los píxeles, el SRC y las clases del anterior.</translation>
+  </message>
+  <message>
    <source>Build reference database</source>
    <translation>Crear base de datos de referencia</translation>
   </message>
@@ -242,6 +250,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Canceling…</source>
    <translation>Cancelando…</translation>
+  </message>
+  <message>
+   <source>Changed areas</source>
+   <translation>Áreas modificadas</translation>
   </message>
   <message>
    <source>Changes</source>
@@ -386,6 +398,10 @@ Las clases se emparejan por nombre, o por valor si los mapas no comparten nombre
   <message>
    <source>Correct</source>
    <translation>Corregir</translation>
+  </message>
+  <message>
+   <source>Corrected label map</source>
+   <translation>Mapa de etiquetas corregido</translation>
   </message>
   <message>
    <source>Corrected places</source>
@@ -652,6 +668,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>GeoPackage (*.gpkg)</translation>
   </message>
   <message>
+   <source>GeoPackage made by “Build reference database” or by this algorithm.</source>
+   <translation>GeoPackage creado por «Crear base de datos de referencia» o por este algoritmo.</translation>
+  </message>
+  <message>
    <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
    <translation>GeoTIFF, 8 bits por píxel, en la cuadrícula de la imagen.</translation>
   </message>
@@ -758,6 +778,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
    <translation>No se puede alcanzar a {speed:g} unidades del mapa por segundo desde las posiciones encontradas antes y después de ella.</translation>
+  </message>
+  <message>
+   <source>It may be the database itself, which is then replaced when the update is complete.</source>
+   <translation>Puede ser la propia base de datos, que entonces se reemplaza cuando la actualización está completa.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -878,6 +902,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>Buscando el Python de QGIS…</translation>
+  </message>
+  <message>
+   <source>Looking for changes</source>
+   <translation>Buscando cambios</translation>
   </message>
   <message>
    <source>Looking for gaps and slivers</source>
@@ -1170,6 +1198,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
    <translation>Polígonos de cobertura del suelo. Pueden superponerse, ser multiparte, no válidos o tridimensionales.</translation>
+  </message>
+  <message>
+   <source>Polygons that hold everything that was changed, such as the corrected issues: the map is read around them only, and changes outside their bounding boxes are missed. If left out, the whole map is compared with the database, which takes longer.</source>
+   <translation>Polígonos que contienen todo lo que se modificó, por ejemplo los problemas corregidos: el mapa solo se lee alrededor de ellos, y los cambios fuera de sus rectángulos envolventes pasan inadvertidos. Sin ellos se compara todo el mapa con la base de datos, lo que tarda más.</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -1648,6 +1680,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El paso ({stride:g}) es mayor que la ventana ({size:g}), así que faltaría terreno entre las ventanas; elija un paso no mayor que el tamaño de ventana.</translation>
   </message>
   <message>
+   <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
+   <translation>Toda el área, rasterizada con el tamaño de píxel y la extensión del mapa de etiquetas anterior.</translation>
+  </message>
+  <message>
    <source>There is no database {path}; choose another file.</source>
    <translation>No hay ninguna base de datos {path}; elija otro archivo.</translation>
   </message>
@@ -1728,8 +1764,16 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Coincidencia no verificada</translation>
   </message>
   <message>
+   <source>Update reference database</source>
+   <translation>Actualizar base de datos de referencia</translation>
+  </message>
+  <message>
    <source>Update the database…</source>
    <translation>Actualizar la base de datos…</translation>
+  </message>
+  <message>
+   <source>Updated database</source>
+   <translation>Base de datos actualizada</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -2218,6 +2262,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} no indica ninguna distancia focal, así que la imagen se toma tal cual.</translation>
+  </message>
+  <message>
+   <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>
+   <translation>{touched} de {windows} ventanas modificadas; {removed} hitos eliminados, {added} añadidos.</translation>
   </message>
   <message>
    <source>{training} tiles to train on, {validation} to validate on</source>

@@ -180,6 +180,14 @@
    <translation>Automatique n’utilise que la constellation, sans corrélation de cartes : {reason}</translation>
   </message>
   <message>
+   <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
+
+All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
+   <translation>Met à jour une base de données de référence après correction de sa carte d’étiquettes : le même résultat qu’une nouvelle création, mais seuls les fenêtres et les repères visuels touchés par les corrections sont refaits.
+
+Tous les réglages viennent de la base de données. Ce qui n’a pas changé garde sa ligne et son fid ; les nouveaux repères visuels sont ajoutés à la fin. La carte d’étiquettes doit avoir les pixels, le SCR et les classes de l’ancienne.</translation>
+  </message>
+  <message>
    <source>Build reference database</source>
    <translation>Créer une base de données de référence</translation>
   </message>
@@ -242,6 +250,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Canceling…</source>
    <translation>Annulation…</translation>
+  </message>
+  <message>
+   <source>Changed areas</source>
+   <translation>Zones modifiées</translation>
   </message>
   <message>
    <source>Changes</source>
@@ -386,6 +398,10 @@ Les classes sont associées par leur nom, ou par leur valeur si les cartes n’o
   <message>
    <source>Correct</source>
    <translation>Corriger</translation>
+  </message>
+  <message>
+   <source>Corrected label map</source>
+   <translation>Carte d’étiquettes corrigée</translation>
   </message>
   <message>
    <source>Corrected places</source>
@@ -652,6 +668,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>GeoPackage (*.gpkg)</translation>
   </message>
   <message>
+   <source>GeoPackage made by “Build reference database” or by this algorithm.</source>
+   <translation>GeoPackage produit par « Créer une base de données de référence » ou par cet algorithme.</translation>
+  </message>
+  <message>
    <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
    <translation>GeoTIFF, 8 bits par pixel, sur la grille de l’image.</translation>
   </message>
@@ -758,6 +778,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
    <translation>Elle ne peut pas être atteinte à {speed:g} unités de carte par seconde depuis les positions trouvées avant et après elle.</translation>
+  </message>
+  <message>
+   <source>It may be the database itself, which is then replaced when the update is complete.</source>
+   <translation>Ce peut être la base de données elle-même, qui est alors remplacée une fois la mise à jour terminée.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -878,6 +902,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>Recherche du Python de QGIS…</translation>
+  </message>
+  <message>
+   <source>Looking for changes</source>
+   <translation>Recherche des modifications</translation>
   </message>
   <message>
    <source>Looking for gaps and slivers</source>
@@ -1170,6 +1198,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
    <translation>Polygones d’occupation du sol. Ils peuvent se superposer, être multiparties, invalides ou en trois dimensions.</translation>
+  </message>
+  <message>
+   <source>Polygons that hold everything that was changed, such as the corrected issues: the map is read around them only, and changes outside their bounding boxes are missed. If left out, the whole map is compared with the database, which takes longer.</source>
+   <translation>Polygones contenant tout ce qui a été modifié, par exemple les problèmes corrigés : la carte n’est lue qu’autour d’eux, et les modifications hors de leurs rectangles englobants sont manquées. Sans eux, toute la carte est comparée à la base de données, ce qui prend plus de temps.</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -1648,6 +1680,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le pas ({stride:g}) est plus grand que la fenêtre ({size:g}), du terrain manquerait donc entre les fenêtres ; choisissez un pas au plus égal à la taille de fenêtre.</translation>
   </message>
   <message>
+   <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
+   <translation>La zone entière, rastérisée avec la taille de pixel et l’emprise de l’ancienne carte d’étiquettes.</translation>
+  </message>
+  <message>
    <source>There is no database {path}; choose another file.</source>
    <translation>Il n’y a pas de base de données {path} ; choisissez un autre fichier.</translation>
   </message>
@@ -1728,8 +1764,16 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Correspondance non vérifiée</translation>
   </message>
   <message>
+   <source>Update reference database</source>
+   <translation>Mettre à jour une base de données de référence</translation>
+  </message>
+  <message>
    <source>Update the database…</source>
    <translation>Mettre à jour la base de données…</translation>
+  </message>
+  <message>
+   <source>Updated database</source>
+   <translation>Base de données mise à jour</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -2218,6 +2262,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} n’indique pas de focale, l’image est donc prise telle quelle.</translation>
+  </message>
+  <message>
+   <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>
+   <translation>{touched} fenêtres sur {windows} modifiées ; {removed} repères visuels supprimés, {added} ajoutés.</translation>
   </message>
   <message>
    <source>{training} tiles to train on, {validation} to validate on</source>

@@ -180,6 +180,14 @@
    <translation>自动只使用星座匹配，不使用地图相关：{reason}</translation>
   </message>
   <message>
+   <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
+
+All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
+   <translation>在标签图被更正后更新参考数据库：结果与重新构建相同，但只处理更正所涉及的窗口和地标。
+
+所有设置都取自数据库。未改变的内容保留其行和 fid；新地标添加在末尾。标签图的像素、坐标参考系和类别必须与旧图一致。</translation>
+  </message>
+  <message>
    <source>Build reference database</source>
    <translation>构建参考数据库</translation>
   </message>
@@ -242,6 +250,10 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Canceling…</source>
    <translation>正在取消…</translation>
+  </message>
+  <message>
+   <source>Changed areas</source>
+   <translation>更改区域</translation>
   </message>
   <message>
    <source>Changes</source>
@@ -386,6 +398,10 @@ Classes are matched by name, or by value where the maps share no names. Maps of 
   <message>
    <source>Correct</source>
    <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Corrected label map</source>
+   <translation>更正后的标签图</translation>
   </message>
   <message>
    <source>Corrected places</source>
@@ -652,6 +668,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>GeoPackage (*.gpkg)</translation>
   </message>
   <message>
+   <source>GeoPackage made by “Build reference database” or by this algorithm.</source>
+   <translation>由“构建参考数据库”或本算法生成的 GeoPackage。</translation>
+  </message>
+  <message>
    <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
    <translation>GeoTIFF，每像元 8 位，采用影像的格网。</translation>
   </message>
@@ -758,6 +778,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
    <translation>以每秒 {speed:g} 地图单位的速度，无法从前后的定位结果到达该处。</translation>
+  </message>
+  <message>
+   <source>It may be the database itself, which is then replaced when the update is complete.</source>
+   <translation>可以是该数据库本身，更新完成后即被替换。</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -878,6 +902,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>正在查找 QGIS 的 Python…</translation>
+  </message>
+  <message>
+   <source>Looking for changes</source>
+   <translation>正在查找更改</translation>
   </message>
   <message>
    <source>Looking for gaps and slivers</source>
@@ -1170,6 +1198,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
    <translation>土地覆盖多边形。可以重叠、为多部件、无效或三维。</translation>
+  </message>
+  <message>
+   <source>Polygons that hold everything that was changed, such as the corrected issues: the map is read around them only, and changes outside their bounding boxes are missed. If left out, the whole map is compared with the database, which takes longer.</source>
+   <translation>包含所有更改内容的多边形，例如已更正的问题：只读取它们周围的地图，其外接矩形之外的更改会被遗漏。若留空，则将整幅地图与数据库比较，耗时更长。</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -1648,6 +1680,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>步长（{stride:g}）大于窗口（{size:g}），窗口之间的地面会被遗漏；请使步长不超过窗口大小。</translation>
   </message>
   <message>
+   <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
+   <translation>整个区域，按旧标签图的像素大小和范围栅格化。</translation>
+  </message>
+  <message>
    <source>There is no database {path}; choose another file.</source>
    <translation>没有数据库 {path}；请选择其他文件。</translation>
   </message>
@@ -1728,8 +1764,16 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>未验证的匹配</translation>
   </message>
   <message>
+   <source>Update reference database</source>
+   <translation>更新参考数据库</translation>
+  </message>
+  <message>
    <source>Update the database…</source>
    <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Updated database</source>
+   <translation>更新后的数据库</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -2218,6 +2262,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} 未给出焦距，因此影像按原样处理。</translation>
+  </message>
+  <message>
+   <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>
+   <translation>{windows} 个窗口中有 {touched} 个改变；删除 {removed} 个地标，添加 {added} 个。</translation>
   </message>
   <message>
    <source>{training} tiles to train on, {validation} to validate on</source>
