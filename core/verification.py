@@ -17,6 +17,9 @@ VISIBILITY = 0.5
 """Share of the map's objects in view that is expected to be found in the image."""
 
 AREA_DEVIATION = 0.2
+SMALLER_IN_NOISE = 2.0
+"""An object of the map may look smaller than the smallest of the catalogue by so many deviations."""
+
 AREA_OUTLIERS = 0.15
 AREA_OUTLIER_DEVIATION = 1.0
 """ln area in image against map: a normal distribution, and a wide one for objects that are merged or split."""
@@ -209,12 +212,12 @@ def weigh(verifier: Verifier, query: Query, pose: Pose, factor: float) -> Eviden
     deviations = factor * deviations
     objects = np.where(_one_to_one(distances, objects), objects, -1)
     terms = match_terms(verifier, query, distances, objects, deviations, log_sizes)
-    # Smaller than anything on the map: neither for nor against.
-    possible = query.log_areas + 2 * log_sizes >= np.log(max(index.minimum_area_m2, 1e-12))
-    matched = np.flatnonzero((objects >= 0) & (distances <= GATE_IN_NOISE * deviations))
-    hit = np.zeros(len(query.points), bool)
-    hit[matched] = True
-    terms = np.where(possible | hit, terms, 0)
+    # Smaller than anything on the map, more than area noise explains: neither for nor against. Were those that match
+    # for it, a pose at which hardly anything is large enough would have nothing against it.
+    smallest = np.log(max(index.minimum_area_m2, 1e-12)) - SMALLER_IN_NOISE * AREA_DEVIATION
+    possible = query.log_areas + 2 * log_sizes >= smallest
+    matched = np.flatnonzero(possible & (objects >= 0) & (distances <= GATE_IN_NOISE * deviations))
+    terms = np.where(possible, terms, 0)
     missing = len(np.setdiff1d(expected_objects(verifier, query, pose), objects[matched]))
     assumed = ASSUMED_OBJECTS if pose.is_level else ASSUMED_OBJECTS_TILTED
     assumed *= max(float(terms[matched].mean()), 0) if len(matched) else 0

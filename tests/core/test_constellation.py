@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from semref.core.constellation import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, localize
+from semref.core.constellation import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, localize, make_query
 from semref.core.constellation_index import build_index
 from semref.core.database import MapReferences
 from semref.core.hypotheses import Prior
@@ -13,7 +13,7 @@ from semref.core.label_source import ArrayLabels
 from semref.core.pose import Pose, fit_similarity, pose_uncertainty, tilted_uncertainty
 from semref.core.reference_objects import ReferenceObjects, extract_reference_objects
 from semref.core.trials import ObjectNoise, View, cut_view, spoil_objects
-from semref.core.verification import noise_factor
+from semref.core.verification import Verifier, noise_factor, weigh
 
 SIZE = 640
 CLASSES = (1, 2, 3)
@@ -104,6 +104,18 @@ def test_an_empty_catalogue_gives_no_fix(ground):
     empty = MapReferences(np.empty((0, 2)), np.empty(0, np.uint8), np.empty(0), np.empty(0, bool))
     result = localize(ground.see(seen_from(1500, 1500)), SIZE, SIZE, build_index(empty, 1.0), PRIOR)
     assert result.status != FIX
+
+
+@pytest.mark.parametrize(("share", "counts"), [(1.0, True), (0.1, False)])
+def test_objects_smaller_than_any_of_the_catalogue_are_no_evidence(ground, share, counts):
+    view = seen_from(1500, 1500)
+    right = ground.see(view)
+    small = dataclasses.replace(right, areas_px=share * ground.index.minimum_area_m2 * np.ones(len(right)))
+    query = make_query(small, ground.index, SIZE, SIZE)
+    center = complex(view.column, -view.row) + complex(*ORIGIN) - ground.index.origin
+    evidence = weigh(Verifier(ground.index, SIZE, SIZE, 1.0), query, Pose(center, 1 + 0j), 1.0)
+    assert (len(evidence.matched) > 0, evidence.considered > 0) == (counts, counts)
+    assert counts or evidence.log_odds <= 0
 
 
 @pytest.mark.parametrize("heading", [0.0, 33.3, 90.0, 201.7, 359.0])
