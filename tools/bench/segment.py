@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import sys
 import time
 from pathlib import Path
 
@@ -13,24 +11,20 @@ from bench import child, inputs, page, plugin, timing
 
 PAGE = "benchmarks.md"
 GOAL_RATIO, GOAL_BYTES = 0.9, 2e9
-TILE, OVERLAP, CLASSES = 512, 20, 6
+MODEL = inputs.TOOLS.parent / "models" / "sample_area.onnx"
 EDGE, QUICK_EDGE = 4_000, 1_200
 LARGE_EDGE, QUICK_LARGE_EDGE = 30_000, 4_000
-WIDTHS = (32, 64, 128, 128, 128)
-"""Channels of the network's convolutions; the first three halve the image: 1.9 G multiplications a tile, as light
-networks of this kind have."""
-
-PIXEL_SIZE = 0.25
+PIXEL_SIZE = 1.0
+"""The model's, so that nothing is resampled."""
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
     folder = run.work / "segment"
     folder.mkdir(exist_ok=True)
-    model = write_network(folder / "network.onnx")
     edge = QUICK_EDGE if run.quick else EDGE
     image = write_photo(folder / f"photo_{edge}.tif", edge)
-    parameters = {"INPUT": str(image), "MODEL": str(model), "OUTPUT": str(folder / "labels.tif")}
-    tiles, bare = bare_runner(model, image)
+    parameters = {"INPUT": str(image), "MODEL": str(MODEL), "OUTPUT": str(folder / "labels.tif")}
+    tiles, bare = bare_runner(image)
     candidates = {
         "segmentimage": lambda: ignore(plugin.run_algorithm("segmentimage", parameters)),
         "onnxruntime": bare,
@@ -43,18 +37,18 @@ def measure(run: inputs.Run) -> dict[str, str]:
     wide = write_large(folder / "large.vrt", image, edge, large)
     found = child.run_in_child("segmentimage", {**parameters, "INPUT": str(wide)})
     text = _ABOUT.format(
-        tile=TILE, overlap=OVERLAP, edge=edge, tiles=tiles, table=page.table(["", "tiles a second"], rows),
+        edge=edge, tiles=tiles, table=page.table(["", "tiles a second"], rows),
         ratio=ratio.text(), goal=GOAL_RATIO, large=large, peak=page.size(found["peak_bytes"]),
         goal_bytes=page.size(GOAL_BYTES), seconds=found["seconds"], start=page.size(child.run_in_child()["peak_bytes"]),
-        classes=CLASSES, version=onnxruntime_version(), threads=threads(),
+        version=onnxruntime_version(), threads=threads(),
     )  # fmt: skip
     return {"segment": text}
 
 
 _ABOUT = """\
 `semref:segmentimage` (reading a GeoTIFF, blending, writing the label map) against onnxruntime {version} alone on the
-same {tiles} tiles, ready in memory: image of {edge:,} × {edge:,} pixels, tiles of {tile} px, {overlap} % overlap,
-{classes} classes, {threads} threads, a convolutional network of random weights with 1.9 G multiplications a tile.
+same {tiles} tiles, ready in memory: image of {edge:,} × {edge:,} pixels, {threads} threads, the model that ships
+(`models/sample_area.onnx`) with its own tiles and overlap.
 
 {table}
 
@@ -64,7 +58,7 @@ Peak memory (RSS, QGIS and libraries included) on an orthophoto of {large:,} × 
 own: **{peak}** (goal: ≤ {goal_bytes}; QGIS started and stopped: {start}); {seconds:.0f} s, once, for information."""
 
 
-def bare_runner(model: Path, image: Path):
+def bare_runner(image: Path):
     """(number of tiles, function that runs onnxruntime on them and returns its seconds)."""
     import onnxruntime
 
@@ -72,46 +66,24 @@ def bare_runner(model: Path, image: Path):
 
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = threads()
-    session = onnxruntime.InferenceSession(str(model), options, providers=["CPUExecutionProvider"])
+    session = onnxruntime.InferenceSession(str(MODEL), options, providers=["CPUExecutionProvider"])
+    settings = session.get_modelmeta().custom_metadata_map
+    tile_px, overlap = int(settings["tile_size"]), float(settings["tiles_overlap"]) / 100
+    name = session.get_inputs()[0].name
     pixels = np.ascontiguousarray(inputs.read_labels(image).astype(np.float32) / 255)
-    starts = tile_starts(pixels.shape[1], TILE, OVERLAP / 100)
+    starts = tile_starts(pixels.shape[1], tile_px, overlap)
     places = [(row, column) for row in starts for column in starts]
 
     def run() -> float:
         seconds = 0.0
         for row, column in places:
-            tile = np.ascontiguousarray(pixels[None, :, row : row + TILE, column : column + TILE])
+            tile = np.ascontiguousarray(pixels[None, :, row : row + tile_px, column : column + tile_px])
             begin = time.perf_counter()
-            session.run(None, {"image": tile})
+            session.run(None, {name: tile})
             seconds += time.perf_counter() - begin
         return seconds
 
     return len(places), run
-
-
-def write_network(path: Path) -> Path:
-    """Convolutions down to an eighth, then back to full size, as light segmentation networks do; random weights."""
-    sys.path.append(str(inputs.TOOLS))
-    import onnx_writer
-
-    random = np.random.default_rng(1)
-    network, channels = onnx_writer.Network(), 3
-    for n, width in enumerate((*WIDTHS, CLASSES)):
-        kernels = random.normal(0, 1 / np.sqrt(9 * channels), (width, channels, 3, 3))
-        network.convolution(kernels, np.zeros(width), stride=2 if n < 3 else 1)
-        channels = width
-        if width != CLASSES:
-            network.add("Relu")
-    scales = network.weight("scales", np.array([1, 1, 8, 8], np.float32))
-    network.add("Resize", network.last, "", scales, mode="linear")
-    metadata = {
-        "class_names": json.dumps({str(n): f"class {n}" for n in range(CLASSES)}),
-        "tile_size": str(TILE),
-        "tiles_overlap": str(OVERLAP),
-    }
-    free = ("height", "width")
-    path.write_bytes(onnx_writer.model_bytes(network, (1, 3, *free), (1, CLASSES, *free), metadata))
-    return path
 
 
 def write_photo(path: Path, edge: int) -> Path:
