@@ -5,7 +5,7 @@
   <name>SemRef</name>
   <message>
    <source>%v of %m done</source>
-   <translation type="unfinished" />
+   <translation>已完成 %v / %m</translation>
   </message>
   <message>
    <source>2 % of the ground’s edge</source>
@@ -125,7 +125,7 @@
   </message>
   <message>
    <source>Annotated</source>
-   <translation type="unfinished" />
+   <translation>标注类别</translation>
   </message>
   <message>
    <source>Annotated label map</source>
@@ -161,7 +161,7 @@
   </message>
   <message>
    <source>Area</source>
-   <translation type="unfinished" />
+   <translation>面积</translation>
   </message>
   <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
@@ -293,7 +293,7 @@ Classes come from the class table, else from the layer’s categorized style, el
   </message>
   <message>
    <source>Choose a layer of issues or disagreements</source>
-   <translation type="unfinished" />
+   <translation>选择问题图层或不一致图层</translation>
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -397,7 +397,7 @@ Classes are matched by name, or by value where the maps share no names. Maps of 
   </message>
   <message>
    <source>Correct</source>
-   <translation type="unfinished" />
+   <translation>修正</translation>
   </message>
   <message>
    <source>Corrected label map</source>
@@ -405,7 +405,7 @@ Classes are matched by name, or by value where the maps share no names. Maps of 
   </message>
   <message>
    <source>Corrected places</source>
-   <translation type="unfinished" />
+   <translation>已修正的位置</translation>
   </message>
   <message>
    <source>Counting labels</source>
@@ -465,7 +465,7 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   </message>
   <message>
    <source>Done, next</source>
-   <translation type="unfinished" />
+   <translation>完成，下一处</translation>
   </message>
   <message>
    <source>Draw on the map where the images are known to be: press at the middle and drag</source>
@@ -793,7 +793,7 @@ Every image gives one point; without a fix it has no geometry and its reason say
   </message>
   <message>
    <source>Kind</source>
-   <translation type="unfinished" />
+   <translation>类型</translation>
   </message>
   <message>
    <source>Label image</source>
@@ -933,7 +933,7 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   </message>
   <message>
    <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
-   <translation type="unfinished" />
+   <translation>将此处标记为已完成，并转到下一处未完成的位置（Ctrl+D）</translation>
   </message>
   <message>
    <source>Maximum speed (map units per second)</source>
@@ -953,7 +953,7 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   </message>
   <message>
    <source>Message</source>
-   <translation type="unfinished" />
+   <translation>说明</translation>
   </message>
   <message>
    <source>Method</source>
@@ -1013,7 +1013,7 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   </message>
   <message>
    <source>Next place</source>
-   <translation type="unfinished" />
+   <translation>下一处</translation>
   </message>
   <message>
    <source>Next window</source>
@@ -1029,7 +1029,7 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   </message>
   <message>
    <source>No place to look at.</source>
-   <translation type="unfinished" />
+   <translation>没有要查看的位置。</translation>
   </message>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
@@ -1125,7 +1125,7 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   </message>
   <message>
    <source>Only what is open</source>
-   <translation type="unfinished" />
+   <translation>仅未完成</translation>
   </message>
   <message>
    <source>Only with an approximate heading: other headings are not searched.</source>
@@ -1141,7 +1141,7 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   </message>
   <message>
    <source>Opens “Update reference database” with the places that are done</source>
-   <translation type="unfinished" />
+   <translation>打开“更新参考数据库”，并带上已完成的位置</translation>
   </message>
   <message>
    <source>Outlining the disagreements</source>
@@ -1189,7 +1189,7 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   </message>
   <message>
    <source>Place before</source>
-   <translation type="unfinished" />
+   <translation>上一处</translation>
   </message>
   <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
@@ -1213,7 +1213,7 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   </message>
   <message>
    <source>Predicted</source>
-   <translation type="unfinished" />
+   <translation>预测类别</translation>
   </message>
   <message>
    <source>Predicted label map</source>
@@ -1657,7 +1657,7 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   </message>
   <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
-   <translation type="unfinished" />
+   <translation>“检查标注”或“比较标签图”的结果</translation>
   </message>
   <message>
    <source>The same windows, turned about their centers.</source>
@@ -1769,7 +1769,7 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   </message>
   <message>
    <source>Update the database…</source>
-   <translation type="unfinished" />
+   <translation>更新数据库…</translation>
   </message>
   <message>
    <source>Updated database</source>
