@@ -9,6 +9,16 @@ from .class_table import UNLABELED, ClassTable
 from .errors import ClassTableError
 
 
+def decode_colors(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
+    """THE choice between the two decodings: HSV ranges when the table has them, else nearest colour.
+
+    ``image_bgr``: (H, W, 3) uint8, blue first. Returns (H, W) uint8.
+    """
+    if any(c.hsv_min is not None for c in table):
+        return decode_by_hsv(image_bgr, table)
+    return decode_by_nearest_color(image_bgr, table)
+
+
 def decode_by_hsv(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
     """Labels by each class's HSV range, as published; where ranges overlap the first class by value wins.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional
+from typing import Optional, Tuple
 
 import numpy as np
 
@@ -85,6 +85,12 @@ class BuildParameters:
                 f"The database has format version {self.format_version}, newer than this SemRef reads "
                 f"({FORMAT_VERSION}); update the plugin."
             )
+
+    @property
+    def extent(self) -> Tuple[float, float, float, float]:
+        """(x_min, y_min, x_max, y_max) of the label map."""
+        x0, pixel, _, y0, _, _ = self.geotransform
+        return x0, y0 - pixel * self.map_height_px, x0 + pixel * self.map_width_px, y0
 
 
 @dataclass(frozen=True)

@@ -97,39 +97,14 @@ def row(item) -> dict:
     result = item.result
     if result is None:
         return {"image": item.path, "status": ERROR, "reason": item.error}
+    from ..core.fix_record import record
+
     return {
         "image": item.path,
-        "status": result.status,
-        "x": result.position and result.position[0],
-        "y": result.position and result.position[1],
-        "heading": result.heading_deg,
-        "pixel_size": result.pixel_size_m,
-        "confidence": result.confidence,
-        "distance": result.distance,
-        "inliers": result.inliers,
-        "references": result.references,
-        "log_odds": result.log_odds,
-        "error_95": result.error_95_m,
-        "window": result.window,
-        "method": result.method,
-        "reason": result.reason,
+        **record(result),
         "camera_x": item.nadir and item.nadir[0],
         "camera_y": item.nadir and item.nadir[1],
         "jump": item.jump,
-        **_deviations(result),
-    }
-
-
-def _deviations(result) -> dict:
-    """What the constellation tells of a fix's accuracy beside ``error_95``, the longer half axis of its ellipse."""
-    if result.position is None or result.uncertainty is None:
-        return {}
-    found = result.uncertainty
-    return {
-        "error_95_minor": found.semi_minor,
-        "error_95_direction": found.orientation_deg,
-        "heading_deviation": found.heading_deviation_deg,
-        "pixel_size_deviation": found.pixel_size_deviation,
     }
 
 

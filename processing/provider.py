@@ -14,6 +14,7 @@ from .compare_labels import CompareLabels
 from .decode_color_labels import DecodeColorLabels
 from .describe_image import DescribeImage
 from .evaluate_localization import EvaluateLocalization
+from .export_onboard import ExportOnboard
 from .export_training_tiles import ExportTrainingTiles
 from .localize_images import LocalizeImages
 from .rasterize_annotation import RasterizeAnnotation
@@ -35,6 +36,7 @@ ALGORITHMS = (
     SegmentImage,
     BuildDatabase,
     UpdateDatabase,
+    ExportOnboard,
     DescribeImage,
     LocalizeImages,
     EvaluateLocalization,

@@ -16,17 +16,15 @@ from qgis.core import (
 
 from ...core.build import MapFrame
 from ...core.class_table import ClassTable, LandCoverClass, class_table_from_csv, class_table_from_values, default_color
-from ...core.color_labels import decode_by_hsv, decode_by_nearest_color
+from ...core.color_labels import decode_colors
 from ...core.errors import ClassTableError, LabelMapError
+from ...core.image_files import MAXIMUM_IMAGE_PIXELS
 from ...core.label_counts import count_labels
 from ...core.label_source import ArrayLabels, LabelSource
 from ..compat import is_metric, wkt_for_gdal
 from .gdal_errors import gdal_failure
 from .label_map_file import CLASS_TABLE_ITEM
 from .reference_systems import describe_crs
-
-MAXIMUM_IMAGE_PIXELS = 400_000_000
-"""A query image is held in memory; larger ones are refused."""
 
 HELD_PIXELS = 400_000_000
 """A label map up to this size is held in memory while a database is built; a larger one is read piece by piece."""
@@ -238,13 +236,6 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     if dataset.RasterCount == 1:
         return GdalLabels(path).read(0, 0, width, height)
     return decode_colors(read_bgr(dataset, path, 0, height), table)
-
-
-def decode_colors(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
-    """THE choice between the two decodings: HSV ranges when the table has them, else nearest colour."""
-    if any(c.hsv_min is not None for c in table):
-        return decode_by_hsv(image_bgr, table)
-    return decode_by_nearest_color(image_bgr, table)
 
 
 def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Tuple
+from typing import Optional, Tuple
 
 import numpy as np
 from qgis.core import (
@@ -15,6 +15,7 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ...core.lon_lat import LonLatPolynomial, fit_lon_lat
 from ..compat import is_metric
 
 WGS84 = "EPSG:4326"
@@ -86,3 +87,15 @@ def longitudes_latitudes(
         return nowhere, nowhere.copy()
     moved = [transform.transform(QgsPointXY(x, y)) for x, y in np.asarray(points).tolist()]
     return np.array([p.x() for p in moved]), np.array([p.y() for p in moved])
+
+
+def fitted_lon_lat(
+    extent: Tuple[float, float, float, float],
+    crs: QgsCoordinateReferenceSystem,
+    transform_context: QgsCoordinateTransformContext,
+) -> Optional[LonLatPolynomial]:
+    """Longitude and latitude over ``extent`` (x_min, y_min, x_max, y_max) as polynomials; None where that can't be."""
+    try:
+        return fit_lon_lat(lambda points: longitudes_latitudes(points, crs, transform_context), extent)
+    except QgsCsException:
+        return None

@@ -44,6 +44,7 @@ PARAMETERS = {
         "DATABASE WINDOW_COUNT REFERENCE_COUNT",
     ),
     "updatedatabase": ("referencedatabase", "DATABASE LABELS [CHANGED] OUTPUT", "OUTPUT"),
+    "exportonboard": ("referencedatabase", "DATABASE [CLIP] DISTANCE OVERVIEW OUTPUT", "OUTPUT BYTES"),
     "describeimage": (
         "localization",
         "INPUT [DATABASE] REFERENCES [VECTOR]",

@@ -1,0 +1,261 @@
+"""semref:exportonboard: a file that localises as the database does, and never silently takes another's place."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingException
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_layer, write_raster
+
+EXPORT, LOCALIZE = "semref:exportonboard", "semref:localizeimages"
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+LABELS = scattered_objects(600, 700, 420, seed=11)
+
+
+@pytest.fixture(scope="module")
+def database(run_algorithm, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("area")
+    parameters = {
+        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
+        "REFERENCE_CLASSES": "building;water;bare_land",
+        "WINDOW_SIZE": 200,
+        "STRIDE": 100,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+
+
+@pytest.fixture
+def export(run_algorithm, database, tmp_path, feedback):
+    def run(**parameters):
+        defaults = {"DATABASE": database, "OUTPUT": str(tmp_path / "area.npz")}
+        return run_algorithm(EXPORT, {**defaults, **parameters}, feedback)
+
+    return run
+
+
+def whole(path):
+    from semref.processing.exchange.geopackage import read_database
+
+    return read_database(path, with_overview=True)
+
+
+def onboard(path):
+    from semref.core.onboard_file import read_onboard
+
+    return read_onboard(path)
+
+
+def test_the_file_holds_the_database_as_exactly_as_it_says(export, database, feedback):
+    results = export()
+    found, expected = onboard(results["OUTPUT"]), whole(database)
+    assert results["BYTES"] == Path(results["OUTPUT"]).stat().st_size == found.size_bytes
+    assert found.database.parameters == expected.parameters
+    assert found.database.class_table == expected.class_table
+    np.testing.assert_array_equal(found.database.windows.names, expected.windows.names)
+    np.testing.assert_array_equal(found.database.windows.centers, expected.windows.centers)
+    np.testing.assert_array_equal(found.database.overview, expected.overview)
+    worst = np.abs(found.database.references.positions - expected.references.positions).max()
+    assert worst <= found.position_error * 1.0001 == pytest.approx(0.01, rel=1e-3)
+    assert "positions by 0.01 map units at most" in feedback.textLog()
+
+
+def test_precision_is_in_map_units_and_may_be_text(export):
+    assert onboard(export(PRECISION="0.25")["OUTPUT"]).position_error == 0.25
+
+
+def test_the_overview_may_be_left_out(export, tmp_path):
+    sizes = [export(OVERVIEW=wanted, OUTPUT=str(tmp_path / f"{wanted}.npz"))["BYTES"] for wanted in (True, False)]
+    assert sizes[1] < sizes[0]
+    assert onboard(str(tmp_path / "False.npz")).database.overview is None
+
+
+def test_longitude_and_latitude_are_proj_s(export):
+    from semref.processing.exchange.reference_systems import longitudes_latitudes
+
+    found = onboard(export()["OUTPUT"])
+    x0, y0, x1, y1 = found.database.parameters.extent
+    points = np.random.default_rng(1).uniform((x0, y0), (x1, y1), (300, 2))
+    crs = QgsCoordinateReferenceSystem("EPSG:32632")
+    longitudes, latitudes = longitudes_latitudes(points, crs, QgsCoordinateTransformContext())
+    lon, lat = found.lon_lat(points)
+    assert found.lon_lat.error_m <= 0.01
+    east = (lon - longitudes) * 111320 * np.cos(np.radians(latitudes))
+    assert np.hypot(east, (lat - latitudes) * 111320).max() <= 1.1 * found.lon_lat.error_m + 1e-6
+
+
+@pytest.mark.parametrize(
+    ("epsg", "extent", "least"),
+    [
+        (32632, (530_000, 5_200_000, 560_000, 5_240_000), 0.01),
+        (2193, (1_500_000, 5_100_000, 1_900_000, 5_500_000), 0.01),
+        (3035, (4_000_000, 2_500_000, 4_900_000, 3_500_000), 0.05),
+        (3832, (100_000, -300_000, 400_000, 300_000), 0.01),
+    ],
+)
+def test_maps_of_countries_keep_to_centimeters(qgis_app, epsg, extent, least):
+    from semref.processing.exchange.reference_systems import fitted_lon_lat
+
+    crs = QgsCoordinateReferenceSystem(f"EPSG:{epsg}")
+    assert fitted_lon_lat(extent, crs, QgsCoordinateTransformContext()).error_m <= least
+
+
+# --- part of the map ---
+
+
+def test_only_the_corridor_along_a_route_is_exported(export, tmp_path, feedback):
+    wkt = f"LINESTRING ({WEST + 100} {NORTH - 100}, {WEST + 600} {NORTH - 100})"
+    route = str(write_layer(tmp_path / "route.gpkg", [(wkt, "a")]))
+    found = onboard(export(CLIP=route, DISTANCE=60)["OUTPUT"]).database
+    rows = NORTH - found.references.positions[:, 1]
+    assert len(rows) > 20 and 36 <= rows.min() and rows.max() <= 164
+    np.testing.assert_array_equal(np.flatnonzero(found.overview.any(axis=1))[[0, -1]], [10, 40])
+    assert "landmarks and" in feedback.textLog()
+
+
+def test_a_polygon_in_another_crs_is_brought_to_the_map(export, tmp_path):
+    from semref.processing.exchange.reference_systems import longitudes_latitudes
+
+    corners = [(WEST + x, NORTH - y) for x, y in ((100, 100), (400, 100), (400, 400), (100, 400))]
+    crs = QgsCoordinateReferenceSystem("EPSG:32632")
+    degrees = np.column_stack(longitudes_latitudes(np.array(corners), crs, QgsCoordinateTransformContext())).tolist()
+    text = ", ".join(f"{x:.9f} {y:.9f}" for x, y in [*degrees, degrees[0]])
+    area = str(write_layer(tmp_path / "area.gpkg", [(f"POLYGON (({text}))", "a")], crs=4326))
+    positions = onboard(export(CLIP=area)["OUTPUT"]).database.references.positions
+    assert (np.abs(positions - (WEST + 250, NORTH - 250)) <= 154).all()
+    assert len(positions) > 50
+
+
+@pytest.mark.parametrize("parameters", [{}, {"DISTANCE": 10}])
+def test_an_area_elsewhere_is_refused(export, tmp_path, parameters):
+    layer = str(write_layer(tmp_path / "far.gpkg", [(f"POINT ({WEST - 9000} {NORTH})", "a")]))
+    with pytest.raises(QgsProcessingException, match="outside the database’s map"):
+        export(CLIP=layer, **parameters)
+    assert not (tmp_path / "area.npz").exists()
+
+
+# --- what stands there already ---
+
+
+def test_an_older_onboard_file_is_replaced_which_is_said(export, feedback):
+    path = Path(export()["OUTPUT"])
+    before = path.read_bytes()
+    assert "is replaced" not in feedback.textLog()
+    export(OVERVIEW=False)
+    assert "is replaced" in feedback.textLog()
+    assert path.read_bytes() != before
+    assert [entry.name for entry in path.parent.iterdir()] == [path.name]
+
+
+def test_any_other_file_is_left_alone(export, tmp_path):
+    (tmp_path / "area.npz").write_bytes(b"measurements")
+    with pytest.raises(QgsProcessingException, match="is no onboard file"):
+        export()
+    assert (tmp_path / "area.npz").read_bytes() == b"measurements"
+
+
+def test_a_foreign_database_is_refused_and_nothing_is_left(export, tmp_path):
+    (tmp_path / "foreign.gpkg").write_bytes(b"no database")
+    with pytest.raises(QgsProcessingException, match="is not a GeoPackage"):
+        export(DATABASE=str(tmp_path / "foreign.gpkg"))
+    assert [entry.name for entry in tmp_path.iterdir()] == ["foreign.gpkg"]
+
+
+# --- the same answers without QGIS ---
+
+
+@pytest.fixture
+def without_qgis(repository, tmp_path):
+    """`without_qgis(*arguments)` runs `python -m core` in a copy of the folder alone; gives its JSON lines."""
+    shutil.copytree(repository / "core", tmp_path / "alone" / "core", ignore=shutil.ignore_patterns("__pycache__"))
+
+    def run(*arguments):
+        command = [sys.executable, "-m", "core", *arguments, "--json"]
+        done = subprocess.run(command, cwd=tmp_path / "alone", capture_output=True, text=True, check=False)
+        return [json.loads(line) for line in done.stdout.splitlines()]
+
+    return run
+
+
+def plugin_rows(results) -> list:
+    source = gdal.OpenEx(results["OUTPUT"])
+    return [feature.items() for feature in source.GetLayer(0)]
+
+
+@pytest.mark.parametrize("method", [(1, "topology-vector"), (0, "automatic")])
+def test_images_have_the_same_fixes_with_and_without_qgis(
+    export, run_algorithm, without_qgis, database, tmp_path, method
+):
+    folder = tmp_path / "images"
+    folder.mkdir()
+    random = np.random.default_rng(5)
+    for n in range(6):
+        column, row = random.uniform(150, 550), random.uniform(150, 450)
+        view = turned_view(LABELS, 200, column, row, random.uniform(0, 360) if method[0] == 0 else 0.0)
+        write_raster(folder / f"{n}.png", view, transform=None)
+    write_raster(folder / "nothing.png", np.full((200, 200), 4, np.uint8), transform=None)
+    parameters = {"DATABASE": database, "IMAGES": [str(folder)], "METHOD": method[0]}
+    expected = plugin_rows(run_algorithm(LOCALIZE, {**parameters, "OUTPUT": str(tmp_path / "fixes.gpkg")}))
+    file = export()["OUTPUT"]
+    found = without_qgis("localize", str(folder), "--database", file, "--method", method[1])
+    assert [row["status"] for row in found] == [row["status"] for row in expected]
+    assert [row["status"] for row in found].count("fix") >= 6
+    for mine, theirs in zip(found, expected):
+        assert mine["window"] == theirs["window"]
+        if theirs["x"] is not None:
+            assert np.hypot(mine["x"] - theirs["x"], mine["y"] - theirs["y"]) < 0.02
+            assert mine["longitude"] == pytest.approx(theirs["longitude"], abs=3e-7)
+            assert mine["latitude"] == pytest.approx(theirs["latitude"], abs=3e-7)
+
+
+# --- label images without GDAL ---
+
+
+def paletted(path: Path, labels: np.ndarray, driver: str, options=()) -> str:
+    memory = gdal.GetDriverByName("MEM").Create("", labels.shape[1], labels.shape[0], 1, gdal.GDT_Byte)
+    band = memory.GetRasterBand(1)
+    band.WriteArray(labels)
+    colors = gdal.ColorTable()
+    for value in range(5):
+        colors.SetColorEntry(value, (50 * value, 255 - value, 7, 255))
+    band.SetRasterColorTable(colors)
+    gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=list(options))
+    return str(path)
+
+
+FORMATS = {
+    "png": ("PNG", ()),
+    "tif": ("GTiff", ()),
+    "deflate.tif": ("GTiff", ("COMPRESS=DEFLATE", "TILED=YES")),
+    "lzw.tif": ("GTiff", ("COMPRESS=LZW", "PREDICTOR=2")),
+}
+
+
+@pytest.mark.parametrize("name", list(FORMATS))
+def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
+    from semref.core.image_files import read_label_image
+    from semref.processing.exchange.rasters import read_label_image as read_with_gdal
+
+    path = paletted(tmp_path / f"labels.{name}", LABELS, FORMATS[name][0], FORMATS[name][1])
+    assert cv2.imread(path, cv2.IMREAD_UNCHANGED).ndim == 3
+    table = whole(database).class_table
+    np.testing.assert_array_equal(read_label_image(path, table), LABELS)
+    np.testing.assert_array_equal(read_with_gdal(path, table), LABELS)
+
+
+def test_nodata_of_a_tiff_is_unlabeled_as_with_gdal(database, tmp_path):
+    from semref.core.image_files import read_label_image
+
+    path = str(write_raster(tmp_path / "nodata.tif", np.where(LABELS == 4, 255, LABELS), nodata=255))
+    np.testing.assert_array_equal(read_label_image(path, whole(database).class_table), np.where(LABELS == 4, 0, LABELS))
