@@ -2,7 +2,8 @@
 
     python tools/measure_onboard.py [--images 100] [--python PYTHON] [--seed 1] [--keep FOLDER]
 
-Sizes of the whole area and of a piece with as many windows as the paper's map has (276), part by part; then the same
+Sizes of the whole area and of a piece with as many windows as the paper's map has (276), part by part; “windows alone”
+is the file without what the paper's does not have, reference objects and overview. Then the same
 images localised by the plugin in the GeoPackage and by ``python -m core`` in the onboard file, from a copy of the
 folder alone, with --python (one without QGIS makes the proof; by default this one): same status, how far the positions
 are apart; start-up, times an image and peak memory on one core. Reads $SEMREF_DATA or ../shared/data.
@@ -40,6 +41,10 @@ PAPERS_GRID = 23, 12  # 276 windows, as many as the paper's database has
 PAPERS_BYTES = 77_500
 LEAST_OBJECTS = 20
 RAGGED = trials.LabelNoise(ragged_px=2.0)
+HEADER = (
+    "| what | windows | references | bytes | bytes a window | bytes a reference | overview, header | windows alone |\n"
+    "|---|---|---|---|---|---|---|---|"
+)
 METHODS = ((0, "automatic"), (1, "topology-vector"))
 
 
@@ -54,8 +59,7 @@ def main() -> int:
         work.mkdir(parents=True, exist_ok=True)
         labels = label_map(work)
         piece = papers_piece(labels, work)
-        print("| what | windows | references | bytes | bytes a window | bytes a reference | overview, header |")
-        print("|---|---|---|---|---|---|---|", flush=True)
+        print(HEADER, flush=True)
         databases = {"276 windows": database(piece, work), "Liechtenstein": database(labels, work)}
         for name, path in databases.items():
             for overview in (False, True):
@@ -137,7 +141,8 @@ def print_sizes(name: str, path: Path) -> None:
     rest = sizes.get("overview_labels", 0), sizes["header"]
     print(
         f"| {name} | {windows} | {references} | {path.stat().st_size:,} | {parts[0] / windows:.1f} | "
-        f"{parts[1] / references:.1f} | {rest[0]:,}, {rest[1]:,} |",
+        f"{parts[1] / references:.1f} | {rest[0]:,}, {rest[1]:,} | "
+        f"{path.stat().st_size - parts[1] - rest[0]:,} |",
         flush=True,
     )
 

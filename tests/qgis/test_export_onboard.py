@@ -16,6 +16,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContex
 
 sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_layer, write_raster
+from made_models import metadata, painted, write_model, writer
 
 EXPORT, LOCALIZE = "semref:exportonboard", "semref:localizeimages"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -217,6 +218,36 @@ def test_images_have_the_same_fixes_with_and_without_qgis(
             assert np.hypot(mine["x"] - theirs["x"], mine["y"] - theirs["y"]) < 0.02
             assert mine["longitude"] == pytest.approx(theirs["longitude"], abs=3e-7)
             assert mine["latitude"] == pytest.approx(theirs["latitude"], abs=3e-7)
+
+
+def ground_and_colors():
+    """Channels: ground (the same everywhere), then red, blue and green."""
+    kernels = np.zeros((4, 3, 1, 1), np.float32)
+    for channel, band in ((1, 0), (2, 2), (3, 1)):
+        kernels[channel, band] = 1
+    return writer.Network().convolution(kernels, np.array([0.2, 0, 0, 0]))
+
+
+def test_photos_have_the_same_fixes_with_and_without_qgis(export, run_algorithm, without_qgis, database, tmp_path):
+    names = metadata(class_names=["ground", "building", "water", "bare_land"])
+    model = str(write_model(tmp_path / "colors.onnx", ground_and_colors(), metadata=names))
+    photo = painted(turned_view(LABELS, 200, 350.3, 280.6, 77), (None, "building", "water", "bare_land", None))
+    path = str(write_raster(tmp_path / "photo.tif", np.moveaxis(photo, 2, 0), transform=None))
+    parameters = {"DATABASE": database, "IMAGES": [path], "MODEL": model, "OUTPUT": str(tmp_path / "fixes.gpkg")}
+    (expected,) = plugin_rows(run_algorithm(LOCALIZE, parameters))
+    (found,) = without_qgis("localize", path, "--database", export()["OUTPUT"], "--model", model)
+    assert found["status"] == expected["status"] == "fix"
+    assert np.hypot(found["x"] - expected["x"], found["y"] - expected["y"]) < 0.02
+    assert (found["x"], found["y"]) == pytest.approx((WEST + 350.3, NORTH - 280.6), abs=1)
+
+
+def test_a_model_of_other_classes_is_refused_without_qgis_too(export, repository, tmp_path):
+    model = str(write_model(tmp_path / "other.onnx", metadata=metadata(class_names=["roof", "lake", "sand"])))
+    file = export()["OUTPUT"]
+    command = [sys.executable, "-m", "core", "localize", "photo.png", "--database", file, "--model", model]
+    done = subprocess.run(command, cwd=repository, capture_output=True, text=True, check=False)
+    assert done.returncode == 3
+    assert "does not know the database's class building" in done.stderr
 
 
 # --- label images without GDAL ---
