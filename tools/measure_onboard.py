@@ -199,7 +199,8 @@ def localize_alone(python: str, onboard: Path, images: Path, method: str, work: 
             [*command, "--log-level", "info"], cwd=work, stdout=out, stderr=log,
             preexec_fn=lambda: os.sched_setaffinity(0, {min(os.sched_getaffinity(0))}),
         )  # fmt: skip
-        _, _, usage = os.wait4(child.pid, 0)
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
     texts = [(work / name).read_text(encoding="utf-8").splitlines() for name in ("alone.jsonl", "alone.log")]
     return [json.loads(line) for line in texts[0]], [json.loads(line) for line in texts[1]], usage
 
