@@ -59,4 +59,4 @@ def _in(mask: np.ndarray, points_xy: np.ndarray, parameters: BuildParameters) ->
 
 
 def _chosen(items, chosen: np.ndarray, kind: type):
-    return kind(**{name: array[chosen] for name, array in vars(items).items()})
+    return kind(**{name: None if array is None else array[chosen] for name, array in vars(items).items()})

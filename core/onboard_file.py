@@ -73,6 +73,9 @@ _NPY_HEADER = re.compile(
 )
 _LONGEST_NPY_HEADER = 1024
 
+_NOT_ON_BOARD = "block_hashes"
+"""The build parameter that only updating a database needs."""
+
 _JSON_TYPES = {"str": str, "int": int, "float": (int, float), "tuple": list}
 """What JSON makes of the types of BuildParameters."""
 
@@ -121,7 +124,7 @@ def write_onboard(
     header = {
         "format": FORMAT,
         "version": ONBOARD_VERSION,
-        "parameters": asdict(parameters),
+        "parameters": {name: value for name, value in asdict(parameters).items() if name != _NOT_ON_BOARD},
         "class_table": database.class_table.to_csv(),
         "reference_classes": list(database.class_table.reference_values),
         "window_sizes_px": _window_sizes_px(database),
@@ -372,8 +375,9 @@ def _onboard(members: Mapping[str, np.ndarray], header: dict, path: str, with_ov
 
 
 def _parameters(values: dict) -> BuildParameters:
-    known = {item.name: values[item.name] for item in fields(BuildParameters)}
-    for item in fields(BuildParameters):
+    taken = [item for item in fields(BuildParameters) if item.name != _NOT_ON_BOARD]
+    known = {item.name: values[item.name] for item in taken}
+    for item in taken:
         if isinstance(known[item.name], bool) or not isinstance(known[item.name], _JSON_TYPES[item.type]):
             raise ValueError(f"{item.name} is {known[item.name]!r}")
     for name, length in (("geotransform", 6), ("levels", None)):

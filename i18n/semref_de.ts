@@ -164,8 +164,16 @@
    <translation>Fläche</translation>
   </message>
   <message>
+   <source>Area or route</source>
+   <translation>Gebiet oder Route</translation>
+  </message>
+  <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
    <translation>Zu rasternder Bereich, auf ganze Pixel erweitert; ohne Angabe die Ausdehnung der Polygone.</translation>
+  </message>
+  <message>
+   <source>Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages.</source>
+   <translation>Arrays im Format von numpy, gezippt; die Dokumentation beschreibt es für Leser in anderen Programmiersprachen.</translation>
   </message>
   <message>
    <source>Automatic</source>
@@ -444,6 +452,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Abstand</translation>
   </message>
   <message>
+   <source>Distance around it (map units)</source>
+   <translation>Abstand darum (Karteneinheiten)</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>Abstand von der Mitte, geteilt durch den größten</translation>
   </message>
@@ -514,6 +526,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Alles: Klassenkarten, Datenbanken, Lokalisierung</translation>
+  </message>
+  <message>
+   <source>Export for onboard use</source>
+   <translation>Für den Bordrechner ausgeben</translation>
   </message>
   <message>
    <source>Export training tiles</source>
@@ -704,6 +720,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>HTML-Dateien (*.html)</translation>
   </message>
   <message>
+   <source>Half the width of the corridor along a route; give what an image shows at least.</source>
+   <translation>Halbe Breite des Korridors entlang einer Route; mindestens so viel, wie ein Bild zeigt.</translation>
+  </message>
+  <message>
    <source>Heading</source>
    <translation>Ausrichtung</translation>
   </message>
@@ -844,6 +864,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Größte Lücke (m²)</translation>
   </message>
   <message>
+   <source>Largest rounding error of a landmark’s x and y; a hundredth of a pixel of the label map if left out.</source>
+   <translation>Größter Rundungsfehler von x und y einer Landmarke; ohne Angabe ein Hundertstel Pixel der Klassenkarte.</translation>
+  </message>
+  <message>
    <source>Largest scale</source>
    <translation>Größter Maßstab</translation>
   </message>
@@ -886,6 +910,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Localizing images</source>
    <translation>Bilder werden lokalisiert</translation>
+  </message>
+  <message>
+   <source>Longitudes and latitudes are within {error:.4f} m.</source>
+   <translation>Längen und Breiten stimmen auf {error:.4f} m.</translation>
   </message>
   <message>
    <source>Looking at geometries</source>
@@ -1100,6 +1128,14 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Auf der Diagonale hält die Konfidenz, was sie sagt; darunter verspricht sie zu viel.</translation>
   </message>
   <message>
+   <source>Onboard file</source>
+   <translation>Borddatei</translation>
+  </message>
+  <message>
+   <source>Onboard files (*.npz)</source>
+   <translation>Borddateien (*.npz)</translation>
+  </message>
+  <message>
    <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
    <translation>Ein GeoPackage mit den Layern windows, references, overview, classes und parameters.</translation>
   </message>
@@ -1126,6 +1162,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Only what is open</source>
    <translation>Nur Offenes</translation>
+  </message>
+  <message>
+   <source>Only what lies in these polygons, or along these lines, is exported; without it the whole map.</source>
+   <translation>Nur was in diesen Polygonen oder entlang dieser Linien liegt, wird ausgegeben; sonst die ganze Karte.</translation>
   </message>
   <message>
    <source>Only with an approximate heading: other headings are not searched.</source>
@@ -1210,6 +1250,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Possible places</source>
    <translation>Mögliche Orte</translation>
+  </message>
+  <message>
+   <source>Precision (map units)</source>
+   <translation>Genauigkeit (Karteneinheiten)</translation>
   </message>
   <message>
    <source>Predicted</source>
@@ -1480,6 +1524,10 @@ Beschrieben wird das größte mittige Quadrat des Bildes, genau wie die Fenster 
    <translation>Einbandraster mit Klassenwerten derselben Fläche, 0, wo nichts bekannt ist.</translation>
   </message>
   <message>
+   <source>Size in bytes</source>
+   <translation>Größe in Byte</translation>
+  </message>
+  <message>
    <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
 
 The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
@@ -1584,6 +1632,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Datenträger ist voll: {folder} braucht etwa 500 MB.</translation>
   </message>
   <message>
+   <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
+   <translation>Die Datei kann Länge und Breite nicht angeben: Die Karte ist dafür zu groß, oder ein Pol liegt darin.</translation>
+  </message>
+  <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
    <translation>Die Geometrie von Objekt {id} ist ungültig: {reason}.</translation>
   </message>
@@ -1654,6 +1706,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
    <translation>Der Proxy ist nicht nutzbar; prüfen Sie ihn unter Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus Wheels.</translation>
+  </message>
+  <message>
+   <source>The reduced label map, which map correlation searches; without it the file is several times smaller.</source>
+   <translation>Die verkleinerte Klassenkarte, die die Kartenkorrelation durchsucht; ohne sie ist die Datei mehrfach kleiner.</translation>
   </message>
   <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
@@ -1876,6 +1932,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Fenster, vom 2- bis zum 0,5-Fachen ihrer Größe gesehen, ohne Störungen. Das Verfahren des Aufsatzes vergleicht Vektoren: Ein Abstand über 2 ist kein Treffer.</translation>
   </message>
   <message>
+   <source>With the overview</source>
+   <translation>Mit der Übersicht</translation>
+  </message>
+  <message>
    <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
    <translation>Ohne Datenbank: wie viele der Landmarken, die der Mitte am nächsten liegen, der Vektor enthält.</translation>
   </message>
@@ -1890,6 +1950,14 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Ohne Datenbank: die Klassen. Ohne Angabe die, die das Klassenbild selbst mitbringt.</translation>
+  </message>
+  <message>
+   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
+
+Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
+   <translation>Schreibt eine Referenzdatenbank als eine kleine Datei (.npz), mit der ein Rechner ohne QGIS lokalisiert: Kopieren Sie den Ordner „core“ des Plugins daneben und rufen Sie „python -m core localize“ auf.
+
+Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr. Eine ältere Borddatei wird ersetzt, was das Protokoll sagt; eine Datei anderer Art wird nie überschrieben.</translation>
   </message>
   <message>
    <source>Writing the database</source>
@@ -2108,6 +2176,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Aus {before} Objekten wurden {after} Polygone; {changes} Änderungen</translation>
   </message>
   <message>
+   <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
+   <translation>{bytes} Byte. Gerundet: Positionen um höchstens {position:g} Karteneinheiten, Flächen um {area:.3%}, Vektoren um {vector:.4f} je Element.</translation>
+  </message>
+  <message>
    <source>{count} images to localize.</source>
    <translation>{count} Bilder zu lokalisieren.</translation>
   </message>
@@ -2154,6 +2226,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>{jumps} of {checked} fixes with a time are jumps.</source>
    <translation>{jumps} von {checked} Standorten mit Zeit sind Sprünge.</translation>
+  </message>
+  <message>
+   <source>{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.</source>
+   <translation>{kept} von {landmarks} Landmarken und {windows} von {all_windows} Fenstern liegen im Gebiet.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
@@ -2214,6 +2290,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} Objekte von {name}, die sich berühren, sind ein Polygon mit den Attributen von Objekt {id}.</translation>
+  </message>
+  <message>
+   <source>{output} is replaced.</source>
+   <translation>{output} wird ersetzt.</translation>
   </message>
   <message>
    <source>{packages} is missing; without it nothing can be localized.</source>

@@ -164,8 +164,16 @@
    <translation>Área</translation>
   </message>
   <message>
+   <source>Area or route</source>
+   <translation>Zona o ruta</translation>
+  </message>
+  <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
    <translation>Área que se va a rasterizar, ampliada a píxeles enteros; si se omite, la extensión de los polígonos.</translation>
+  </message>
+  <message>
+   <source>Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages.</source>
+   <translation>Matrices en el formato de numpy, comprimidas en zip; la documentación lo describe para lectores en otros lenguajes.</translation>
   </message>
   <message>
    <source>Automatic</source>
@@ -444,6 +452,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Distancia</translation>
   </message>
   <message>
+   <source>Distance around it (map units)</source>
+   <translation>Distancia alrededor (unidades del mapa)</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>Distancia al centro, dividida por la distancia mayor</translation>
   </message>
@@ -514,6 +526,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Todo: mapas de clases, bases de datos, localización</translation>
+  </message>
+  <message>
+   <source>Export for onboard use</source>
+   <translation>Exportar para uso a bordo</translation>
   </message>
   <message>
    <source>Export training tiles</source>
@@ -704,6 +720,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Archivos HTML (*.html)</translation>
   </message>
   <message>
+   <source>Half the width of the corridor along a route; give what an image shows at least.</source>
+   <translation>La mitad del ancho del corredor a lo largo de una ruta; indique al menos lo que muestra una imagen.</translation>
+  </message>
+  <message>
    <source>Heading</source>
    <translation>Rumbo</translation>
   </message>
@@ -844,6 +864,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Hueco mayor (m²)</translation>
   </message>
   <message>
+   <source>Largest rounding error of a landmark’s x and y; a hundredth of a pixel of the label map if left out.</source>
+   <translation>El mayor error de redondeo de x e y de un hito; una centésima de píxel del mapa de etiquetas si se deja vacío.</translation>
+  </message>
+  <message>
    <source>Largest scale</source>
    <translation>Escala mayor</translation>
   </message>
@@ -886,6 +910,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Localizing images</source>
    <translation>Localizando imágenes</translation>
+  </message>
+  <message>
+   <source>Longitudes and latitudes are within {error:.4f} m.</source>
+   <translation>Las longitudes y latitudes son exactas hasta {error:.4f} m.</translation>
   </message>
   <message>
    <source>Looking at geometries</source>
@@ -1100,6 +1128,14 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>En la diagonal, una confianza cumple lo que dice; por debajo, promete demasiado.</translation>
   </message>
   <message>
+   <source>Onboard file</source>
+   <translation>Archivo de a bordo</translation>
+  </message>
+  <message>
+   <source>Onboard files (*.npz)</source>
+   <translation>Archivos de a bordo (*.npz)</translation>
+  </message>
+  <message>
    <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
    <translation>Un solo GeoPackage con las capas windows, references, overview, classes y parameters.</translation>
   </message>
@@ -1126,6 +1162,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Only what is open</source>
    <translation>Solo lo pendiente</translation>
+  </message>
+  <message>
+   <source>Only what lies in these polygons, or along these lines, is exported; without it the whole map.</source>
+   <translation>Solo se exporta lo que está en estos polígonos o a lo largo de estas líneas; si no, todo el mapa.</translation>
   </message>
   <message>
    <source>Only with an approximate heading: other headings are not searched.</source>
@@ -1210,6 +1250,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Possible places</source>
    <translation>Lugares posibles</translation>
+  </message>
+  <message>
+   <source>Precision (map units)</source>
+   <translation>Precisión (unidades del mapa)</translation>
   </message>
   <message>
    <source>Predicted</source>
@@ -1480,6 +1524,10 @@ La imagen se describe en su mayor cuadrado centrado, exactamente como las ventan
    <translation>Ráster de una sola banda con valores de clase, 0 donde no se conoce nada, del mismo terreno.</translation>
   </message>
   <message>
+   <source>Size in bytes</source>
+   <translation>Tamaño en bytes</translation>
+  </message>
+  <message>
    <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
 
 The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
@@ -1584,6 +1632,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El disco está lleno: {folder} necesita unos 500 MB.</translation>
   </message>
   <message>
+   <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
+   <translation>El archivo no puede dar longitud ni latitud: el mapa es demasiado grande para ello o contiene un polo.</translation>
+  </message>
+  <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
    <translation>La geometría del objeto espacial {id} no es válida: {reason}.</translation>
   </message>
@@ -1654,6 +1706,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
    <translation>El proxy no se puede usar; compruébelo en Configuración ▸ Opciones ▸ Red, o instale desde wheels.</translation>
+  </message>
+  <message>
+   <source>The reduced label map, which map correlation searches; without it the file is several times smaller.</source>
+   <translation>El mapa de etiquetas reducido, en el que busca la correlación de mapas; sin él el archivo es varias veces más pequeño.</translation>
   </message>
   <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
@@ -1876,6 +1932,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Ventanas vistas de 2 a 0,5 veces su tamaño, sin ruido. El método del artículo compara vectores: una distancia mayor que 2 no es una coincidencia.</translation>
   </message>
   <message>
+   <source>With the overview</source>
+   <translation>Con la vista general</translation>
+  </message>
+  <message>
    <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
    <translation>Sin base de datos: cuántos de los hitos más cercanos al centro contiene el vector.</translation>
   </message>
@@ -1890,6 +1950,14 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Sin base de datos: las clases. Si se omite, las que lleva la propia imagen de etiquetas.</translation>
+  </message>
+  <message>
+   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
+
+Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
+   <translation>Escribe una base de datos de referencia en un solo archivo pequeño (.npz) con el que localiza un ordenador sin QGIS: copie al lado la carpeta «core» del complemento y ejecute «python -m core localize».
+
+Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto. Un archivo de a bordo anterior se reemplaza, y el registro lo dice; un archivo de otra clase nunca se sobrescribe.</translation>
   </message>
   <message>
    <source>Writing the database</source>
@@ -2108,6 +2176,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>{before} objetos espaciales se convirtieron en {after} polígonos; {changes} cambios</translation>
   </message>
   <message>
+   <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
+   <translation>{bytes} bytes. Redondeo: posiciones en {position:g} unidades del mapa como máximo, áreas en {area:.3%}, vectores en {vector:.4f} por elemento.</translation>
+  </message>
+  <message>
    <source>{count} images to localize.</source>
    <translation>{count} imágenes para localizar.</translation>
   </message>
@@ -2154,6 +2226,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>{jumps} of {checked} fixes with a time are jumps.</source>
    <translation>{jumps} de {checked} posiciones encontradas con hora son saltos.</translation>
+  </message>
+  <message>
+   <source>{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.</source>
+   <translation>{kept} de {landmarks} hitos y {windows} de {all_windows} ventanas están en la zona.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
@@ -2214,6 +2290,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} objetos espaciales de {name} que se tocan son un solo polígono con los atributos del objeto espacial {id}.</translation>
+  </message>
+  <message>
+   <source>{output} is replaced.</source>
+   <translation>{output} se reemplaza.</translation>
   </message>
   <message>
    <source>{packages} is missing; without it nothing can be localized.</source>

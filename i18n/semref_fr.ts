@@ -164,8 +164,16 @@
    <translation>Surface</translation>
   </message>
   <message>
+   <source>Area or route</source>
+   <translation>Zone ou itinéraire</translation>
+  </message>
+  <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
    <translation>Zone à rastériser, élargie à des pixels entiers ; l’emprise des polygones si elle est omise.</translation>
+  </message>
+  <message>
+   <source>Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages.</source>
+   <translation>Des tableaux au format de numpy, compressés en zip ; la documentation le décrit pour qui écrit un lecteur dans un autre langage.</translation>
   </message>
   <message>
    <source>Automatic</source>
@@ -444,6 +452,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Distance</translation>
   </message>
   <message>
+   <source>Distance around it (map units)</source>
+   <translation>Distance autour (unités de carte)</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>Distance au centre, rapportée à la plus grande distance</translation>
   </message>
@@ -514,6 +526,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Tout : cartes de classes, bases de données, localisation</translation>
+  </message>
+  <message>
+   <source>Export for onboard use</source>
+   <translation>Exporter pour l’usage à bord</translation>
   </message>
   <message>
    <source>Export training tiles</source>
@@ -704,6 +720,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Fichiers HTML (*.html)</translation>
   </message>
   <message>
+   <source>Half the width of the corridor along a route; give what an image shows at least.</source>
+   <translation>La moitié de la largeur du couloir le long d’un itinéraire ; donnez au moins ce que montre une image.</translation>
+  </message>
+  <message>
    <source>Heading</source>
    <translation>Cap</translation>
   </message>
@@ -844,6 +864,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Plus grande lacune (m²)</translation>
   </message>
   <message>
+   <source>Largest rounding error of a landmark’s x and y; a hundredth of a pixel of the label map if left out.</source>
+   <translation>La plus grande erreur d’arrondi de x et y d’un repère visuel ; un centième de pixel de la carte d’étiquettes si rien n’est indiqué.</translation>
+  </message>
+  <message>
    <source>Largest scale</source>
    <translation>Plus grande échelle</translation>
   </message>
@@ -886,6 +910,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Localizing images</source>
    <translation>Localisation des images</translation>
+  </message>
+  <message>
+   <source>Longitudes and latitudes are within {error:.4f} m.</source>
+   <translation>Les longitudes et latitudes sont exactes à {error:.4f} m près.</translation>
   </message>
   <message>
    <source>Looking at geometries</source>
@@ -1100,6 +1128,14 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Sur la diagonale, une confiance tient ce qu’elle promet ; au-dessous, elle promet trop.</translation>
   </message>
   <message>
+   <source>Onboard file</source>
+   <translation>Fichier de bord</translation>
+  </message>
+  <message>
+   <source>Onboard files (*.npz)</source>
+   <translation>Fichiers de bord (*.npz)</translation>
+  </message>
+  <message>
    <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
    <translation>Un seul GeoPackage avec les couches windows, references, overview, classes et parameters.</translation>
   </message>
@@ -1126,6 +1162,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Only what is open</source>
    <translation>Seulement ce qui reste à faire</translation>
+  </message>
+  <message>
+   <source>Only what lies in these polygons, or along these lines, is exported; without it the whole map.</source>
+   <translation>Seul ce qui se trouve dans ces polygones ou le long de ces lignes est exporté ; sinon toute la carte.</translation>
   </message>
   <message>
    <source>Only with an approximate heading: other headings are not searched.</source>
@@ -1210,6 +1250,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Possible places</source>
    <translation>Lieux possibles</translation>
+  </message>
+  <message>
+   <source>Precision (map units)</source>
+   <translation>Précision (unités de carte)</translation>
   </message>
   <message>
    <source>Predicted</source>
@@ -1480,6 +1524,10 @@ L’image est décrite dans son plus grand carré centré, exactement comme le s
    <translation>Raster à une seule bande de valeurs de classe, 0 là où rien n’est connu, du même terrain.</translation>
   </message>
   <message>
+   <source>Size in bytes</source>
+   <translation>Taille en octets</translation>
+  </message>
+  <message>
    <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
 
 The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
@@ -1584,6 +1632,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le disque est plein : {folder} a besoin d’environ 500 Mo.</translation>
   </message>
   <message>
+   <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
+   <translation>Le fichier ne peut donner ni longitude ni latitude : la carte est trop grande pour cela, ou contient un pôle.</translation>
+  </message>
+  <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
    <translation>La géométrie de l’entité {id} est invalide : {reason}.</translation>
   </message>
@@ -1654,6 +1706,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
    <translation>Le proxy est inutilisable ; vérifiez-le sous Préférences ▸ Options ▸ Réseau, ou installez depuis des wheels.</translation>
+  </message>
+  <message>
+   <source>The reduced label map, which map correlation searches; without it the file is several times smaller.</source>
+   <translation>La carte d’étiquettes réduite, que la corrélation de cartes parcourt ; sans elle le fichier est plusieurs fois plus petit.</translation>
   </message>
   <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
@@ -1876,6 +1932,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Fenêtres vues de 2 à 0,5 fois leur taille, sans bruit. La méthode de l’article compare des vecteurs : une distance supérieure à 2 n’est pas une correspondance.</translation>
   </message>
   <message>
+   <source>With the overview</source>
+   <translation>Avec la vue d’ensemble</translation>
+  </message>
+  <message>
    <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
    <translation>Sans base de données : combien des repères visuels les plus proches du centre le vecteur contient.</translation>
   </message>
@@ -1890,6 +1950,14 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Sans base de données : les classes. En cas d’omission, celles que l’image d’étiquettes porte elle-même.</translation>
+  </message>
+  <message>
+   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
+
+Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
+   <translation>Écrit une base de données de référence dans un seul petit fichier (.npz) avec lequel un ordinateur sans QGIS localise : copiez à côté le dossier « core » de l’extension et lancez « python -m core localize ».
+
+Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de combien. Un fichier de bord plus ancien est remplacé, ce que dit le journal ; un fichier d’une autre sorte n’est jamais écrasé.</translation>
   </message>
   <message>
    <source>Writing the database</source>
@@ -2108,6 +2176,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>{before} entités sont devenues {after} polygones ; {changes} modifications</translation>
   </message>
   <message>
+   <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
+   <translation>{bytes} octets. Arrondis : positions d’au plus {position:g} unités de carte, surfaces de {area:.3%}, vecteurs de {vector:.4f} par élément.</translation>
+  </message>
+  <message>
    <source>{count} images to localize.</source>
    <translation>{count} images à localiser.</translation>
   </message>
@@ -2154,6 +2226,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>{jumps} of {checked} fixes with a time are jumps.</source>
    <translation>{jumps} des {checked} positions trouvées avec une heure sont des sauts.</translation>
+  </message>
+  <message>
+   <source>{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.</source>
+   <translation>{kept} repères visuels sur {landmarks} et {windows} fenêtres sur {all_windows} se trouvent dans la zone.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
@@ -2214,6 +2290,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} entités de {name} qui se touchent forment un seul polygone avec les attributs de l’entité {id}.</translation>
+  </message>
+  <message>
+   <source>{output} is replaced.</source>
+   <translation>{output} est remplacé.</translation>
   </message>
   <message>
    <source>{packages} is missing; without it nothing can be localized.</source>

@@ -164,8 +164,16 @@
    <translation>面积</translation>
   </message>
   <message>
+   <source>Area or route</source>
+   <translation>区域或航线</translation>
+  </message>
+  <message>
    <source>Area to rasterize, widened to whole pixels; the extent of the polygons if left out.</source>
    <translation>要栅格化的区域，会扩展到整像元；若留空，则为多边形的范围。</translation>
+  </message>
+  <message>
+   <source>Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages.</source>
+   <translation>numpy 格式的数组，zip 压缩；文档对该格式作了说明，便于用其他语言读取。</translation>
   </message>
   <message>
    <source>Automatic</source>
@@ -444,6 +452,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>距离</translation>
   </message>
   <message>
+   <source>Distance around it (map units)</source>
+   <translation>周围距离（地图单位）</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>到中心的距离与最大距离之比</translation>
   </message>
@@ -514,6 +526,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>全部功能：标签图、数据库、定位</translation>
+  </message>
+  <message>
+   <source>Export for onboard use</source>
+   <translation>导出机载文件</translation>
   </message>
   <message>
    <source>Export training tiles</source>
@@ -704,6 +720,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>HTML 文件 (*.html)</translation>
   </message>
   <message>
+   <source>Half the width of the corridor along a route; give what an image shows at least.</source>
+   <translation>航线走廊宽度的一半；至少取一幅影像所覆盖的范围。</translation>
+  </message>
+  <message>
    <source>Heading</source>
    <translation>航向</translation>
   </message>
@@ -844,6 +864,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>最大间隙（m²）</translation>
   </message>
   <message>
+   <source>Largest rounding error of a landmark’s x and y; a hundredth of a pixel of the label map if left out.</source>
+   <translation>地标 x 和 y 的最大舍入误差；留空时为标签图像素的百分之一。</translation>
+  </message>
+  <message>
    <source>Largest scale</source>
    <translation>最大比例</translation>
   </message>
@@ -886,6 +910,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Localizing images</source>
    <translation>正在定位影像</translation>
+  </message>
+  <message>
+   <source>Longitudes and latitudes are within {error:.4f} m.</source>
+   <translation>经纬度误差不超过 {error:.4f} m。</translation>
   </message>
   <message>
    <source>Looking at geometries</source>
@@ -1100,6 +1128,14 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>在对角线上，置信度名副其实；在对角线下方，置信度过于乐观。</translation>
   </message>
   <message>
+   <source>Onboard file</source>
+   <translation>机载文件</translation>
+  </message>
+  <message>
+   <source>Onboard files (*.npz)</source>
+   <translation>机载文件 (*.npz)</translation>
+  </message>
+  <message>
    <source>One GeoPackage with the layers windows, references, overview, classes and parameters.</source>
    <translation>一个 GeoPackage，包含 windows、references、overview、classes 和 parameters 图层。</translation>
   </message>
@@ -1126,6 +1162,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Only what is open</source>
    <translation>仅未完成</translation>
+  </message>
+  <message>
+   <source>Only what lies in these polygons, or along these lines, is exported; without it the whole map.</source>
+   <translation>只导出这些多边形内或沿这些线的内容；不指定则导出整幅地图。</translation>
   </message>
   <message>
    <source>Only with an approximate heading: other headings are not searched.</source>
@@ -1210,6 +1250,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Possible places</source>
    <translation>可能地点</translation>
+  </message>
+  <message>
+   <source>Precision (map units)</source>
+   <translation>精度（地图单位）</translation>
   </message>
   <message>
    <source>Predicted</source>
@@ -1480,6 +1524,10 @@ The image is described in its largest centered square, exactly as the windows of
    <translation>同一地面的单波段类别值栅格，未知处为 0。</translation>
   </message>
   <message>
+   <source>Size in bytes</source>
+   <translation>大小（字节）</translation>
+  </message>
+  <message>
    <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
 
 The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with fewer than three landmarks get no vector; the log says how many.</source>
@@ -1584,6 +1632,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>磁盘已满：{folder} 约需 500 MB。</translation>
   </message>
   <message>
+   <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
+   <translation>该文件无法给出经纬度：地图过大，或包含极点。</translation>
+  </message>
+  <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
    <translation>要素 {id} 的几何图形无效：{reason}。</translation>
   </message>
@@ -1654,6 +1706,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
    <translation>代理无法使用；请在 设置 ▸ 选项 ▸ 网络 中检查，或从 wheel 安装。</translation>
+  </message>
+  <message>
+   <source>The reduced label map, which map correlation searches; without it the file is several times smaller.</source>
+   <translation>缩小的标签图，供地图相关搜索；不含它时文件会小数倍。</translation>
   </message>
   <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
@@ -1876,6 +1932,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>以 2 至 0.5 倍大小看到的窗口，无噪声。论文的方法比较向量：距离大于 2 即无匹配。</translation>
   </message>
   <message>
+   <source>With the overview</source>
+   <translation>包含概览</translation>
+  </message>
+  <message>
    <source>Without a database: how many of the landmarks nearest to the center the vector holds.</source>
    <translation>没有数据库时：向量包含离中心最近的多少个地标。</translation>
   </message>
@@ -1890,6 +1950,14 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>没有数据库时：类别。若留空，则为标签影像自身所带的类别。</translation>
+  </message>
+  <message>
+   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
+
+Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
+   <translation>将参考数据库写成一个小文件 (.npz)，没有 QGIS 的计算机可用它定位：把插件的“core”文件夹复制到旁边，运行“python -m core localize”。
+
+位置、面积和向量会被舍入，日志会说明舍入多少。较旧的机载文件会被替换，日志会予以说明；其他类型的文件绝不会被覆盖。</translation>
   </message>
   <message>
    <source>Writing the database</source>
@@ -2108,6 +2176,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>{before} 个要素变为 {after} 个多边形；{changes} 处更改</translation>
   </message>
   <message>
+   <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
+   <translation>{bytes} 字节。舍入：位置最多 {position:g} 地图单位，面积 {area:.3%}，向量每个元素 {vector:.4f}。</translation>
+  </message>
+  <message>
    <source>{count} images to localize.</source>
    <translation>待定位影像 {count} 幅。</translation>
   </message>
@@ -2154,6 +2226,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>{jumps} of {checked} fixes with a time are jumps.</source>
    <translation>{checked} 个带有时间的定位结果中有 {jumps} 个跳变。</translation>
+  </message>
+  <message>
+   <source>{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.</source>
+   <translation>{landmarks} 个地标中的 {kept} 个、{all_windows} 个窗口中的 {windows} 个位于该区域内。</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
@@ -2214,6 +2290,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{name} 的 {number:.0f} 个相接要素合并为一个多边形，采用要素 {id} 的属性。</translation>
+  </message>
+  <message>
+   <source>{output} is replaced.</source>
+   <translation>{output} 将被替换。</translation>
   </message>
   <message>
    <source>{packages} is missing; without it nothing can be localized.</source>

@@ -105,7 +105,7 @@ def with_header(path, source, **changes) -> str:
 def test_everything_comes_back_as_exactly_as_the_file_says(database, written):
     found = read_onboard(str(written))
     mine, theirs = database.windows, found.database.windows
-    assert found.database.parameters == database.parameters
+    assert found.database.parameters == replace(database.parameters, block_hashes=())
     assert found.database.class_table == TABLE
     for name in ("names", "levels", "sizes", "counts", "described"):
         np.testing.assert_array_equal(getattr(theirs, name), getattr(mine, name))

@@ -6,6 +6,7 @@ import json
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -62,7 +63,7 @@ def test_the_file_holds_the_database_as_exactly_as_it_says(export, database, fee
     results = export()
     found, expected = onboard(results["OUTPUT"]), whole(database)
     assert results["BYTES"] == Path(results["OUTPUT"]).stat().st_size == found.size_bytes
-    assert found.database.parameters == expected.parameters
+    assert found.database.parameters == replace(expected.parameters, block_hashes=())
     assert found.database.class_table == expected.class_table
     np.testing.assert_array_equal(found.database.windows.names, expected.windows.names)
     np.testing.assert_array_equal(found.database.windows.centers, expected.windows.centers)
