@@ -36,6 +36,10 @@
    <translation>Ein neuer oder leerer Ordner; der eines früheren Exports wird ersetzt.</translation>
   </message>
   <message>
+   <source>A new or empty folder; one that holds files is left alone.</source>
+   <translation>Ein neuer oder leerer Ordner; einer mit Dateien darin bleibt unberührt.</translation>
+  </message>
+  <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
    <translation>Eine Seite mit der Verwechslungsmatrix als Bild und den Zahlen jeder Klasse.</translation>
   </message>
@@ -200,6 +204,10 @@ Alle Einstellungen kommen aus der Datenbank. Was sich nicht geändert hat, behä
    <translation>Referenzdatenbank erstellen</translation>
   </message>
   <message>
+   <source>Building the sample’s reference database</source>
+   <translation>Referenzdatenbank des Beispiels wird erstellt</translation>
+  </message>
+  <message>
    <source>Burning landmarks</source>
    <translation>Landmarken werden gerastert</translation>
   </message>
@@ -294,6 +302,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Choose a database.</source>
    <translation>Datenbank wählen.</translation>
+  </message>
+  <message>
+   <source>Choose a folder for the sample project</source>
+   <translation>Ordner für das Beispielprojekt wählen</translation>
   </message>
   <message>
    <source>Choose a folder with wheels (*.whl)</source>
@@ -660,6 +672,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Fix</translation>
   </message>
   <message>
+   <source>Folder for the sample</source>
+   <translation>Ordner für das Beispiel</translation>
+  </message>
+  <message>
    <source>Folder for the tiles</source>
    <translation>Ordner für die Kacheln</translation>
   </message>
@@ -836,6 +852,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Klassen</translation>
   </message>
   <message>
+   <source>Land cover</source>
+   <translation>Landbedeckung</translation>
+  </message>
+  <message>
    <source>Landmarks</source>
    <translation>Landmarken</translation>
   </message>
@@ -948,12 +968,36 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Sieht aus wie</translation>
   </message>
   <message>
+   <source>Make sample area</source>
+   <translation>Beispielgebiet erzeugen</translation>
+  </message>
+  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
    <translation>Bereinigt einen Layer der Landbedeckung: Geometrien werden gültig, Überlappungen gehen an ein Polygon, winzige Lücken und Splitter an den Nachbarn mit der längsten gemeinsamen Grenze, und Polygone derselben Klasse, die sich berühren, werden eines. Das Ergebnis hat ein Polygon für jede Landmarke.
 
 Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das kleinere Polygon, sonst der niedrigere Klassenwert. Jedes Polygon behält die Attribute des Objekts, das den größten Teil davon bedeckt. Einen reparierten Layer zu reparieren ändert nichts.</translation>
+  </message>
+  <message>
+   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, and photos taken anywhere above it, with where they were really taken (photos.csv).
+
+The model that ships with SemRef can read these photos.</source>
+   <translation>Erfindet ein Stück Land von 4 × 3 km, um SemRef daran auszuprobieren: seine Landbedeckung als Polygone (landcover.shp), deren Klassentabelle (classes.csv), ein Orthofoto und Fotos von beliebigen Stellen darüber, dazu die wahren Aufnahmeorte (photos.csv).
+
+Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
+  </message>
+  <message>
+   <source>Making the sample area</source>
+   <translation>Beispielgebiet wird erzeugt</translation>
+  </message>
+  <message>
+   <source>Making the sample project</source>
+   <translation>Beispielprojekt wird erzeugt</translation>
+  </message>
+  <message>
+   <source>Making up the landscape</source>
+   <translation>Landschaft wird erfunden</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -1104,6 +1148,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Anzahl der Landmarken</translation>
   </message>
   <message>
+   <source>Number of photos</source>
+   <translation>Anzahl der Fotos</translation>
+  </message>
+  <message>
    <source>Number of tiles</source>
    <translation>Anzahl der Kacheln</translation>
   </message>
@@ -1180,8 +1228,16 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Deckkraft der Klassen</translation>
   </message>
   <message>
+   <source>Open the sample project…</source>
+   <translation>Beispielprojekt öffnen …</translation>
+  </message>
+  <message>
    <source>Opens “Update reference database” with the places that are done</source>
    <translation>Öffnet „Referenzdatenbank aktualisieren“ mit den erledigten Stellen</translation>
+  </message>
+  <message>
+   <source>Orthophoto</source>
+   <translation>Orthofoto</translation>
   </message>
   <message>
    <source>Outlining the disagreements</source>
@@ -1264,6 +1320,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Vorhergesagte Klassenkarte</translation>
   </message>
   <message>
+   <source>Press “Localize” in the dock to find where the photos were taken.</source>
+   <translation>Drücken Sie im Bedienfeld „Lokalisieren“, um zu finden, wo die Fotos entstanden sind.</translation>
+  </message>
+  <message>
    <source>Priority field</source>
    <translation>Prioritätsfeld</translation>
   </message>
@@ -1298,6 +1358,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Rasterize annotation</source>
    <translation>Annotation rastern</translation>
+  </message>
+  <message>
+   <source>Rasterizing the sample area</source>
+   <translation>Beispielgebiet wird gerastert</translation>
   </message>
   <message>
    <source>Reading an image</source>
@@ -1350,6 +1414,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Removed; what is in use stays in memory until QGIS is closed.</source>
    <translation>Entfernt; was in Gebrauch ist, bleibt im Speicher, bis QGIS geschlossen wird.</translation>
+  </message>
+  <message>
+   <source>Rendering it as a photo</source>
+   <translation>Foto davon wird gezeichnet</translation>
   </message>
   <message>
    <source>Repair annotation</source>
@@ -1466,6 +1534,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>SemRef possible places</source>
    <translation>SemRef: mögliche Orte</translation>
+  </message>
+  <message>
+   <source>SemRef sample project</source>
+   <translation>SemRef-Beispielprojekt</translation>
   </message>
   <message>
    <source>SemRef windows</source>
@@ -1608,6 +1680,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Tabellen und Diagramme in einer Datei zum Lesen und Drucken.</translation>
   </message>
   <message>
+   <source>Taking photos</source>
+   <translation>Fotos werden aufgenommen</translation>
+  </message>
+  <message>
    <source>Target CRS</source>
    <translation>Ziel-KBS</translation>
   </message>
@@ -1716,8 +1792,20 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Ergebnis von „Annotation prüfen“ oder „Klassenkarten vergleichen“</translation>
   </message>
   <message>
+   <source>The same number gives the same area; another one makes up another.</source>
+   <translation>Dieselbe Zahl ergibt dasselbe Gebiet, eine andere ein anderes.</translation>
+  </message>
+  <message>
    <source>The same windows, turned about their centers.</source>
    <translation>Dieselben Fenster, um ihre Mitte gedreht.</translation>
+  </message>
+  <message>
+   <source>The sample project is being made.</source>
+   <translation>Das Beispielprojekt wird schon erzeugt.</translation>
+  </message>
+  <message>
+   <source>The sample project is in {folder}.</source>
+   <translation>Das Beispielprojekt liegt in {folder}.</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>
@@ -1960,8 +2048,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr. Eine ältere Borddatei wird ersetzt, was das Protokoll sagt; eine Datei anderer Art wird nie überschrieben.</translation>
   </message>
   <message>
+   <source>Writing the annotation</source>
+   <translation>Annotation wird geschrieben</translation>
+  </message>
+  <message>
    <source>Writing the database</source>
    <translation>Datenbank wird geschrieben</translation>
+  </message>
+  <message>
+   <source>Writing the orthophoto</source>
+   <translation>Orthofoto wird geschrieben</translation>
   </message>
   <message>
    <source>Writing tiles</source>
@@ -2192,6 +2288,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} photos in {folder}</source>
+   <translation>{count} Fotos in {folder}</translation>
+  </message>
+  <message>
    <source>{count} pixels compared</source>
    <translation>{count} Pixel verglichen</translation>
   </message>
@@ -2206,6 +2306,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>Standort gefunden für {fixes} von {images} Bildern.</translation>
+  </message>
+  <message>
+   <source>{folder} can’t be read; choose another folder.</source>
+   <translation>{folder} kann nicht gelesen werden; wählen Sie einen anderen Ordner.</translation>
   </message>
   <message>
    <source>{folder} has no wheel of {package} for Python {python} on this system.</source>

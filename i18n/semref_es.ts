@@ -36,6 +36,10 @@
    <translation>Una carpeta nueva o vacía; la de una exportación anterior se reemplaza.</translation>
   </message>
   <message>
+   <source>A new or empty folder; one that holds files is left alone.</source>
+   <translation>Una carpeta nueva o vacía; la que contiene archivos no se toca.</translation>
+  </message>
+  <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
    <translation>Una página con la matriz de confusión como imagen y las cifras de cada clase.</translation>
   </message>
@@ -200,6 +204,10 @@ Todos los ajustes vienen de la base de datos. Lo que no cambió conserva su fila
    <translation>Crear base de datos de referencia</translation>
   </message>
   <message>
+   <source>Building the sample’s reference database</source>
+   <translation>Construyendo la base de datos de referencia del ejemplo</translation>
+  </message>
+  <message>
    <source>Burning landmarks</source>
    <translation>Rasterizando hitos</translation>
   </message>
@@ -294,6 +302,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Choose a database.</source>
    <translation>Elija una base de datos.</translation>
+  </message>
+  <message>
+   <source>Choose a folder for the sample project</source>
+   <translation>Elegir una carpeta para el proyecto de ejemplo</translation>
   </message>
   <message>
    <source>Choose a folder with wheels (*.whl)</source>
@@ -660,6 +672,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Posición encontrada</translation>
   </message>
   <message>
+   <source>Folder for the sample</source>
+   <translation>Carpeta para el ejemplo</translation>
+  </message>
+  <message>
    <source>Folder for the tiles</source>
    <translation>Carpeta para las teselas</translation>
   </message>
@@ -836,6 +852,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Etiquetas</translation>
   </message>
   <message>
+   <source>Land cover</source>
+   <translation>Cobertura del suelo</translation>
+  </message>
+  <message>
    <source>Landmarks</source>
    <translation>Hitos</translation>
   </message>
@@ -948,12 +968,36 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Se parece a</translation>
   </message>
   <message>
+   <source>Make sample area</source>
+   <translation>Crear zona de ejemplo</translation>
+  </message>
+  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
    <translation>Limpia una capa de cobertura del suelo: las geometrías pasan a ser válidas, las superposiciones van a un solo polígono, los huecos diminutos y las astillas al vecino con el límite común más largo, y los polígonos de una misma clase que se tocan se convierten en uno. El resultado tiene un polígono por cada hito.
 
 Donde se superponen polígonos, queda encima la prioridad más alta; si no, el polígono más pequeño; si no, el valor de clase más bajo. Cada polígono conserva los atributos del objeto espacial que cubre su mayor parte. Reparar una capa reparada no cambia nada.</translation>
+  </message>
+  <message>
+   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, and photos taken anywhere above it, with where they were really taken (photos.csv).
+
+The model that ships with SemRef can read these photos.</source>
+   <translation>Inventa un terreno de 4 × 3 km para probar SemRef: sus polígonos de cobertura del suelo (landcover.shp), su tabla de clases (classes.csv), una ortofoto y fotos tomadas en cualquier punto sobre él, con el lugar real de cada toma (photos.csv).
+
+El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
+  </message>
+  <message>
+   <source>Making the sample area</source>
+   <translation>Creando la zona de ejemplo</translation>
+  </message>
+  <message>
+   <source>Making the sample project</source>
+   <translation>Creando el proyecto de ejemplo</translation>
+  </message>
+  <message>
+   <source>Making up the landscape</source>
+   <translation>Inventando el paisaje</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -1104,6 +1148,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Número de hitos</translation>
   </message>
   <message>
+   <source>Number of photos</source>
+   <translation>Número de fotos</translation>
+  </message>
+  <message>
    <source>Number of tiles</source>
    <translation>Número de teselas</translation>
   </message>
@@ -1180,8 +1228,16 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Opacidad de las etiquetas</translation>
   </message>
   <message>
+   <source>Open the sample project…</source>
+   <translation>Abrir el proyecto de ejemplo…</translation>
+  </message>
+  <message>
    <source>Opens “Update reference database” with the places that are done</source>
    <translation>Abre «Actualizar base de datos de referencia» con los lugares hechos</translation>
+  </message>
+  <message>
+   <source>Orthophoto</source>
+   <translation>Ortofoto</translation>
   </message>
   <message>
    <source>Outlining the disagreements</source>
@@ -1264,6 +1320,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Mapa de etiquetas predicho</translation>
   </message>
   <message>
+   <source>Press “Localize” in the dock to find where the photos were taken.</source>
+   <translation>Pulse «Localizar» en el panel para averiguar dónde se tomaron las fotos.</translation>
+  </message>
+  <message>
    <source>Priority field</source>
    <translation>Campo de prioridad</translation>
   </message>
@@ -1298,6 +1358,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Rasterize annotation</source>
    <translation>Rasterizar anotación</translation>
+  </message>
+  <message>
+   <source>Rasterizing the sample area</source>
+   <translation>Rasterizando la zona de ejemplo</translation>
   </message>
   <message>
    <source>Reading an image</source>
@@ -1350,6 +1414,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Removed; what is in use stays in memory until QGIS is closed.</source>
    <translation>Quitado; lo que está en uso sigue en memoria hasta que se cierre QGIS.</translation>
+  </message>
+  <message>
+   <source>Rendering it as a photo</source>
+   <translation>Dibujándolo como foto</translation>
   </message>
   <message>
    <source>Repair annotation</source>
@@ -1466,6 +1534,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>SemRef possible places</source>
    <translation>Lugares posibles de SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef sample project</source>
+   <translation>Proyecto de ejemplo de SemRef</translation>
   </message>
   <message>
    <source>SemRef windows</source>
@@ -1608,6 +1680,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Tablas y gráficos en un solo archivo para leer e imprimir.</translation>
   </message>
   <message>
+   <source>Taking photos</source>
+   <translation>Tomando fotos</translation>
+  </message>
+  <message>
    <source>Target CRS</source>
    <translation>SRC de destino</translation>
   </message>
@@ -1716,8 +1792,20 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El resultado de «Comprobar anotación» o «Comparar mapas de etiquetas»</translation>
   </message>
   <message>
+   <source>The same number gives the same area; another one makes up another.</source>
+   <translation>El mismo número da la misma zona; otro inventa otra.</translation>
+  </message>
+  <message>
    <source>The same windows, turned about their centers.</source>
    <translation>Las mismas ventanas, giradas alrededor de su centro.</translation>
+  </message>
+  <message>
+   <source>The sample project is being made.</source>
+   <translation>El proyecto de ejemplo ya se está creando.</translation>
+  </message>
+  <message>
+   <source>The sample project is in {folder}.</source>
+   <translation>El proyecto de ejemplo está en {folder}.</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>
@@ -1960,8 +2048,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto. Un archivo de a bordo anterior se reemplaza, y el registro lo dice; un archivo de otra clase nunca se sobrescribe.</translation>
   </message>
   <message>
+   <source>Writing the annotation</source>
+   <translation>Escribiendo la anotación</translation>
+  </message>
+  <message>
    <source>Writing the database</source>
    <translation>Escribiendo la base de datos</translation>
+  </message>
+  <message>
+   <source>Writing the orthophoto</source>
+   <translation>Escribiendo la ortofoto</translation>
   </message>
   <message>
    <source>Writing tiles</source>
@@ -2192,6 +2288,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{count} hitos, centro {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} photos in {folder}</source>
+   <translation>{count} fotos en {folder}</translation>
+  </message>
+  <message>
    <source>{count} pixels compared</source>
    <translation>{count} píxeles comparados</translation>
   </message>
@@ -2206,6 +2306,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>Posición encontrada para {fixes} de {images} imágenes.</translation>
+  </message>
+  <message>
+   <source>{folder} can’t be read; choose another folder.</source>
+   <translation>No se puede leer {folder}; elija otra carpeta.</translation>
   </message>
   <message>
    <source>{folder} has no wheel of {package} for Python {python} on this system.</source>

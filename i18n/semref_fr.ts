@@ -36,6 +36,10 @@
    <translation>Un dossier nouveau ou vide ; celui d’une exportation précédente est remplacé.</translation>
   </message>
   <message>
+   <source>A new or empty folder; one that holds files is left alone.</source>
+   <translation>Un dossier nouveau ou vide ; celui qui contient des fichiers n’est pas touché.</translation>
+  </message>
+  <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
    <translation>Une page avec la matrice de confusion en image et les chiffres de chaque classe.</translation>
   </message>
@@ -200,6 +204,10 @@ Tous les réglages viennent de la base de données. Ce qui n’a pas changé gar
    <translation>Créer une base de données de référence</translation>
   </message>
   <message>
+   <source>Building the sample’s reference database</source>
+   <translation>Création de la base de données de référence de l’exemple</translation>
+  </message>
+  <message>
    <source>Burning landmarks</source>
    <translation>Rastérisation des repères visuels</translation>
   </message>
@@ -294,6 +302,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Choose a database.</source>
    <translation>Choisissez une base de données.</translation>
+  </message>
+  <message>
+   <source>Choose a folder for the sample project</source>
+   <translation>Choisir un dossier pour le projet d’exemple</translation>
   </message>
   <message>
    <source>Choose a folder with wheels (*.whl)</source>
@@ -660,6 +672,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Position trouvée</translation>
   </message>
   <message>
+   <source>Folder for the sample</source>
+   <translation>Dossier de l’exemple</translation>
+  </message>
+  <message>
    <source>Folder for the tiles</source>
    <translation>Dossier des tuiles</translation>
   </message>
@@ -836,6 +852,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Étiquettes</translation>
   </message>
   <message>
+   <source>Land cover</source>
+   <translation>Occupation du sol</translation>
+  </message>
+  <message>
    <source>Landmarks</source>
    <translation>Repères visuels</translation>
   </message>
@@ -948,12 +968,36 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Ressemble à</translation>
   </message>
   <message>
+   <source>Make sample area</source>
+   <translation>Créer une zone d’exemple</translation>
+  </message>
+  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
    <translation>Nettoie une couche d’occupation du sol : les géométries deviennent valides, les superpositions vont à un seul polygone, les lacunes minuscules et les polygones parasites au voisin avec la plus longue limite commune, et les polygones d’une même classe qui se touchent n’en font plus qu’un. Le résultat a un polygone pour chaque repère visuel.
 
 Là où des polygones se superposent, la priorité la plus élevée reste au-dessus, sinon le polygone le plus petit, sinon la valeur de classe la plus basse. Chaque polygone garde les attributs de l’entité qui en couvre la plus grande partie. Réparer une couche réparée ne change rien.</translation>
+  </message>
+  <message>
+   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, and photos taken anywhere above it, with where they were really taken (photos.csv).
+
+The model that ships with SemRef can read these photos.</source>
+   <translation>Invente un morceau de pays de 4 × 3 km pour essayer SemRef : ses polygones d’occupation du sol (landcover.shp), leur table de classes (classes.csv), une orthophoto et des photos prises n’importe où au-dessus, avec le lieu réel de chaque prise de vue (photos.csv).
+
+Le modèle livré avec SemRef sait lire ces photos.</translation>
+  </message>
+  <message>
+   <source>Making the sample area</source>
+   <translation>Création de la zone d’exemple</translation>
+  </message>
+  <message>
+   <source>Making the sample project</source>
+   <translation>Création du projet d’exemple</translation>
+  </message>
+  <message>
+   <source>Making up the landscape</source>
+   <translation>Invention du paysage</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -1104,6 +1148,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Nombre de repères visuels</translation>
   </message>
   <message>
+   <source>Number of photos</source>
+   <translation>Nombre de photos</translation>
+  </message>
+  <message>
    <source>Number of tiles</source>
    <translation>Nombre de tuiles</translation>
   </message>
@@ -1180,8 +1228,16 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Opacité des étiquettes</translation>
   </message>
   <message>
+   <source>Open the sample project…</source>
+   <translation>Ouvrir le projet d’exemple…</translation>
+  </message>
+  <message>
    <source>Opens “Update reference database” with the places that are done</source>
    <translation>Ouvre « Mettre à jour une base de données de référence » avec les endroits terminés</translation>
+  </message>
+  <message>
+   <source>Orthophoto</source>
+   <translation>Orthophoto</translation>
   </message>
   <message>
    <source>Outlining the disagreements</source>
@@ -1264,6 +1320,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Carte d’étiquettes prédite</translation>
   </message>
   <message>
+   <source>Press “Localize” in the dock to find where the photos were taken.</source>
+   <translation>Appuyez sur « Localiser » dans le panneau pour trouver où les photos ont été prises.</translation>
+  </message>
+  <message>
    <source>Priority field</source>
    <translation>Champ de priorité</translation>
   </message>
@@ -1298,6 +1358,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Rasterize annotation</source>
    <translation>Rastériser l’annotation</translation>
+  </message>
+  <message>
+   <source>Rasterizing the sample area</source>
+   <translation>Rastérisation de la zone d’exemple</translation>
   </message>
   <message>
    <source>Reading an image</source>
@@ -1350,6 +1414,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Removed; what is in use stays in memory until QGIS is closed.</source>
    <translation>Supprimé ; ce qui est utilisé reste en mémoire jusqu’à la fermeture de QGIS.</translation>
+  </message>
+  <message>
+   <source>Rendering it as a photo</source>
+   <translation>Rendu sous forme de photo</translation>
   </message>
   <message>
    <source>Repair annotation</source>
@@ -1466,6 +1534,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>SemRef possible places</source>
    <translation>Lieux possibles SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef sample project</source>
+   <translation>Projet d’exemple SemRef</translation>
   </message>
   <message>
    <source>SemRef windows</source>
@@ -1608,6 +1680,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Tableaux et graphiques dans un seul fichier à lire et à imprimer.</translation>
   </message>
   <message>
+   <source>Taking photos</source>
+   <translation>Prise des photos</translation>
+  </message>
+  <message>
    <source>Target CRS</source>
    <translation>SCR cible</translation>
   </message>
@@ -1716,8 +1792,20 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le résultat de « Vérifier l’annotation » ou de « Comparer des cartes d’étiquettes »</translation>
   </message>
   <message>
+   <source>The same number gives the same area; another one makes up another.</source>
+   <translation>Le même nombre donne la même zone, un autre en invente une autre.</translation>
+  </message>
+  <message>
    <source>The same windows, turned about their centers.</source>
    <translation>Les mêmes fenêtres, tournées autour de leur centre.</translation>
+  </message>
+  <message>
+   <source>The sample project is being made.</source>
+   <translation>Le projet d’exemple est en cours de création.</translation>
+  </message>
+  <message>
+   <source>The sample project is in {folder}.</source>
+   <translation>Le projet d’exemple se trouve dans {folder}.</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>
@@ -1960,8 +2048,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de combien. Un fichier de bord plus ancien est remplacé, ce que dit le journal ; un fichier d’une autre sorte n’est jamais écrasé.</translation>
   </message>
   <message>
+   <source>Writing the annotation</source>
+   <translation>Écriture de l’annotation</translation>
+  </message>
+  <message>
    <source>Writing the database</source>
    <translation>Écriture de la base de données</translation>
+  </message>
+  <message>
+   <source>Writing the orthophoto</source>
+   <translation>Écriture de l’orthophoto</translation>
   </message>
   <message>
    <source>Writing tiles</source>
@@ -2192,6 +2288,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{count} repères visuels, centre {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} photos in {folder}</source>
+   <translation>{count} photos dans {folder}</translation>
+  </message>
+  <message>
    <source>{count} pixels compared</source>
    <translation>{count} pixels comparés</translation>
   </message>
@@ -2206,6 +2306,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>Position trouvée pour {fixes} images sur {images}.</translation>
+  </message>
+  <message>
+   <source>{folder} can’t be read; choose another folder.</source>
+   <translation>Impossible de lire {folder} ; choisissez un autre dossier.</translation>
   </message>
   <message>
    <source>{folder} has no wheel of {package} for Python {python} on this system.</source>

@@ -36,6 +36,10 @@
    <translation>新文件夹或空文件夹；之前导出的文件夹会被替换。</translation>
   </message>
   <message>
+   <source>A new or empty folder; one that holds files is left alone.</source>
+   <translation>新文件夹或空文件夹；已有文件的文件夹不会被改动。</translation>
+  </message>
+  <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
    <translation>包含混淆矩阵图和各类别数值的页面。</translation>
   </message>
@@ -200,6 +204,10 @@ All settings come from the database. What did not change keeps its row and its f
    <translation>构建参考数据库</translation>
   </message>
   <message>
+   <source>Building the sample’s reference database</source>
+   <translation>正在构建示例的参考数据库</translation>
+  </message>
+  <message>
    <source>Burning landmarks</source>
    <translation>正在烧录地标</translation>
   </message>
@@ -294,6 +302,10 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Choose a database.</source>
    <translation>请选择数据库。</translation>
+  </message>
+  <message>
+   <source>Choose a folder for the sample project</source>
+   <translation>选择示例项目的文件夹</translation>
   </message>
   <message>
    <source>Choose a folder with wheels (*.whl)</source>
@@ -660,6 +672,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>已定位</translation>
   </message>
   <message>
+   <source>Folder for the sample</source>
+   <translation>存放示例的文件夹</translation>
+  </message>
+  <message>
    <source>Folder for the tiles</source>
    <translation>存放图块的文件夹</translation>
   </message>
@@ -836,6 +852,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>标签</translation>
   </message>
   <message>
+   <source>Land cover</source>
+   <translation>土地覆盖</translation>
+  </message>
+  <message>
    <source>Landmarks</source>
    <translation>地标</translation>
   </message>
@@ -948,12 +968,36 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>相似窗口</translation>
   </message>
   <message>
+   <source>Make sample area</source>
+   <translation>生成示例区域</translation>
+  </message>
+  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
    <translation>整理土地覆盖图层：使几何图形有效，重叠部分只归一个多边形，微小的间隙和碎片归共享边界最长的相邻要素，同类别的相接多边形合并为一个。结果中每个地标对应一个多边形。
 
 多边形重叠时，优先级较高者在上，否则较小的多边形在上，再否则类别值较小者在上。每个多边形保留覆盖其最大部分的要素的属性。对修复过的图层再次修复不会有任何改变。</translation>
+  </message>
+  <message>
+   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, and photos taken anywhere above it, with where they were really taken (photos.csv).
+
+The model that ships with SemRef can read these photos.</source>
+   <translation>虚构一块 4 × 3 km 的土地，用来试用 SemRef：土地覆盖多边形（landcover.shp）、类别表（classes.csv）、一幅正射影像，以及在其上空任意位置拍摄的照片和真实拍摄位置（photos.csv）。
+
+随 SemRef 提供的模型可以识别这些照片。</translation>
+  </message>
+  <message>
+   <source>Making the sample area</source>
+   <translation>正在生成示例区域</translation>
+  </message>
+  <message>
+   <source>Making the sample project</source>
+   <translation>正在生成示例项目</translation>
+  </message>
+  <message>
+   <source>Making up the landscape</source>
+   <translation>正在虚构地貌</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -1104,6 +1148,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>地标数</translation>
   </message>
   <message>
+   <source>Number of photos</source>
+   <translation>照片数</translation>
+  </message>
+  <message>
    <source>Number of tiles</source>
    <translation>图块数</translation>
   </message>
@@ -1180,8 +1228,16 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>标签的不透明度</translation>
   </message>
   <message>
+   <source>Open the sample project…</source>
+   <translation>打开示例项目…</translation>
+  </message>
+  <message>
    <source>Opens “Update reference database” with the places that are done</source>
    <translation>打开“更新参考数据库”，并带上已完成的位置</translation>
+  </message>
+  <message>
+   <source>Orthophoto</source>
+   <translation>正射影像</translation>
   </message>
   <message>
    <source>Outlining the disagreements</source>
@@ -1264,6 +1320,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>预测的标签图</translation>
   </message>
   <message>
+   <source>Press “Localize” in the dock to find where the photos were taken.</source>
+   <translation>请在面板中点击“定位”，找出照片的拍摄位置。</translation>
+  </message>
+  <message>
    <source>Priority field</source>
    <translation>优先级字段</translation>
   </message>
@@ -1298,6 +1358,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Rasterize annotation</source>
    <translation>栅格化标注</translation>
+  </message>
+  <message>
+   <source>Rasterizing the sample area</source>
+   <translation>正在栅格化示例区域</translation>
   </message>
   <message>
    <source>Reading an image</source>
@@ -1350,6 +1414,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Removed; what is in use stays in memory until QGIS is closed.</source>
    <translation>已移除；正在使用的内容会留在内存中，直到 QGIS 关闭。</translation>
+  </message>
+  <message>
+   <source>Rendering it as a photo</source>
+   <translation>正在渲染为照片</translation>
   </message>
   <message>
    <source>Repair annotation</source>
@@ -1466,6 +1534,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>SemRef possible places</source>
    <translation>SemRef 可能地点</translation>
+  </message>
+  <message>
+   <source>SemRef sample project</source>
+   <translation>SemRef 示例项目</translation>
   </message>
   <message>
    <source>SemRef windows</source>
@@ -1608,6 +1680,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>表格和图表，汇总在一个可供阅读和打印的文件中。</translation>
   </message>
   <message>
+   <source>Taking photos</source>
+   <translation>正在拍摄照片</translation>
+  </message>
+  <message>
    <source>Target CRS</source>
    <translation>目标坐标参照系</translation>
   </message>
@@ -1716,8 +1792,20 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>“检查标注”或“比较标签图”的结果</translation>
   </message>
   <message>
+   <source>The same number gives the same area; another one makes up another.</source>
+   <translation>相同的数得到相同的区域，不同的数得到不同的区域。</translation>
+  </message>
+  <message>
    <source>The same windows, turned about their centers.</source>
    <translation>同样的窗口，绕其中心旋转。</translation>
+  </message>
+  <message>
+   <source>The sample project is being made.</source>
+   <translation>示例项目正在生成。</translation>
+  </message>
+  <message>
+   <source>The sample project is in {folder}.</source>
+   <translation>示例项目位于 {folder}。</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>
@@ -1960,8 +2048,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 位置、面积和向量会被舍入，日志会说明舍入多少。较旧的机载文件会被替换，日志会予以说明；其他类型的文件绝不会被覆盖。</translation>
   </message>
   <message>
+   <source>Writing the annotation</source>
+   <translation>正在写入标注</translation>
+  </message>
+  <message>
    <source>Writing the database</source>
    <translation>正在写入数据库</translation>
+  </message>
+  <message>
+   <source>Writing the orthophoto</source>
+   <translation>正在写入正射影像</translation>
   </message>
   <message>
    <source>Writing tiles</source>
@@ -2192,6 +2288,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{count} 个地标，中心 {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} photos in {folder}</source>
+   <translation>{count} 张照片位于 {folder}</translation>
+  </message>
+  <message>
    <source>{count} pixels compared</source>
    <translation>比较了 {count} 个像元</translation>
   </message>
@@ -2206,6 +2306,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>{images} 幅影像中有 {fixes} 幅得到定位结果。</translation>
+  </message>
+  <message>
+   <source>{folder} can’t be read; choose another folder.</source>
+   <translation>无法读取 {folder}，请选择其他文件夹。</translation>
   </message>
   <message>
    <source>{folder} has no wheel of {package} for Python {python} on this system.</source>

@@ -17,6 +17,7 @@ from .evaluate_localization import EvaluateLocalization
 from .export_onboard import ExportOnboard
 from .export_training_tiles import ExportTrainingTiles
 from .localize_images import LocalizeImages
+from .make_sample import MakeSample
 from .rasterize_annotation import RasterizeAnnotation
 from .repair_annotation import RepairAnnotation
 from .segment_image import SegmentImage
@@ -34,6 +35,7 @@ ALGORITHMS = (
     CompareLabels,
     ExportTrainingTiles,
     SegmentImage,
+    MakeSample,
     BuildDatabase,
     UpdateDatabase,
     ExportOnboard,

@@ -13,36 +13,39 @@ The same seed gives the same files. A folder made by an earlier run is replaced;
 from __future__ import annotations
 
 import argparse
-import json
 import sys
-import tempfile
 from collections import Counter
 from pathlib import Path
 
-DEFAULT_SEED = 1671  # the paper's number in Remote Sensing
+import numpy as np
+from qgis_session import load_plugin_package
+
+load_plugin_package()
+from semref.core.errors import SemRefError  # noqa: E402
+from semref.core.sample import DEFAULT_SEED, pictures  # noqa: E402
+from semref.core.sample.classes import CLASSES  # noqa: E402
+from semref.core.sample.landscape import make_landscape  # noqa: E402
+from semref.processing.exchange import sample_files  # noqa: E402
+from semref.processing.exchange.files import folder_written_beside  # noqa: E402
+from semref.processing.exchange.pictures import write_png  # noqa: E402
+
 PIXEL_SIZES_M = (0.25, 2.0)  # finer maps take gigabytes, coarser ones are too small for the pictures
-MARKER = "sample.json"  # tells a folder of ours from somebody's data
-MAKER = "semref make_sample"
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run from the command line; returns the exit status."""
     options = parse(arguments)
+    target = options.output_folder.absolute()
     try:
-        from sample.writers import SampleError
-    except ImportError as error:
-        print(f"make_sample: {error}. Run it with the Python of the project's .venv.", file=sys.stderr)
-        return 1
-    try:
-        check_target(options.output_folder)
-        report = build(options.output_folder, options.seed, options.pixel_size)
-    except (SampleError, ValueError, RuntimeError) as error:  # RuntimeError: GDAL where its exceptions are on
+        with folder_written_beside(str(target), sample_files.MARKER) as folder:
+            report = write_all(Path(folder), options.seed, options.pixel_size)
+    except (SemRefError, ValueError) as error:
         print(f"make_sample: {error}", file=sys.stderr)
         return 1
     except OSError as error:
-        print(f"make_sample: Cannot write {options.output_folder}: {error.strerror or error}.", file=sys.stderr)
+        print(f"make_sample: Cannot write {target}: {error.strerror or error}.", file=sys.stderr)
         return 1
-    print(report)
+    print(f"{report}\nWritten to {target}")
     return 0
 
 
@@ -59,81 +62,29 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     return options
 
 
-def check_target(folder: Path) -> None:
-    """Raises ValueError when the output folder exists and holds something that is not ours."""
-    if not folder.exists():
-        return
-    if not folder.is_dir():
-        raise ValueError(f"{folder} is a file; choose a folder.")
-    if any(folder.iterdir()) and not is_ours(folder):
-        raise ValueError(f"{folder} holds other files and is left alone; choose a new or empty folder.")
-
-
-def is_ours(folder: Path) -> bool:
-    try:
-        return json.loads((folder / MARKER).read_text(encoding="utf-8")).get("made_by") == MAKER
-    except (OSError, ValueError, AttributeError):
-        return False
-
-
-def build(target: Path, seed: int, pixel_size: float) -> str:
-    """Make everything in a folder beside the target, then move it into place; returns the summary."""
-    target = target.absolute()
-    target.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=f".{target.name}-", dir=target.parent) as temporary:
-        made = Path(temporary) / "sample"
-        (made / "images").mkdir(parents=True)
-        report = write_all(made, seed, pixel_size)
-        if target.exists():
-            target.rename(Path(temporary) / "replaced")  # goes with the temporary folder
-        made.rename(target)
-    return f"{report}\nWritten to {target}"
-
-
 def write_all(folder: Path, seed: int, pixel_size: float) -> str:
-    """Write all files of the sample into an existing folder; returns the summary."""
-    from sample import pictures, writers
-    from sample.landscape import make_landscape
-
+    """All files of semref:makesample, then label pictures and their truth.csv; returns the summary."""
     landscape = make_landscape(seed)
-    writers.write_shapefile(landscape, folder)
-    writers.write_classes(folder / "classes.csv")
-    labels = writers.rasterize(landscape, pixel_size)
+    labels = sample_files.rasterize(landscape, pixel_size)
     views = pictures.plan_views(labels.shape, seed)
-    writers.write_pictures(labels, views, folder / "images")
-    writers.write_truth(landscape, pixel_size, views, folder / "truth.csv")
-    write_photos(folder, landscape, pixel_size, seed)
-    marker = {
-        "made_by": MAKER,
-        "seed": seed,
-        "pixel_size": pixel_size,
-        "window_size": pictures.WINDOW_PX,
-        "stride": pictures.STRIDE_PX,
-        "width": labels.shape[1],
-        "height": labels.shape[0],
-        "images": len(views),
-    }
-    (folder / MARKER).write_text(json.dumps(marker, indent=2) + "\n", encoding="utf-8")
+    photo = sample_files.render_photo(landscape, pixel_size)
+    for _ in sample_files.sample_steps(folder, landscape, photo, pixel_size):
+        pass
+    (folder / "images").mkdir()
+    for view in views:
+        write_png(folder / "images" / view.name, picture_bands(labels, view))
+    sample_files.write_truth(landscape, pixel_size, views, folder / "truth.csv")
     return summary(landscape, labels, views)
 
 
-def write_photos(folder: Path, landscape, pixel_size: float, seed: int) -> None:
-    """orthophoto.tif, photos/*.jpg and photos.csv."""
-    from sample import photo, pictures, writers
-
-    picture = photo.render(landscape, writers.grid_of(landscape, pixel_size), pixel_size)
-    writers.write_orthophoto(landscape, pixel_size, picture, folder / "orthophoto.tif")
-    views = pictures.plan_photos(picture.shape[:2], seed)
-    (folder / "photos").mkdir()
-    writers.write_photos(picture, views, seed, folder / "photos")
-    writers.write_truth(landscape, pixel_size, views, folder / "photos.csv")
+def picture_bands(labels_hw: np.ndarray, view: pictures.View) -> np.ndarray:
+    """(1 or 3, H, W) the view's class values, or its class colours."""
+    picture = pictures.cut(labels_hw, view)
+    return np.moveaxis(pictures.colored(picture), 2, 0) if view.in_color else picture[None]
 
 
 def summary(landscape, labels_hw, views) -> str:
     """What was made, as lines of text: features and pixels of each class, oddities, pictures of each kind."""
-    import numpy as np
-    from sample.classes import CLASSES
-
     counts = Counter(f.class_value for f in landscape.features)
     pixels = np.bincount(labels_hw.ravel(), minlength=256)
     lines = [

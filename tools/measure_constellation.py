@@ -329,10 +329,9 @@ def print_elsewhere(path: Path) -> None:
 
 def sample_labels(seed: int) -> np.ndarray:
     """Labels of the made-up sample area, its classes renamed to those of the map."""
-    sys.path.insert(0, str(ROOT / "tools"))
-    from sample.classes import CLASSES as SAMPLE_CLASSES
-    from sample.landscape import make_landscape
-    from sample.writers import rasterize as rasterize_landscape
+    from semref.core.sample.classes import CLASSES as SAMPLE_CLASSES
+    from semref.core.sample.landscape import make_landscape
+    from semref.processing.exchange.sample_files import rasterize as rasterize_landscape
 
     labels = rasterize_landscape(make_landscape(seed), 1.0)
     table = np.zeros(256, np.uint8)

@@ -80,13 +80,14 @@ def main() -> None:
 
 
 def prepare_sample(options) -> None:
-    from sample import photo, pictures, writers
-    from sample.classes import CLASSES
-    from sample.landscape import make_landscape
+    from semref.core.sample import photo, pictures
+    from semref.core.sample.classes import CLASSES
+    from semref.core.sample.landscape import make_landscape
+    from semref.processing.exchange.sample_files import grid_of, rasterize
 
     landscape = make_landscape(options.seed)
-    labels = writers.rasterize(landscape, 1.0)
-    STATE["photo"] = photo.render(landscape, writers.grid_of(landscape, 1.0), 1.0)
+    labels = rasterize(landscape, 1.0)
+    STATE["photo"] = photo.render(landscape, grid_of(landscape, 1.0), 1.0)
     STATE["seed"] = options.seed
     STATE["views"] = pictures.plan_photos(labels.shape, options.seed, options.trials)
     classes = [f"{c.value},{c.name},{c.color},{c.role}" for c in CLASSES]
@@ -164,7 +165,7 @@ def run(jobs: list, options) -> list[dict]:
 def trial(job) -> list[dict]:
     """One photo localised by each method, from the network's labels and from the true ones; JSON rows."""
     if job[0] == "sample":
-        from sample import photo, pictures
+        from semref.core.sample import photo, pictures
 
         view = STATE["views"][job[1]]
         seen = photo.shoot(STATE["photo"], view, STATE["seed"])

@@ -14,8 +14,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-from make_sample import DEFAULT_SEED
-from qgis_session import ROOT, qgis_session
+from qgis_session import ROOT, load_plugin_package, qgis_session
+
+load_plugin_package()
+from semref.core.sample import DEFAULT_SEED  # noqa: E402
 
 SEEDS = (11, 12, 13, 14, 15)
 TILE_PX, STRIDE_PX, VALIDATION_FRACTION = 512, 448, 0.12

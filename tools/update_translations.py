@@ -25,6 +25,7 @@ STEP_FILES = (
     "processing/exchange/geopackage.py",
     "processing/exchange/rasters.py",
     "processing/exchange/region_burning.py",
+    "processing/exchange/sample_files.py",
     "processing/exchange/training_tiles.py",
 )
 """Where steps are yielded: their texts are translated by whoever shows them."""

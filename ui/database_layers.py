@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsLayerTreeGroup, QgsProject, QgsRasterLayer, QgsVectorLayer
 
 from ..core.errors import DatabaseError
 from ..processing.exchange.styles import apply_overview_style
 from ..processing.translation import tr
 
 
-def add_database_to_map(path: str, project: QgsProject) -> None:
-    """Adds references, windows and overview, from top to bottom. Raises DatabaseError and adds nothing."""
+def add_database_to_map(path: str, project: QgsProject) -> QgsLayerTreeGroup:
+    """Adds references, windows and overview, from top to bottom, and gives their group.
+
+    Raises DatabaseError and adds nothing.
+    """
     if not Path(path).is_file():
         raise DatabaseError(tr("There is no database {path}; choose another file.").format(path=path))
     layers = [
@@ -31,3 +34,4 @@ def add_database_to_map(path: str, project: QgsProject) -> None:
     group = project.layerTreeRoot().insertGroup(0, Path(path).stem)
     for layer in layers:
         group.addLayer(layer)
+    return group

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Optional
+from typing import List, Optional
 
 from qgis.core import QgsProject, QgsVectorLayer
 from qgis.gui import QgsDockWidget
@@ -19,7 +19,7 @@ from .drapes import lay_on_map
 from .findings import FIX, Finding, read_findings
 from .highlight import HitHighlight
 from .image_picture import ImagePicture, read_picture
-from .inputs import MARGIN_PX, DatabaseBox, ImageBox, MethodRow
+from .inputs import AUTOMATIC, MARGIN_PX, DatabaseBox, ImageBox, MethodRow
 from .inspect_tab import InspectTab
 from .localization_run import LocalizationRun
 from .messages import Messages
@@ -85,6 +85,18 @@ class SemRefDock(QgsDockWidget):
         self.setUserVisible(True)
         self.tabs.setCurrentIndex(INSPECT)
         self.inspect.show_window(name)
+
+    def prepare(self, database: str, model: str, images: List[str]) -> None:
+        """Shows the dock with these images, the first one selected, ready to be localized by the automatic method."""
+        self.run.cancel()
+        self.results.show_findings([])
+        self.prior.forget()
+        self.method.choose(AUTOMATIC)
+        self.database.file.setFilePath(database)
+        self.images.model.setFilePath(model)
+        self.images.list.show_only(images)
+        self.setUserVisible(True)
+        self.tabs.setCurrentIndex(0)
 
     def _lay_out(self) -> None:
         localize = QWidget()

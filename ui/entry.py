@@ -1,4 +1,4 @@
-"""The ways in: button and menu entry that show and hide the dock, locator bar, options page, user guide."""
+"""The ways in: button and menu entries – dock, sample project, user guide –, locator bar and options page."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from .component_installer import ComponentInstaller
 from .components_page import PAGE
 from .dock import SemRefDock
 from .options import OptionsFactory
+from .sample_project import SampleProject
 from .window_locator import WindowLocator
 
 MENU = "SemRef"
@@ -36,6 +37,11 @@ class DockEntry:
         self._dock.setToggleVisibilityAction(self._action)
         self._locator = WindowLocator(self._dock.read_database, self._dock.inspect_window)
         iface.registerLocatorFilter(self._locator)
+        self._sample = SampleProject(iface, self._dock)
+        self._sample_action = QAction(tr("Open the sample project…"), window)
+        self._sample_action.setObjectName("SemRefSampleAction")
+        self._sample_action.triggered.connect(self._sample.ask)
+        iface.addPluginToMenu(MENU, self._sample_action)
         self._help = QAction(QgsApplication.getThemeIcon("/mActionHelpContents.svg"), tr("User guide"), window)
         self._help.setObjectName("SemRefHelpAction")
         self._help.triggered.connect(_open_user_guide)
@@ -58,6 +64,11 @@ class DockEntry:
         self._installer.deleteLater()
         self._iface.removePluginMenu(MENU, self._help)
         self._help.deleteLater()
+        self._iface.removePluginMenu(MENU, self._sample_action)
+        self._sample_action.deleteLater()
+        self._sample.shut_down()
+        self._sample.deleteLater()
+        self._sample = self._sample_action = None
         # QGIS deletes it.
         self._iface.deregisterLocatorFilter(self._locator)
         self._dock.shut_down()

@@ -43,6 +43,12 @@ class ImageList(QListWidget):
                 self.addItem(_item(path))
         self.changed.emit()
 
+    def show_only(self, paths: Iterable[str]) -> None:
+        """Replaces what is in the list, and selects the first one."""
+        self.clear()
+        self.add(paths)
+        self.setCurrentRow(0)
+
     def remove_selected(self) -> None:
         for item in self.selectedItems():
             self.takeItem(self.row(item))

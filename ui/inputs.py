@@ -15,6 +15,9 @@ from .image_list import ImageList
 MARGIN_PX = 5
 """Around the content of the dock and of its boxes: width is scarce in a dock."""
 
+AUTOMATIC = 0
+"""METHOD of semref:localizeimages."""
+
 _DATABASE_SETTING = "semref/dock/database"
 _METHOD_SETTING = "semref/dock/method"
 _MODEL_SETTING = "semref/dock/model"
@@ -126,7 +129,7 @@ class MethodRow(QWidget):
         self.choice = QComboBox()
         # The numbers are METHOD of semref:localizeimages, which is public.
         for number, name in (
-            (0, tr("Automatic")),
+            (AUTOMATIC, tr("Automatic")),
             (2, tr("Constellation")),
             (3, tr("Map correlation")),
             (1, tr("Topology vector (published)")),
@@ -143,6 +146,9 @@ class MethodRow(QWidget):
 
     def method(self) -> int:
         return self.choice.currentData()
+
+    def choose(self, method: int) -> None:
+        self.choice.setCurrentIndex(self.choice.findData(method))
 
     def _remember(self) -> None:
         QgsSettings().setValue(_METHOD_SETTING, self.method())

@@ -2,65 +2,34 @@
 
 from __future__ import annotations
 
-from typing import List, Optional
+from typing import List
 
-from qgis.core import (
-    QgsApplication,
-    QgsProcessingAlgRunnerTask,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
-    QgsProject,
-)
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ..processing.translation import tr
+from .algorithm_run import AlgorithmRun
 
 ALGORITHM = "semref:localizeimages"
-UNLOAD_WAIT_MS = 2000
-"""A cancel takes effect within a second; unloading waits no longer than this."""
-
-_BUG_REPORT_BEGINS = "Traceback"
-"""How QGIS passes on a Python exception that is not meant for the user."""
 
 
-class LocalizationRun(QObject):
-    """One run. After ``start`` returned True exactly one of ``found``, ``failed``, ``broke`` and ``canceled`` comes.
+class LocalizationRun(AlgorithmRun):
+    """An AlgorithmRun that says ``found`` when it is done.
 
     found: positions, footprints and possible places (QgsVectorLayer in memory, the receiver's; the last two may be
-    None); failed: a sentence for the user; broke: a bug's traceback.
+    None).
     """
 
-    progressed = pyqtSignal(float)
-    said = pyqtSignal(str)
     found = pyqtSignal(object, object, object)
-    failed = pyqtSignal(str)
-    broke = pyqtSignal(str)
-    canceled = pyqtSignal()
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._task: Optional[QgsProcessingAlgRunnerTask] = None
-        self._feedback: Optional[_Feedback] = None
-        self._context: Optional[QgsProcessingContext] = None
-        self._cancel_asked = False
-
-    @property
-    def running(self) -> bool:
-        return self._task is not None
+        self.done.connect(self._take_layers)
 
     def start(self, database: str, images: List[str], method: int, settings: dict) -> bool:
         """``method``: METHOD of the algorithm; ``settings``: others of its parameters.
 
         False when it can't even begin; then ``failed`` has said why.
         """
-        algorithm = QgsApplication.processingRegistry().algorithmById(ALGORITHM)
-        if algorithm is None:
-            self.failed.emit(tr("The Processing provider SemRef is switched off; switch it on in the options."))
-            return False
-        able, reason = algorithm.canExecute()
-        if not able:
-            self.failed.emit(reason)
-            return False
         parameters = {
             "DATABASE": database,
             "IMAGES": images,
@@ -70,63 +39,8 @@ class LocalizationRun(QObject):
             "FOOTPRINTS": "memory:" + tr("SemRef footprints"),
             "ALTERNATIVES": "memory:" + tr("SemRef possible places"),
         }
-        self._cancel_asked = False
-        self._context = QgsProcessingContext()
-        self._context.setTransformContext(QgsProject.instance().transformContext())
-        self._feedback = _Feedback()
-        self._feedback.said.connect(self.said)
-        self._feedback.progressChanged.connect(self.progressed)
-        self._task = QgsProcessingAlgRunnerTask(algorithm, parameters, self._context, self._feedback)
-        self._task.setDescription(tr("Localizing images"))
-        # The task uses both to its end, which may come after this object's.
-        self._feedback.setParent(self._task)
-        self._feedback.context = self._context
-        self._task.executed.connect(self._finish)
-        QgsApplication.taskManager().addTask(self._task)
-        return True
+        return self.start_algorithm(ALGORITHM, parameters, tr("Localizing images"))
 
-    def cancel(self) -> None:
-        if self._task is not None:
-            self._cancel_asked = True
-            self._task.cancel()
-
-    def abandon(self) -> None:
-        """Cancels, says nothing more, and waits until no code of the plugin runs in the background any more."""
-        if self._task is None:
-            return
-        self.blockSignals(True)
-        task = self._task
-        self.cancel()
-        task.waitForFinished(UNLOAD_WAIT_MS)
-
-    def _finish(self, succeeded: bool, results: dict) -> None:
-        context, error = self._context, self._feedback.last_error
-        self._task = self._feedback = self._context = None
-        if succeeded:
-            layers = [context.takeResultLayer(results.get(key, "")) for key in ("OUTPUT", "FOOTPRINTS", "ALTERNATIVES")]
-            self.found.emit(*layers)
-        elif self._cancel_asked or not error:
-            # Without an error it was canceled in QGIS's own list of tasks.
-            self.canceled.emit()
-        elif error.startswith(_BUG_REPORT_BEGINS):
-            self.broke.emit(error)
-        else:
-            self.failed.emit(error)
-
-
-class _Feedback(QgsProcessingFeedback):
-    """Passes on what is being done; called in the worker thread, so it only emits and stores."""
-
-    said = pyqtSignal(str)
-
-    def __init__(self) -> None:
-        super().__init__(False)
-        self.last_error = ""
-        self.context = None
-
-    def setProgressText(self, text):
-        self.said.emit(text)
-
-    def reportError(self, error, fatalError=False):
-        # What ends a run is reported last.
-        self.last_error = error
+    def _take_layers(self, results: dict, context) -> None:
+        layers = [context.takeResultLayer(results.get(key, "")) for key in ("OUTPUT", "FOOTPRINTS", "ALTERNATIVES")]
+        self.found.emit(*layers)

@@ -38,17 +38,17 @@ def written_beside(target: str) -> Iterator[str]:
 
 
 @contextlib.contextmanager
-def folder_written_beside(target: str, mark: str) -> Iterator[str]:
+def folder_written_beside(target: str, mark: str = "") -> Iterator[str]:
     """Gives a new folder beside ``target`` to fill; moves it to ``target`` when the block ends well.
 
-    ``mark``: name of a file that such folders have; an older one that has it is replaced, as is an empty folder. On an
-    error or a cancel nothing stays and an older ``target`` is untouched. Raises ParameterError for any other
-    ``target`` that exists, and when nothing can be written beside it.
+    ``mark``: name of a file that such folders have; an older one that has it is replaced, as is an empty folder;
+    without a mark only an empty one is. On an error or a cancel nothing stays and an older ``target`` is untouched.
+    Raises ParameterError for any other ``target`` that exists, and when nothing can be written beside it.
     """
     final = Path(target)
     if final.exists() and not final.is_dir():
         raise ParameterError(f"{final} is a file; choose a folder.")
-    if final.is_dir() and any(final.iterdir()) and not (final / mark).is_file():
+    if final.is_dir() and any(final.iterdir()) and not (mark and (final / mark).is_file()):
         raise ParameterError(f"The folder {final} holds other files, which are left alone; choose a new or empty one.")
     final.parent.mkdir(parents=True, exist_ok=True)
     workplace = Path(_workplace(final))

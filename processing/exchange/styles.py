@@ -9,6 +9,7 @@ from uuid import uuid4
 from osgeo import gdal
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
+    QgsFeatureRequest,
     QgsFillSymbol,
     QgsMapLayer,
     QgsMarkerSymbol,
@@ -58,6 +59,18 @@ def references_renderer(table: ClassTable) -> QgsCategorizedSymbolRenderer:
         )
         categories.append(QgsRendererCategory(c.value, symbol, c.name))
     return QgsCategorizedSymbolRenderer("class", categories)
+
+
+def annotation_renderer(table: ClassTable, class_field: str, priority_field: str) -> QgsCategorizedSymbolRenderer:
+    """Polygons in the class colours, without outlines; higher priorities on top."""
+    categories = []
+    for c in table:
+        symbol = QgsFillSymbol.createSimple({"color": c.color, "outline_style": "no"})
+        categories.append(QgsRendererCategory(c.name, symbol, c.name))
+    renderer = QgsCategorizedSymbolRenderer(class_field, categories)
+    renderer.setOrderBy(QgsFeatureRequest.OrderBy([QgsFeatureRequest.OrderByClause(priority_field)]))
+    renderer.setOrderByEnabled(True)
+    return renderer
 
 
 def write_label_map_style(path: str, table: ClassTable) -> None:

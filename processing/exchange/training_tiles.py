@@ -16,6 +16,7 @@ from ...core.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size,
 from ..compat import is_metric, wkt_for_gdal
 from .gdal_errors import gdal_failure, gdal_failures
 from .images import GdalImage
+from .pictures import write_png, write_tiff
 from .rasters import GdalLabels, LabelMapLayer, class_table_of_map, class_table_of_values, open_raster
 
 MANIFEST = "manifest.json"
@@ -260,24 +261,3 @@ def _require_known_values(values: np.ndarray, table: ClassTable) -> None:
             f"The labels have the value {', '.join(unknown)}, which the class table lacks; its classes are "
             f"{table.describe()}."
         )
-
-
-def write_png(path: Path, bands: np.ndarray) -> None:
-    """(1 or 3, H, W) uint8 as a grey or RGB PNG, without a palette and without files beside it."""
-    _write(path, bands, gdal.GDT_Byte, "PNG", [])
-
-
-def write_tiff(path: Path, bands: np.ndarray, kind: int) -> None:
-    """(bands, H, W) as a GeoTIFF with interleaved bands."""
-    _write(path, bands, kind, "GTiff", ["COMPRESS=DEFLATE", "INTERLEAVE=PIXEL", "PHOTOMETRIC=MINISBLACK"])
-
-
-def _write(path: Path, bands: np.ndarray, kind: int, driver: str, options: List[str]) -> None:
-    memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), kind)
-    for number, band in enumerate(bands, start=1):
-        memory.GetRasterBand(number).WriteArray(band)
-    with gdal_failures() as failures:
-        # Dropping the last reference closes the file, which may still write.
-        gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=options)
-    if failures:
-        raise LabelMapError(f"{path} can't be written: {failures[0]}.")

@@ -1,31 +1,14 @@
 """The sample area: same seed, same landscape; pictures cut where truth.csv says; colours that decode to their class."""
 
-import importlib
-import importlib.util
-import sys
 from collections import Counter
-from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 import shapely
 
-PACKAGE = Path(__file__).parents[2] / "tools" / "sample"
+from semref.core.sample import classes, landscape, photo, pictures
 
-
-def load(module):
-    """A module of tools/sample without putting tools/ on sys.path, where its names could hide others."""
-    if "semref_sample" not in sys.modules:
-        spec = importlib.util.spec_from_file_location(
-            "semref_sample", PACKAGE / "__init__.py", submodule_search_locations=[str(PACKAGE)]
-        )
-        sys.modules["semref_sample"] = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(sys.modules["semref_sample"])
-    return importlib.import_module(f"semref_sample.{module}")
-
-
-classes, pictures, landscape = load("classes"), load("pictures"), load("landscape")
 SEED = 1671
 
 
@@ -177,13 +160,13 @@ def small_landscape():
 
 @pytest.fixture(scope="module")
 def small_photo():
-    return load("photo").render(small_landscape(), (0.0, 100.0, 120, 100), 1.0)
+    return photo.render(small_landscape(), (0.0, 100.0, 120, 100), 1.0)
 
 
 def test_a_photo_is_the_same_every_time_and_has_the_size_of_the_map(small_photo):
     assert small_photo.shape == (100, 120, 3)
     assert small_photo.dtype == np.uint8
-    np.testing.assert_array_equal(load("photo").render(small_landscape(), (0.0, 100.0, 120, 100), 1.0), small_photo)
+    np.testing.assert_array_equal(photo.render(small_landscape(), (0.0, 100.0, 120, 100), 1.0), small_photo)
 
 
 def test_a_photo_shows_house_forest_and_water_where_they_are_drawn(small_photo):
@@ -202,7 +185,7 @@ def test_houses_throw_their_shadow_to_the_north(small_photo):
 
 def test_a_shot_shows_the_place_of_its_view(small_photo):
     view = pictures.View("p.jpg", "photo", 60.0, 50.0, 90.0, 1.0)
-    shot = load("photo").shoot(small_photo, view, 5, 64).astype(float).mean(axis=2)
+    shot = photo.shoot(small_photo, view, 5, 64).astype(float).mean(axis=2)
     cut = pictures.cut(small_photo, view, 64).astype(float).mean(axis=2)
     assert np.corrcoef(cv2.GaussianBlur(cut, (0, 0), 1).ravel(), shot.ravel())[0, 1] > 0.9
 

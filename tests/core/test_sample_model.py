@@ -1,8 +1,5 @@
 """The model that ships: small, named after the sample's classes, and it sees what a made-up photo shows."""
 
-import importlib
-import importlib.util
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -12,24 +9,14 @@ import shapely
 pytest.importorskip("onnxruntime")
 
 from semref.core.image_source import ArrayImage
+from semref.core.sample import landscape, photo
+from semref.core.sample.classes import CLASSES
 from semref.core.segmentation_model import SegmentationModel
 from semref.core.segmenter import segment
 
 ROOT = Path(__file__).parents[2]
 MODEL = ROOT / "models" / "sample_area.onnx"
 SIZE = 400
-
-
-def load(module):
-    """A module of tools/sample without putting tools/ on sys.path."""
-    if "semref_sample" not in sys.modules:
-        package = ROOT / "tools" / "sample"
-        spec = importlib.util.spec_from_file_location(
-            "semref_sample", package / "__init__.py", submodule_search_locations=[str(package)]
-        )
-        sys.modules["semref_sample"] = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(sys.modules["semref_sample"])
-    return importlib.import_module(f"semref_sample.{module}")
 
 
 @pytest.fixture(scope="module")
@@ -47,17 +34,15 @@ def drawn_area():
 
 
 def test_it_is_small_and_knows_the_classes_of_the_sample(model):
-    classes = load("classes").CLASSES
     assert MODEL.stat().st_size < 3_000_000
     assert [(c.value, c.name, c.color, c.role) for c in model.classes.table] == [
-        (c.value, c.name, c.color, c.role) for c in classes
+        (c.value, c.name, c.color, c.role) for c in CLASSES
     ]
     assert model.settings.resolution_m == 1.0
     assert model.tile_hw == (512, 512)
 
 
 def test_it_sees_what_a_photo_of_a_made_up_area_shows(model):
-    photo, landscape = load("photo"), load("landscape")
     features = tuple(landscape.Feature(*row) for row in drawn_area())
     area = landscape.Landscape(features, shapely.Polygon(), (0.0, 0.0, 400.0, 400.0), 25832, 77)
     frame = (0.0, 400.0, SIZE, SIZE)

@@ -33,6 +33,7 @@ def iface(qgis_app):
 
 def make_interface():
     # Imported here: without a display these tests skip instead of failing.
+    from qgis.core import QgsProject
     from qgis.gui import QgsMapCanvas, QgsMessageBar
     from qgis.PyQt.QtWidgets import QMainWindow, QVBoxLayout, QWidget
 
@@ -50,6 +51,7 @@ def make_interface():
             self.tool_bar = self.window.addToolBar("Plugins")
             self.plugin_menu = self.window.menuBar().addMenu("Plugins")
             self.docks = []
+            self.lets_projects_go = True
             self.tool_bar_actions = []
             self.menu_actions = []
             self.options_factories = []
@@ -103,6 +105,15 @@ def make_interface():
 
         def showOptionsDialog(self, parent, page):
             self.options_pages_shown.append(page)
+
+        def newProject(self, promptToSaveFlag=False):
+            """As a user whose answer to the question whether to save is `lets_projects_go`."""
+            if self.lets_projects_go:
+                QgsProject.instance().clear()
+            return self.lets_projects_go
+
+        def addProject(self, path):
+            return QgsProject.instance().read(path)
 
         def registerLocatorFilter(self, locator_filter):
             self.locator_filters.append(locator_filter)

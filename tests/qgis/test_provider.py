@@ -45,6 +45,7 @@ PARAMETERS = {
     ),
     "updatedatabase": ("referencedatabase", "DATABASE LABELS [CHANGED] OUTPUT", "OUTPUT"),
     "exportonboard": ("referencedatabase", "DATABASE [CLIP] DISTANCE OVERVIEW OUTPUT", "OUTPUT BYTES"),
+    "makesample": ("referencedatabase", "OUTPUT SEED", "OUTPUT PHOTO_COUNT"),
     "describeimage": (
         "localization",
         "INPUT [DATABASE] REFERENCES [VECTOR]",

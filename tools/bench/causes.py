@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from sample.pictures import View
 
 from bench import page
 from bench.rates import share
 from bench.trials import Ground
+from semref.core.sample.pictures import View
 
 CASES = (("rotation 30°", 30, 1.0), ("rotation 60°", 60, 1.0), ("view radius 1.2 ×", 0, 1.2),
          ("view radius 0.8 ×", 0, 0.8), ("view radius 1.5 ×", 0, 1.5), ("view radius 0.65 ×", 0, 0.65))  # fmt: skip

@@ -167,13 +167,13 @@ def _sample_crops(ground: Ground, map_is_first: bool):
 
     `map_is_first`: the map itself is the first of these landscapes, so that elsewhere begins with the second.
     """
-    from sample import writers
-    from sample.landscape import make_landscape
+    from semref.core.sample.landscape import make_landscape
+    from semref.processing.exchange.sample_files import rasterize
 
     rng = np.random.default_rng([trials.SEED, 2])
     reach = ground.size_px / np.sqrt(2) + 2
     for number in range(LANDSCAPES):
-        labels = writers.rasterize(make_landscape(trials.SEED + map_is_first + number), ground.pixel_size)
+        labels = rasterize(make_landscape(trials.SEED + map_is_first + number), ground.pixel_size)
         for _ in range(ELSEWHERE_COUNT // LANDSCAPES):
             column, row = rng.uniform(reach, np.subtract(labels.shape[::-1], reach))
             view = trials.View("elsewhere", "bench", column, row, rng.uniform(0, 360))

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from sample.pictures import View, cut
+
+from semref.core.sample.pictures import View, cut
 
 WINDOW_COUNT = 100
 LARGEST_SCALE = 2.0

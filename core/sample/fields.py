@@ -27,7 +27,7 @@ def parcels(rng: np.random.Generator, land: BaseGeometry) -> list[Polygon]:
     """Cut open land into parcels; each block between roads has its own direction."""
     found: list[Polygon] = []
     for block in shapes.polygons_of(land, 1500):
-        corners = np.array(block.minimum_rotated_rectangle.exterior.coords)
+        corners = shapes.corners_xy(block.minimum_rotated_rectangle)
         edges = np.diff(corners, axis=0)
         longest = edges[np.argmax(np.hypot(*edges.T))]
         heading = np.arctan2(longest[1], longest[0]) + rng.normal(0, 0.12)
@@ -77,7 +77,7 @@ def riverside_trees(rng: np.random.Generator, line: LineString) -> list[Polygon]
     strips, at = [], rng.uniform(0, 200)
     while at < line.length:
         until = at + rng.uniform(60, 240)
-        piece = LineString([line.interpolate(s).coords[0] for s in np.arange(at, until, 12)])
+        piece = LineString([shapes.point_xy(line.interpolate(s)) for s in np.arange(at, until, 12)])
         side = rng.choice([-1, 1])
         bank = piece.buffer(side * rng.uniform(27, 46), single_sided=True).buffer(-5).buffer(5, 2)
         strips += shapes.polygons_of(bank, 500)
@@ -87,7 +87,7 @@ def riverside_trees(rng: np.random.Generator, line: LineString) -> list[Polygon]
 
 def gravel_banks(line: LineString, river: BaseGeometry, rng: np.random.Generator) -> list[Polygon]:
     """Gravel on the inner side of the river's bends, half under water."""
-    points = np.array([line.interpolate(s).coords[0] for s in np.arange(0, line.length, 40.0)])
+    points = np.array([shapes.point_xy(line.interpolate(s)) for s in np.arange(0, line.length, 40.0)])
     before, after = points[1:-1] - points[:-2], points[2:] - points[1:-1]
     turn = np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1))
     banks = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
+import shapely
 from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
@@ -83,6 +84,16 @@ def noise(rng: np.random.Generator, shape_hw: tuple[int, int], cell: float, octa
         knots = rng.normal(size=(int(height / size) + 3, int(width / size) + 3)).astype(np.float32)
         total += cv2.resize(knots, (width, height), interpolation=cv2.INTER_CUBIC) * rough**octave
     return (total - total.mean()) / total.std()
+
+
+def corners_xy(shape: BaseGeometry) -> np.ndarray:
+    """(n, 2) vertices of a line, a ring, or a polygon without holes; no height, which old versions of GEOS make up."""
+    return shapely.get_coordinates(shape)
+
+
+def point_xy(point: BaseGeometry) -> np.ndarray:
+    """(2,) place of a point."""
+    return shapely.get_coordinates(point)[0]
 
 
 def polygons_of(geometry: BaseGeometry | None, min_area: float = 0.0) -> list[Polygon]:

@@ -52,12 +52,13 @@ def row(rng: np.random.Generator) -> Polygon:
 
 
 def shifted(shape: Polygon, dx: float, dy: float) -> Polygon:
-    return Polygon(np.array(shape.exterior.coords) + (dx, dy))
+    """The footprint moved by so many metres."""
+    return Polygon(shapes.corners_xy(shape.exterior) + (dx, dy))
 
 
 def put(shape: Polygon, at_xy, heading: float) -> Polygon:
     """A footprint turned so that its +x runs along `heading`, its origin at `at_xy`."""
-    return Polygon(shapes.rotated(np.array(shape.exterior.coords), heading) + np.asarray(at_xy))
+    return Polygon(shapes.rotated(shapes.corners_xy(shape.exterior), heading) + np.asarray(at_xy))
 
 
 def along_street(rng: np.random.Generator, street: Road, place: Settlement, ground: Ground) -> list[Polygon]:
@@ -125,13 +126,14 @@ def church(heading: float, center_xy) -> Polygon:
 
 
 def mix_at(place: Settlement, at_xy) -> str:
+    """Kind of the settlement at a place, for MIX: the middle of a town has its own."""
     near = np.hypot(*np.subtract(at_xy, place.center_xy)) < CORE * place.radius
     return "core" if place.kind == "town" and near else place.kind
 
 
 def on_line(line: LineString, at: float) -> tuple[np.ndarray, float]:
     """Point (2,) and direction of a line at a distance from its start."""
-    here = np.array(line.interpolate(at).coords[0])
-    ahead = np.array(line.interpolate(min(at + 4, line.length)).coords[0])
-    back = np.array(line.interpolate(max(at - 4, 0)).coords[0])
+    here = shapes.point_xy(line.interpolate(at))
+    ahead = shapes.point_xy(line.interpolate(min(at + 4, line.length)))
+    back = shapes.point_xy(line.interpolate(max(at - 4, 0)))
     return here, float(np.arctan2(*(ahead - back)[::-1]))

@@ -105,7 +105,7 @@ def outlines(geometry, frame, pixel_m: float):
     for polygon in shapes.polygons_of(geometry):
         rings = []
         for ring in (polygon.exterior, *polygon.interiors):
-            corners = (np.array(ring.coords)[:, :2] - (west, north)) / (pixel_m, -pixel_m) - 0.5
+            corners = (shapes.corners_xy(ring) - (west, north)) / (pixel_m, -pixel_m) - 0.5
             rings.append(np.round(corners * 2**SUBPIXEL_BITS).astype(np.int32))
         yield rings
 
@@ -166,7 +166,7 @@ def rows_of(rng: np.random.Generator, scene: Scene, features) -> np.ndarray:
     for index, feature in enumerate(features):
         if feature.class_value == CULTIVATED:
             box = feature.geometry.minimum_rotated_rectangle
-            edges = np.diff(np.array(box.exterior.coords), axis=0)
+            edges = np.diff(shapes.corners_xy(box.exterior), axis=0)
             longest = edges[np.argmax(np.hypot(*edges.T))]
             angle[index] = np.arctan2(-longest[1], longest[0])  # image rows run down
             period[index], strength[index] = rng.uniform(2.8, 5.5), rng.uniform(0, 0.05)
@@ -225,6 +225,7 @@ def crown_relief(rng: np.random.Generator, shape_hw, radius: float) -> np.ndarra
 
 
 def blended(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """Between two (H, W) arrays: the share of the second, 0…1."""
     return (first + (second - first) * share).astype(np.float32)
 
 
@@ -239,6 +240,7 @@ def plant_trees(rng: np.random.Generator, scene: Scene, color, relief, height) -
 
 
 def plant_tree(rng: np.random.Generator, scene: Scene, at_rc, radius_m: float, color, relief, height) -> None:
+    """One crown on grass around a pixel (row, column), drawn into color, relief and height."""
     radius = radius_m / scene.pixel_m
     reach = int(radius + 1)
     rows = slice(max(at_rc[0] - reach, 0), at_rc[0] + reach + 1)
@@ -285,7 +287,7 @@ class Roof:
 
 def make_roof(rng: np.random.Generator, polygon, x: np.ndarray, y: np.ndarray) -> Roof:
     """The roof of one building at map coordinates x, y (h, w)."""
-    corners = np.array(polygon.minimum_rotated_rectangle.exterior.coords)[:4]
+    corners = shapes.corners_xy(polygon.minimum_rotated_rectangle)[:4]
     edges = np.diff(corners, axis=0)
     longest = edges[np.argmax(np.hypot(*edges[:2].T))]
     ridge = longest / np.hypot(*longest)

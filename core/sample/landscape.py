@@ -48,6 +48,8 @@ class Landscape:
     seed: int
 
 
+# Old versions of GEOS compute with heights that are not there, and numpy would warn of it.
+@np.errstate(invalid="ignore")
 def make_landscape(seed: int) -> Landscape:
     """The landscape of a seed: the same seed gives the same features in the same order."""
     draw = _Draws(seed)
@@ -125,7 +127,7 @@ def _fill(rng: np.random.Generator, ground: Ground, buildings: list, still: list
 
 def _emptiest_window(objects: list[Polygon]) -> tuple[tuple[float, float], int]:
     """South-west corner of the window that holds the fewest objects, and how many it holds."""
-    points = np.array([p.representative_point().coords[0] for p in objects])
+    points = np.array([shapes.point_xy(p.representative_point()) for p in objects])
     across, up = (np.arange(0, side - FILL_WINDOW_M + 1, FILL_STEP_M) for side in SIZE_XY)
     corners = np.array([(x, y) for x in across for y in up])
     held = np.all((points >= corners[:, None]) & (points < corners[:, None] + FILL_WINDOW_M), axis=2).sum(axis=1)
@@ -160,7 +162,7 @@ def _finished(drawn) -> list[Feature]:
         parts = shapes.polygons_of(geometry.intersection(edge), 8.0)
         if parts:
             whole = parts[0] if len(parts) == 1 else MultiPolygon(parts)
-            placed = shapely.set_precision(translate(whole, *ORIGIN_XY), PRECISION_M)
+            placed = shapely.set_precision(shapely.force_2d(translate(whole, *ORIGIN_XY)), PRECISION_M)
             features.append(Feature(value, zorder, shapely.normalize(placed)))
     return features
 
@@ -171,7 +173,7 @@ def with_quirks(rng: np.random.Generator, features: list[Feature]) -> list[Featu
     features = joined(rng, features, CULTIVATED, MULTIPART_FIELDS)
     meadows = [f for f in features if f.class_value == GRASS and f.geometry.area > 8000]
     for index in rng.choice(len(meadows), BOW_TIES, replace=False):
-        at = np.array(meadows[index].geometry.representative_point().coords[0])
+        at = shapes.point_xy(meadows[index].geometry.representative_point())
         ring = np.round(at + shapes.rotated(np.array([[-14, -9], [14, 9], [14, -9], [-14, 9]]), rng.uniform(0, 3)), 2)
         features.append(Feature(GRASS, ZORDER[GRASS], Polygon(ring)))
     return [*features, Feature(GRASS, ZORDER[GRASS], None)]

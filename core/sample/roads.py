@@ -116,7 +116,8 @@ def streets_of(rng: np.random.Generator, place: Settlement, roads: list[Road], b
                 part = branch.intersection(rim)
                 if part.geom_type != "LineString" or part.length < 65 or part.intersects(blocked):
                     continue
-                beyond = LineString(part.coords[1:]).difference(Point(part.coords[0]).buffer(BETWEEN_STREETS_M + 8))
+                first, *others = shapes.corners_xy(part)
+                beyond = LineString(others).difference(Point(first).buffer(BETWEEN_STREETS_M + 8))
                 if not beyond.is_empty and all(beyond.distance(s.line) > BETWEEN_STREETS_M for s in streets + grown):
                     grown.append(Road(part, STREET_WIDTH_M))
         streets, generation = streets + grown, grown
@@ -127,7 +128,7 @@ def branches(rng: np.random.Generator, line: LineString, spacing: tuple[float, f
     """Side streets of a street: at random intervals, to either side, roughly at right angles."""
     at = rng.uniform(25, spacing[1])
     while at < line.length - 15:
-        here, ahead = np.array(line.interpolate(at).coords[0]), np.array(line.interpolate(at + 5).coords[0])
+        here, ahead = shapes.point_xy(line.interpolate(at)), shapes.point_xy(line.interpolate(at + 5))
         for side in (-1, 1):
             heading = np.arctan2(*(ahead - here)[::-1]) + side * np.pi / 2 + rng.normal(0, 0.13)
             length = rng.uniform(0.3, 0.85) * radius

@@ -1,0 +1,176 @@
+"""The first run: the sample project from the menu, as a person clicks it; a small area, the file dialog stubbed."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from small_sample import make_small
+
+DEADLINE_S = 300
+
+
+@pytest.fixture
+def plugin(iface, without_provider, monkeypatch):
+    from qgis.core import QgsProject, QgsSettings
+
+    from semref.plugin import SemRefPlugin
+
+    QgsSettings().remove("semref")
+    make_small(monkeypatch)
+    loaded = SemRefPlugin(iface)
+    loaded.initGui()
+    yield loaded
+    loaded.unload()
+    settle()
+    QgsProject.instance().clear()
+
+
+@pytest.fixture
+def open_sample(plugin, iface, monkeypatch):
+    """`open_sample(folder)` clicks the menu entry and picks that folder."""
+    from qgis.PyQt.QtWidgets import QFileDialog
+
+    def click(folder: Path) -> None:
+        monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(folder))
+        action = next(action for action in iface.menu_actions if action.objectName() == "SemRefSampleAction")
+        action.trigger()
+
+    return click
+
+
+def settle() -> None:
+    """Lets queued signals and deleteLater happen."""
+    from qgis.PyQt.QtCore import QCoreApplication, QEvent
+
+    for _ in range(5):
+        QCoreApplication.processEvents()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def wait_until(condition, what: str) -> None:
+    deadline = time.monotonic() + DEADLINE_S
+    while not condition():
+        if time.monotonic() > deadline:
+            pytest.fail(f"{what} did not happen within {DEADLINE_S} s.")
+        settle()
+        time.sleep(0.01)
+
+
+def messages(iface) -> list:
+    """(level, text) of what the message bar shows."""
+    return [(item.level(), item.text()) for item in iface.bar.items()]
+
+
+def layers() -> dict:
+    """Whether each layer of the project is shown, by name."""
+    from qgis.core import QgsProject
+
+    return {node.name(): node.isVisible() for node in QgsProject.instance().layerTreeRoot().findLayers()}
+
+
+def is_open() -> bool:
+    return "Land cover" in layers()
+
+
+def wait_until_open(iface) -> None:
+    from qgis.core import Qgis
+
+    def failed() -> bool:
+        return Qgis.MessageLevel.Critical in [level for level, _ in messages(iface)]
+
+    wait_until(lambda: is_open() or failed(), "the sample project")
+    assert is_open(), messages(iface)
+    settle()
+
+
+def test_the_sample_project_opens_styled_with_the_dock_ready_on_the_first_photo(open_sample, iface, tmp_path):
+    from qgis.core import QgsProject
+
+    (tmp_path / "letter.txt").write_text("of somebody", encoding="utf-8")
+    open_sample(tmp_path)
+    assert [item.layout().count() > 2 for item in iface.bar.items()] == [True]
+    wait_until_open(iface)
+    folder = tmp_path / "semref_sample"
+    project, dock = QgsProject.instance(), iface.docks[0]
+    assert Path(project.fileName()) == folder / "semref_sample.qgz"
+    assert (project.crs().authid(), project.isDirty()) == ("EPSG:25832", False)
+    assert layers() == {
+        "Landmarks": True, "Windows": False, "Overview": False,
+        "Land cover": True, "Label map": False, "Orthophoto": True,
+    }  # fmt: skip
+    cover = project.mapLayersByName("Land cover")[0]
+    assert {c.value(): c.symbol().color().name() for c in cover.renderer().categories()}["building"] == "#e3211c"
+    assert cover.renderer().orderByEnabled()
+    assert dock.isVisible()
+    assert dock.database.path() == str(folder / "reference_database.gpkg")
+    assert Path(dock.images.model_path()).name == "sample_area.onnx"
+    assert [Path(path).name for path in dock.images.paths()] == [f"photo_{n:02d}.jpg" for n in range(1, 13)]
+    assert dock.images.list.currentRow() == 0
+    assert dock.localize_button.isEnabled()
+    assert "Press “Localize”" in messages(iface)[0][1] and len(messages(iface)) == 1
+    assert (tmp_path / "letter.txt").exists()
+
+    pytest.importorskip("onnxruntime")
+    dock.images.list.show_only(dock.images.paths()[:2])
+    dock.localize_button.click()
+    wait_until(lambda: not dock.run.running, "the localization")
+    settle()
+    assert dock.state.text() == "2 of 2 images have a fix."
+
+    # Once more: what is there is opened, not made again.
+    made = (folder / "sample.json").stat().st_mtime_ns, (folder / "reference_database.gpkg").stat().st_ino
+    project.clear()
+    open_sample(folder)
+    wait_until_open(iface)
+    assert made == ((folder / "sample.json").stat().st_mtime_ns, (folder / "reference_database.gpkg").stat().st_ino)
+    assert len(dock.images.paths()) == 12
+
+
+def test_an_empty_folder_is_used_itself(tmp_path):
+    from semref.ui.sample_project import sample_folder
+
+    assert sample_folder(tmp_path) == tmp_path
+    (tmp_path / "letter.txt").write_text("of somebody", encoding="utf-8")
+    assert sample_folder(tmp_path) == tmp_path / "semref_sample"
+
+
+def test_another_folder_of_that_name_is_left_alone_and_said(open_sample, iface, tmp_path):
+    from qgis.core import Qgis
+
+    (tmp_path / "semref_sample").mkdir()
+    (tmp_path / "semref_sample" / "letter.txt").write_text("of somebody", encoding="utf-8")
+    open_sample(tmp_path)
+    wait_until(lambda: [level for level, _ in messages(iface)] == [Qgis.MessageLevel.Critical], "the refusal")
+    assert "left alone" in messages(iface)[0][1]
+    assert [path.name for path in tmp_path.rglob("*") if path.is_file()] == ["letter.txt"]
+    assert not is_open()
+
+
+def test_cancel_in_the_message_bar_leaves_nothing(open_sample, iface, tmp_path):
+    from qgis.PyQt.QtWidgets import QPushButton
+
+    open_sample(tmp_path)
+    settle()
+    iface.bar.items()[0].findChild(QPushButton).click()
+    wait_until(lambda: messages(iface) == [], "the end")
+    assert list(tmp_path.iterdir()) == []
+    assert not is_open()
+
+
+def test_a_user_who_keeps_the_open_project_is_told_where_the_sample_is(plugin, iface, tmp_path):
+    from qgis.core import QgsProject, QgsVectorLayer
+
+    from semref.ui.sample_project import steps
+
+    for step in steps(tmp_path):
+        step.result.touch()
+    QgsProject.instance().addMapLayer(QgsVectorLayer("Point", "unsaved work", "memory"))
+    iface.lets_projects_go = False
+    plugin._entry._sample.make(tmp_path)
+    assert list(layers()) == ["unsaved work"]
+    assert str(tmp_path) in messages(iface)[0][1]

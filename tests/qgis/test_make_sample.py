@@ -1,0 +1,105 @@
+"""semref:makesample makes all that a first try needs, and overwrites nothing."""
+
+from __future__ import annotations
+
+import csv
+import sys
+import time
+from math import hypot
+from pathlib import Path
+
+import pytest
+from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from small_sample import SIZE_XY, make_small
+
+SEED = 5
+PHOTO_COUNT = 12
+PROMPT_S = 1.0
+
+
+@pytest.fixture(scope="module")
+def sample(run_algorithm, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("sample") / "area"
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        make_small(monkeypatch)
+        results = run_algorithm("semref:makesample", {"OUTPUT": str(folder), "SEED": SEED})
+    assert results == {"OUTPUT": str(folder), "PHOTO_COUNT": PHOTO_COUNT}
+    return folder
+
+
+@pytest.fixture
+def small(monkeypatch):
+    make_small(monkeypatch)
+
+
+def truth_of(sample: Path) -> dict:
+    """(x, y) of each photo by its name."""
+    with (sample / "photos.csv").open(newline="", encoding="utf-8") as file:
+        return {row["image"]: (float(row["x"]), float(row["y"])) for row in csv.DictReader(file)}
+
+
+def test_it_makes_annotation_class_table_orthophoto_and_photos(sample):
+    from osgeo import gdal
+
+    layer = QgsVectorLayer(str(sample / "landcover.shp"), "annotation", "ogr")
+    orthophoto = gdal.Open(str(sample / "orthophoto.tif"))
+    photos = [gdal.Open(str(path)) for path in sorted((sample / "photos").iterdir())]
+    assert layer.featureCount() > 500
+    assert layer.crs().authid() == "EPSG:25832"
+    assert layer.fields().names() == ["class", "class_id", "zorder"]
+    assert {"building", "water"} < layer.uniqueValues(0)
+    assert (orthophoto.RasterXSize, orthophoto.RasterYSize, orthophoto.RasterCount) == (*map(int, SIZE_XY), 3)
+    assert {(photo.RasterXSize, photo.RasterYSize, photo.RasterCount) for photo in photos} == {(640, 640, 3)}
+    assert sorted(truth_of(sample)) == sorted(path.name for path in (sample / "photos").iterdir())
+    assert len(photos) == PHOTO_COUNT
+
+
+def test_the_photos_are_found_with_the_model_that_ships(sample, repository, run_algorithm, tmp_path):
+    pytest.importorskip("onnxruntime")
+    labels, database, positions = (str(tmp_path / name) for name in ("labels.tif", "area.gpkg", "positions.gpkg"))
+    annotation = {"INPUT": str(sample / "landcover.shp"), "CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder"}
+    burning = {"CLASS_TABLE": str(sample / "classes.csv"), "PIXEL_SIZE": 1, "OUTPUT": labels}
+    run_algorithm("semref:rasterizeannotation", {**annotation, **burning})
+    windows = {"WINDOW_SIZE": 640, "STRIDE": 160, "MINIMUM_AREA": 50}
+    run_algorithm("semref:builddatabase", {"LABELS": labels, **windows, "DATABASE": database})
+    model = str(repository / "models" / "sample_area.onnx")
+    photos = [str(path) for path in sorted((sample / "photos").iterdir())[:4]]
+    job = {"DATABASE": database, "IMAGES": photos, "MODEL": model, "OUTPUT": positions}
+    assert run_algorithm("semref:localizeimages", job)["FIX_COUNT"] == len(photos)
+    truth = truth_of(sample)
+    for row in QgsVectorLayer(positions, "positions", "ogr").getFeatures():
+        x, y = truth[Path(row["image"]).name]
+        assert hypot(row["x"] - x, row["y"] - y) < 10
+
+
+def test_a_folder_with_files_is_left_alone(run_algorithm, tmp_path):
+    (tmp_path / "thesis.txt").write_text("years of work", encoding="utf-8")
+    with pytest.raises(QgsProcessingException, match="holds other files, which are left alone") as caught:
+        run_algorithm("semref:makesample", {"OUTPUT": str(tmp_path)})
+    assert str(tmp_path) in str(caught.value)
+    assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
+
+
+def test_an_earlier_sample_is_left_alone_too(sample, run_algorithm):
+    with pytest.raises(QgsProcessingException, match="left alone"):
+        run_algorithm("semref:makesample", {"OUTPUT": str(sample)})
+    assert (sample / "photos.csv").exists()
+
+
+@pytest.mark.parametrize("text", ["Making up the landscape", "Rendering it as a photo", "Taking photos"])
+def test_cancel_stops_at_once_and_leaves_nothing(small, run_algorithm, tmp_path, text):
+    class CancelAtText(QgsProcessingFeedback):
+        canceled_at = None
+
+        def setProgressText(self, said):
+            if said == text:
+                self.canceled_at = time.monotonic()
+                self.cancel()
+
+    feedback = CancelAtText(False)
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        run_algorithm("semref:makesample", {"OUTPUT": str(tmp_path / "area")}, feedback)
+    assert time.monotonic() - feedback.canceled_at < PROMPT_S
+    assert list(tmp_path.iterdir()) == []
