@@ -1,7 +1,8 @@
 """METHOD 0: two roads to one fix, constellation and map correlation, each checked by the other's evidence (DESIGN §3).
 
 Centres of gravity and class areas fail for different reasons, so that one road's place is hardly ever the other's by
-chance. A fix of one road stands unless the other's evidence, where it has any, speaks against it.
+chance. A constellation's fix stands unless class areas speak against it. The opposite is no test: where labels are poor
+landmarks do not come out whole, and they disagree at right places as at wrong ones.
 """
 
 from __future__ import annotations
@@ -11,20 +12,12 @@ from typing import Optional
 
 import numpy as np
 
-from .constellation_check import ObjectCheck
 from .hypotheses import Prior
 from .localization import AMBIGUOUS, FIX, Localization, place_of
 
 LEAST_AGREEMENT = 0.25
 """Correlation of class areas at a constellation's fix below which they speak against it. On the northern half of
 Liechtenstein right fixes had 0.60 at least, wrong places 0.20 at most."""
-
-TELLING_OBJECTS = 20
-"""Objects that both map and image should show at a place before their disagreement speaks against it."""
-
-LEAST_OVER_CHANCE = 0.2
-"""Share of those objects that has to agree with the map beyond what chance gives. On the northern half of Liechtenstein
-right fixes had 0.38 at least with the worst labels; of ten wrong places seven had less than this."""
 
 NEAR_ERRORS, NEAR_SHARE = 2.0, 0.02
 NEAR_HEADING_DEG, NEAR_RATIO = 5.0, 1.05
@@ -40,18 +33,6 @@ def checked_by_areas(fix: Localization, agreement: Optional[float]) -> Localizat
         fix,
         f"Landmarks agree with one place, but class areas only by {agreement:.2f} there; "
         f"at least {LEAST_AGREEMENT:.2f} is needed.",
-    )
-
-
-def checked_by_objects(fix: Localization, check: ObjectCheck) -> Localization:
-    """A fix of map correlation, or why it is none; ``check``: the landmarks there."""
-    comparable = min(check.expected, check.shown)
-    if comparable < TELLING_OBJECTS or check.matched - check.by_chance >= LEAST_OVER_CHANCE * comparable:
-        return fix
-    return _refused(
-        fix,
-        f"Class areas agree with one place, but of {comparable} landmarks that could only {check.matched} do there, "
-        f"no more than by chance.",
     )
 
 

@@ -7,10 +7,9 @@ from typing import Optional, Tuple
 
 import numpy as np
 
-from .automatic import checked_by_areas, checked_by_objects, confirmed, near, neither
+from .automatic import checked_by_areas, confirmed, near, neither
 from .class_pyramid import MapPyramid
 from .constellation import localize as solve
-from .constellation_check import check_objects
 from .constellation_index import ConstellationIndex, build_index
 from .correlation_places import Prior as CorrelationPrior
 from .database import ReferenceDatabase
@@ -205,7 +204,7 @@ class Localizer:
         return self._database.overview is not None
 
     def localize_automatically(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
-        """The constellation; where that has no fix, map correlation; each checked by the other's evidence (DESIGN §3).
+        """The constellation, checked by class areas; where that has no fix, map correlation, made finer by the first.
 
         ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size each
         searches its own range. A database without overview leaves the constellation alone. Takes as long as map
@@ -223,12 +222,7 @@ class Localizer:
         areas = replace(areas, references=objects.references)
         closer = near(areas, prior or Prior(), min(labels_hw.shape))
         found = confirmed(areas, self.localize_by_constellation(labels_hw, closer), closer.radius)
-        return found or self._checked_by_objects(labels_hw, areas)
-
-    def _checked_by_objects(self, labels_hw: np.ndarray, fix: Localization) -> Localization:
-        visible, smallest = self._objects(labels_hw, fix.pixel_size_m)
-        pose = fix.position, fix.heading_deg, fix.pixel_size_m
-        return checked_by_objects(fix, check_objects(visible, labels_hw.shape, self.index, smallest, *pose))
+        return found or areas
 
     def pixel_sizes(self, shape_hw: Tuple[int, int], scales: Tuple[float, float]) -> Tuple[float, float]:
         """Smallest and largest pixel size of images whose shorter edge shows ``scales`` times a window's edge."""

@@ -61,7 +61,6 @@ from semref.core import constellation, trials  # noqa: E402
 from semref.core.build import BuildSettings, DatabaseBuilder, MapFrame  # noqa: E402
 from semref.core.class_pyramid import MapPyramid  # noqa: E402
 from semref.core.class_table import ClassTable, LandCoverClass  # noqa: E402
-from semref.core.constellation_check import check_objects  # noqa: E402
 from semref.core.correlation_decision import LEAST_NOISE, position_error_95  # noqa: E402
 from semref.core.correlation_places import (  # noqa: E402
     COARSE_EDGE,
@@ -332,9 +331,6 @@ def both_evidences(localizer: Localizer, image: np.ndarray, error) -> dict:
     if areas.position is not None:
         evidence.update(correlation_error=error(areas.position), error_95=areas.error_95_m)
         evidence["deviation"] = float(np.sqrt(max(np.linalg.eigvalsh(np.array(areas.covariance_m2)).max(), 0)))
-        pose = areas.position, areas.heading_deg, areas.pixel_size_m
-        check = check_objects(objects, image.shape, localizer.index, smallest, *pose)
-        evidence["check"] = dataclasses.asdict(check)
     return evidence
 
 
