@@ -8,13 +8,14 @@ from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
 from ..processing.base import ICON_PATH
+from ..processing.components import OPENCV, SHAPELY, how_to_install, missing
 from ..processing.translation import tr
 from ..processing.version import user_guide_url
 from .component_installer import ComponentInstaller
 from .components_page import PAGE
 from .dock import SemRefDock
+from .messages import Messages
 from .options import OptionsFactory
-from .sample_project import SampleProject
 from .window_locator import WindowLocator
 
 MENU = "SemRef"
@@ -37,10 +38,10 @@ class DockEntry:
         self._dock.setToggleVisibilityAction(self._action)
         self._locator = WindowLocator(self._dock.read_database, self._dock.inspect_window)
         iface.registerLocatorFilter(self._locator)
-        self._sample = SampleProject(iface, self._dock)
+        self._sample = None
         self._sample_action = QAction(tr("Open the sample project…"), window)
         self._sample_action.setObjectName("SemRefSampleAction")
-        self._sample_action.triggered.connect(self._sample.ask)
+        self._sample_action.triggered.connect(self._open_sample)
         iface.addPluginToMenu(MENU, self._sample_action)
         self._help = QAction(QgsApplication.getThemeIcon("/mActionHelpContents.svg"), tr("User guide"), window)
         self._help.setObjectName("SemRefHelpAction")
@@ -57,6 +58,18 @@ class DockEntry:
         self._installer.failed.connect(self._dock.messages.error)
         self._installer.broke.connect(self._dock.messages.bug)
 
+    def _open_sample(self) -> None:
+        lacking = missing((OPENCV, SHAPELY))
+        if lacking:
+            Messages(self._iface.messageBar()).error(how_to_install(lacking))
+            return
+        if self._sample is None:
+            # Not at the top: the plugin has to load where these packages are missing.
+            from .sample_project import SampleProject
+
+            self._sample = SampleProject(self._iface, self._dock)
+        self._sample.ask()
+
     def remove(self) -> None:
         self._installer.cancel()
         self._iface.unregisterOptionsWidgetFactory(self._options)
@@ -66,8 +79,9 @@ class DockEntry:
         self._help.deleteLater()
         self._iface.removePluginMenu(MENU, self._sample_action)
         self._sample_action.deleteLater()
-        self._sample.shut_down()
-        self._sample.deleteLater()
+        if self._sample is not None:
+            self._sample.shut_down()
+            self._sample.deleteLater()
         self._sample = self._sample_action = None
         # QGIS deletes it.
         self._iface.deregisterLocatorFilter(self._locator)
