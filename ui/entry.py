@@ -63,12 +63,15 @@ class DockEntry:
         if lacking:
             Messages(self._iface.messageBar()).error(how_to_install(lacking))
             return
+        self._sample_project().ask()
+
+    def _sample_project(self):
         if self._sample is None:
             # Not at the top: the plugin has to load where these packages are missing.
             from .sample_project import SampleProject
 
             self._sample = SampleProject(self._iface, self._dock)
-        self._sample.ask()
+        return self._sample
 
     def remove(self) -> None:
         self._installer.cancel()

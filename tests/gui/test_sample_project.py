@@ -171,6 +171,6 @@ def test_a_user_who_keeps_the_open_project_is_told_where_the_sample_is(plugin, i
         step.result.touch()
     QgsProject.instance().addMapLayer(QgsVectorLayer("Point", "unsaved work", "memory"))
     iface.lets_projects_go = False
-    plugin._entry._sample.make(tmp_path)
+    plugin._entry._sample_project().make(tmp_path)
     assert list(layers()) == ["unsaved work"]
     assert str(tmp_path) in messages(iface)[0][1]
