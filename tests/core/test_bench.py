@@ -3,9 +3,7 @@ results of localisation are judged and counted."""
 
 import importlib
 import importlib.util
-import os
 import signal
-import subprocess
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -171,29 +169,3 @@ def test_an_answer_that_takes_too_long_is_stopped(bench):
     assert in_time(5.0, lambda: 3) == 3
     with pytest.raises(TimeoutError):
         in_time(0.05, endless)
-
-
-def quick(tmp_path, *names, data):
-    """What `tools/bench NAMES --quick` prints, each case tried once."""
-    options = ["--quick", "--count", "1", "--work", str(tmp_path), "--data", str(data)]
-    command = [sys.executable, str(BENCH), *names, *options]
-    environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
-    environment.pop("SEMREF_BLOCK_QGIS", None)
-    done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
-
-
-def test_localization_goes_from_the_database_file_to_the_table(tmp_path):
-    pytest.importorskip("qgis")
-    names = ("localization", "two_dates", "elsewhere", "catalogue_sizes", "correlation_times", "astroalign")
-    shown = quick(tmp_path, *names, data=tmp_path / "nothing")
-    assert shown.count("\n## ") == len(names) and shown.count("Not measured") == 5
-    assert "| 20 % missed, 20 % invented, 5 % misnamed | ≥ 99 %, wrong ≤ 0.1 % | 1/1" in shown
-
-
-def test_real_data_is_tried_where_it_is(tmp_path, real_data):
-    pytest.importorskip("qgis")
-    folder = real_data("lcdb5_christchurch/lcdb5_christchurch.gpkg").parents[1]
-    shown = quick(tmp_path, "two_dates", "elsewhere", data=folder)
-    assert "Not measured" not in shown and "| topology vector |" in shown and "| all | 0/5" in shown
