@@ -288,6 +288,8 @@ def read_database(path: str, with_overview: bool = False) -> ReferenceDatabase:
 
 def read_overview(path: str) -> np.ndarray:
     """(h, w) uint8 class values. Raises DatabaseError for a database that has none."""
+    # Left as it is where GDAL raises.
+    overview = None
     with gdal_failures() as failures:
         dataset = gdal.OpenEx(f"GPKG:{path}:{OVERVIEW}", gdal.OF_RASTER)
         overview = None if dataset is None else dataset.GetRasterBand(1).ReadAsArray()

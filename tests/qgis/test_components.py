@@ -19,6 +19,8 @@ from semref.processing import component_install, components
 from semref.processing.components import ONNXRUNTIME, OPENCV, SHAPELY, Package
 from semref.ui.component_installer import ComponentInstaller
 
+needs_pip = pytest.mark.skipif(importlib.util.find_spec("pip") is None, reason="this Python has no pip")
+
 DEADLINE_S = 60
 GOOD = Package("Made", "semref_made", "semref-made", "python3-made", "made", "python-made", "made")
 BROKEN = Package("Broken", "semref_broken", "semref-broken", "python3-broken", "broken", "python-broken", "broken")
@@ -97,6 +99,7 @@ def is_tidy(root: Path) -> bool:
 # --- installing ---
 
 
+@needs_pip
 def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, wheels, installer):
     numpy_path = np.__file__
     installer.start([GOOD], str(wheels))
@@ -110,6 +113,7 @@ def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, 
     assert importlib.util.find_spec("numpy").origin == numpy_path
 
 
+@needs_pip
 def test_what_cannot_be_imported_is_removed_and_explained_and_what_came_before_stays(root, wheels, installer):
     installer.start([GOOD, BROKEN], str(wheels))
     sentence = end_of(installer)
@@ -120,6 +124,7 @@ def test_what_cannot_be_imported_is_removed_and_explained_and_what_came_before_s
     assert [path.name for path in components.components_folder().iterdir()] == [GOOD.module]
 
 
+@needs_pip
 def test_a_folder_without_the_wheel_is_explained(root, tmp_path, installer):
     (tmp_path / "empty").mkdir()
     installer.start([GOOD], str(tmp_path / "empty"))
@@ -166,6 +171,7 @@ def test_a_python_of_another_version_or_a_broken_one_is_not_used(root, tmp_path,
     assert is_tidy(root)
 
 
+@needs_pip
 def test_a_program_that_cannot_be_started_is_passed_over(root, tmp_path, wheels, installer, monkeypatch):
     (tmp_path / "python3").write_text("no program")
     monkeypatch.setattr(component_install, "python_candidates", lambda *a: [str(tmp_path / "python3"), sys.executable])
@@ -173,12 +179,14 @@ def test_a_program_that_cannot_be_started_is_passed_over(root, tmp_path, wheels,
     assert end_of(installer) == "installed"
 
 
+@needs_pip
 def test_a_folder_that_cannot_be_made_is_explained(root, tmp_path, wheels, installer):
     (tmp_path / "profile").write_text("a file")
     installer.start([GOOD], str(wheels))
     assert "semref-made can’t be installed" in end_of(installer)
 
 
+@needs_pip
 def test_an_older_package_that_comes_first_is_explained(root, wheels, installer, monkeypatch):
     monkeypatch.setattr(component_install, "is_too_old", lambda package: package is GOOD)
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: type("Spec", (), {"origin": "/elsewhere/made.py"}))
