@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
+
+import pytest
+
+pytestmark = pytest.mark.skipif(shutil.which("git") is None, reason="a benchmark tells its commit, and git is not here")
 
 
 def quick(repository, tmp_path, *names, data):
