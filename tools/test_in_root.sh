@@ -69,21 +69,21 @@ install_packages() {
     printf '%s\n' "${packages[@]}" >"$1/etc/semref-packages"
 }
 
-make_root() {
-    local building
+# A subshell: its trap must not outlive it.
+make_root() (
     rm -rf --one-file-system "$roots/.$name."* # what a killed run left
-    building=$(mktemp -d "$roots/.$name.XXXXXX") || return 1
-    trap 'rm -rf --one-file-system "$building"' RETURN
+    building=$(mktemp -d "$roots/.$name.XXXXXX") || exit 1
+    trap 'rm -rf --one-file-system "$building"' EXIT
     chmod 755 "$building"
-    debootstrap --variant=minbase "$name" "$building" "" "/usr/share/debootstrap/scripts/$script" || return 1
+    debootstrap --variant=minbase "$name" "$building" "" "/usr/share/debootstrap/scripts/$script" || exit 1
     # No service is to start in a root.
     printf '#!/bin/sh\nexit 101\n' >"$building/usr/sbin/policy-rc.d"
     chmod 755 "$building/usr/sbin/policy-rc.d"
     # Indexes of testing expire after a week, so a mirror that lags would stop the tests. Signatures stay checked.
     echo 'Acquire::Check-Valid-Until "false";' >"$building/etc/apt/apt.conf.d/90semref"
-    install_packages "$building" || return 1
+    install_packages "$building" || exit 1
     mv "$building" "$root"
-}
+)
 
 prepare_root() {
     local log=$roots/$name.log
