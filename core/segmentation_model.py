@@ -6,6 +6,7 @@ import os
 import re
 from typing import List, Optional, Sequence
 
+import cv2
 import numpy as np
 
 from .class_table import ClassTable
@@ -27,6 +28,11 @@ DEFAULT_TILE_SIZE_PX = 512
 TILES_AT_ONCE = 4
 """Tiles given to a graphics card together, where the network takes several; the CPU gains nothing by it."""
 
+RUNS_AT_ONCE = 2
+"""How often the network runs side by side on a CPU: two runs of half the threads each wait less for one another than
+one run of all, and each that runs holds its own intermediate results in memory."""
+
+_CPU = PROVIDERS[-1]
 _FLOATS = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
 _BANDS = 3
 
@@ -35,7 +41,8 @@ class SegmentationModel:
     """A network from an ONNX file: images → scores of its classes.
 
     ``classes`` and ``settings``: its metadata. ``tile_hw``: (height, width) of the images it takes. ``tiles_at_once``:
-    how many of them best. ``provider``: what runs it. ``notes``: sentences on metadata that were overruled.
+    how many of them best. ``runs_at_once``: how many threads may call ``scores`` at a time with gain. ``provider``:
+    what runs it. ``notes``: sentences on metadata that were overruled.
     """
 
     def __init__(self, path: str, threads: int, class_table: Optional[ClassTable] = None) -> None:
@@ -45,14 +52,15 @@ class SegmentationModel:
         """
         self.path = path
         self.notes: List[str] = []
-        self._session = _open(path, threads)
+        self.runs_at_once = min(RUNS_AT_ONCE, threads) if _providers()[:1] == [_CPU] else 1
+        self._session = _open(path, -(-threads // self.runs_at_once))
         self.provider = self._session.get_providers()[0]
         texts = self._session.get_modelmeta().custom_metadata_map
         self.settings = read_settings(texts, path)
         self._read_input()
         mean, std = (np.array(v, np.float32) for v in (self.settings.mean, self.settings.std))
-        # (pixel / 255 - mean) / std as one product and one sum.
-        self._factor, self._summand = 1 / (255 * std), -mean / std
+        # (pixel / 255 - mean) / std of each of the 256 pixel values, for each band.
+        self._standardized = ((np.arange(256, dtype=np.float32) / 255)[None] - mean[:, None]) / std[:, None]
         names = named_channels(texts, path)
         outputs = self._probe()
         single = outputs.ndim == 3 or outputs.shape[1] == 1
@@ -67,7 +75,7 @@ class SegmentationModel:
     def scores(self, images: Sequence[np.ndarray]) -> np.ndarray:
         """(N, C, H, W) float32: for each image the score of each class; the highest is the pixel's.
 
-        ``images``: N of (H, W, 3) uint8 or float32, 0–255, red first, H × W = ``tile_hw``.
+        ``images``: N of (H, W, 3) uint8, red first, H × W = ``tile_hw``.
         Raises ModelError when the network fails or gives values that are no numbers.
         """
         outputs = self._run(images)
@@ -121,7 +129,7 @@ class SegmentationModel:
                 "these are used."
             )
         fixed_batch = isinstance(shape[0], int)
-        self.tiles_at_once = 1 if fixed_batch or self.provider == PROVIDERS[-1] else TILES_AT_ONCE
+        self.tiles_at_once = 1 if fixed_batch or self.provider == _CPU else TILES_AT_ONCE
         if fixed_batch and shape[0] != 1:
             raise ModelError(f"{self.path} takes {shape[0]} images at once; export it for one (or any number).")
 
@@ -139,8 +147,8 @@ class SegmentationModel:
     def _run(self, images: Sequence[np.ndarray]) -> np.ndarray:
         planes = np.empty((len(images), _BANDS, *self.tile_hw), self._type)
         for image, plane in zip(images, planes):
-            for band in range(_BANDS):
-                plane[band] = image[..., band] * self._factor[band] + self._summand[band]
+            for band, pixels in enumerate(cv2.split(image)):
+                plane[band] = cv2.LUT(pixels, self._standardized[band])
         try:
             return self._session.run(None, {self._name: planes})[0]
         except _failures() as error:
@@ -170,17 +178,24 @@ def _failures():
     return (*(getattr(state, name) for name in names if hasattr(state, name)), RuntimeError, ValueError)
 
 
+def _providers() -> List[str]:
+    """What onnxruntime has to run a network, best first."""
+    there = _onnxruntime().get_available_providers()
+    return [name for name in PROVIDERS if name in there]
+
+
 def _open(path: str, threads: int):
     onnxruntime = _onnxruntime()
     if not os.path.isfile(path):
         raise ModelError(f"{path} does not exist; choose a model file (.onnx).")
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = threads
+    # A thread that spins while it waits takes the core from reading and blending.
+    options.add_session_config_entry("session.intra_op.allow_spinning", "0")
     # Errors are raised; onnxruntime would write them to a console that QGIS users don't have, too.
     options.log_severity_level = 4
-    providers = [name for name in PROVIDERS if name in onnxruntime.get_available_providers()]
     try:
-        return onnxruntime.InferenceSession(path, options, providers=providers)
+        return onnxruntime.InferenceSession(path, options, providers=_providers())
     except _failures() as error:
         raise ModelError(_why_not_opened(path, str(error), onnxruntime.__version__)) from error
 

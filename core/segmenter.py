@@ -49,8 +49,8 @@ def segment(
     neighbour at least. A tile's weight falls over the overlap towards its border, where a network sees
     least of the surroundings; each pixel gets the class with the highest weighted sum of scores (the weights need no
     normalising: they are the same for all classes of a pixel). Pixels without data are 0, tiles without any are not
-    given to the network. Held in memory: three groups of
-    tiles, and the scores of the overlap of two rows of tiles.
+    given to the network. Held in memory: two groups of tiles more than the model looks at side by side, and the scores
+    of the overlap of two rows of tiles.
 
     Raises ImageError for an image of a few pixels, and what ``source`` and ``model`` raise.
     """
@@ -67,17 +67,18 @@ def segment(
     groups = [places[n:n + model.tiles_at_once] for n in range(0, len(places), model.tiles_at_once)]
     done = 0
     # While these tiles are blended here, the network looks at the next ones and those after them are read.
-    with ThreadPoolExecutor(1) as reader, ThreadPoolExecutor(1) as network:
+    with ThreadPoolExecutor(1) as reader, ThreadPoolExecutor(model.runs_at_once) as network:
 
         def look_at(places):
             return network.submit(_look, model, reader.submit(_read_tiles, source, places, model.tile_hw))
 
-        ahead = [look_at(group) for group in groups[:2]]
+        waiting = model.runs_at_once + 1
+        ahead = [look_at(group) for group in groups[:waiting]]
         try:
             for number in range(len(groups)):
                 seen = ahead.pop(0).result()
-                if number + 2 < len(groups):
-                    ahead.append(look_at(groups[number + 2]))
+                if number + waiting < len(groups):
+                    ahead.append(look_at(groups[number + waiting]))
                 for tile, scores in seen:
                     finished = blending.add(tile, scores)
                     done += 1
@@ -128,9 +129,9 @@ class _Blending:
         self._height, self._width = height, width
         self._values = values
         self._weights = _ramp(tile_hw[0], overlap)[:, None] * _ramp(tile_hw[1], overlap)
-        self._tile_row = np.zeros((len(values), *tile_hw), np.float32)
-        self._above = np.zeros((len(values), 0, width), np.float32)
-        self._below = self._above
+        # Weighted sums to which tiles of this row or the next one will add: beside, above and below.
+        self._left = np.zeros((len(values), tile_hw[0], 0), np.float32)
+        self._above = self._below = np.zeros((len(values), 0, width), np.float32)
         self._labels = np.empty((0, width), np.uint8)
 
     def add(self, tile: _Tile, scores: Optional[np.ndarray]) -> Optional[SegmentedRows]:
@@ -139,26 +140,27 @@ class _Blending:
         rows = next_row - tile.row
         if tile.column == 0:
             self._begin_row(rows, is_last=next_row == self._height)
-        if scores is not None:
-            self._tile_row += np.multiply(scores, self._weights, out=scores)
+        if scores is None:
+            scores = np.zeros((len(self._values), *self._weights.shape), np.float32)
+        for channel in scores:
+            cv2.multiply(channel, self._weights, dst=channel)
+        scores[:, :, :self._left.shape[2]] += self._left
         # Left of the next tile nothing will be added in this row of tiles.
         last = self._next_column[tile.column]
         columns = last - tile.column
-        complete = self._tile_row[:, :, :columns]
+        complete = scores[:, :, :columns]
         complete[:, :self._above.shape[1]] += self._above[:, :, tile.column:last]
         labels = self._labels[:, tile.column:last]
         labels[:] = self._values[_best_channel(complete[:, :rows])]
         if tile.has_data is not None:
             labels[~tile.has_data[:rows, :columns]] = UNLABELED
         self._below[:, :, tile.column:last] = complete[:, rows:rows + self._below.shape[1]]
-        kept = self._tile_row.shape[2] - columns
-        self._tile_row[:, :, :kept] = self._tile_row[:, :, columns:]
-        self._tile_row[:, :, kept:] = 0
+        self._left = scores[:, :, columns:]
         return SegmentedRows(tile.row, self._labels) if last == self._width else None
 
     def _begin_row(self, rows: int, is_last: bool) -> None:
-        channels, tile_height, _ = self._tile_row.shape
-        self._tile_row[:] = 0
+        channels, tile_height = len(self._values), len(self._weights)
+        self._left = np.zeros((channels, tile_height, 0), np.float32)
         self._above = self._below
         self._below = np.empty((channels, 0 if is_last else tile_height - rows, self._width), np.float32)
         self._labels = np.empty((rows, self._width), np.uint8)
@@ -173,11 +175,13 @@ def _ramp(size: int, overlap: float) -> np.ndarray:
 
 def _best_channel(scores: np.ndarray) -> np.ndarray:
     """(C, H, W) → (H, W) uint8 number of the highest score, of equal ones the first; faster than ``np.argmax``."""
-    best = scores[0].copy()
+    best = np.ascontiguousarray(scores[0])
     channel = np.zeros(best.shape, np.uint8)
     for number in range(1, len(scores)):
-        np.copyto(channel, number, where=scores[number] > best)
-        np.maximum(best, scores[number], out=best)
+        # 255 where this channel is higher, else 0: of that and the number, the lower; no number before is as high.
+        higher = cv2.compare(scores[number], best, cv2.CMP_GT)
+        np.maximum(channel, np.minimum(higher, number, out=higher), out=channel)
+        best = cv2.max(best, scores[number])
     return channel
 
 

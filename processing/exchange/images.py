@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import hypot
-from typing import List, Optional, Tuple
+from typing import Callable, List, Optional, Tuple
 
 import numpy as np
 from osgeo import gdal
@@ -90,13 +90,7 @@ class GdalImage:
             self._file.FlushCache()
             self._row = row
         window = column, row, width, height
-        pixels = np.empty((height, width, 3), np.uint8)
-        for n, number in enumerate(self.bands):
-            if n and number == self.bands[0]:
-                pixels[..., n] = pixels[..., 0]
-                continue
-            values = self._values(self._view.GetRasterBand(number), window)
-            pixels[..., n] = values if self.stretch is None else _stretched(values, *self.stretch[n])
+        pixels = self._bytes(window) if self.stretch is None else self._stretched(window)
         has_data = self._has_data(window)
         if has_data is not None:
             pixels[~has_data] = 0
@@ -115,14 +109,35 @@ class GdalImage:
                 break
         return None if found.all() else found
 
+    def _bytes(self, window) -> np.ndarray:
+        """(height, width, 3) uint8 as they lie in the file, all bands in one go."""
+        column, row, width, height = window
+        pixels = np.empty((height, width, 3), np.uint8)
+        spaces = 3, 3 * width, 1  # bytes from pixel to pixel, from line to line, from band to band
+        self._read(
+            self._view.ReadRaster, column, row, width, height, width, height, gdal.GDT_Byte, list(self.bands), *spaces,
+            buf_obj=pixels,
+        )  # fmt: skip
+        return pixels
+
+    def _stretched(self, window) -> np.ndarray:
+        """(height, width, 3) uint8, the values between the limits of ``stretch``."""
+        read = {number: self._values(self._view.GetRasterBand(number), window) for number in set(self.bands)}
+        limited = zip(self.bands, self.stretch)
+        return np.stack([_stretched(read[number], *limits) for number, limits in limited], axis=2)
+
     def _values(self, band: gdal.Band, window) -> np.ndarray:
+        return self._read(band.ReadAsArray, *window)
+
+    def _read(self, read: Callable, *arguments, **keywords):
+        """What GDAL reads. It may raise or give None, as the user set it. Raises ImageError."""
         try:
-            values = band.ReadAsArray(*window)
+            found = read(*arguments, **keywords)
         except RuntimeError as error:
             raise ImageError(f"{self._path} is damaged or cut short: {gdal_failure(error)}.") from None
-        if values is None:
+        if found is None:
             raise ImageError(f"{self._path} is damaged or cut short: {gdal_failure()}.")
-        return values
+        return found
 
     def _percentiles(self) -> np.ndarray:
         height, width = self.shape_hw
