@@ -6,6 +6,7 @@ import pytest
 from qgis.core import (
     QgsApplication,
     QgsProcessingAlgorithm,
+    QgsProcessingModelAlgorithm,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
 )
@@ -97,6 +98,12 @@ def test_the_provider_has_id_name_icon_and_default_formats(provider):
 
 def test_the_provider_has_the_algorithms(provider):
     assert set(NAMES) <= {algorithm.name() for algorithm in provider.algorithms()}
+
+
+def test_the_models_that_ship_have_no_error_in_the_model_designer(provider):
+    models = [one for one in provider.algorithms() if isinstance(one, QgsProcessingModelAlgorithm)]
+    assert models
+    assert [(model.name(), model.validate()) for model in models] == [(model.name(), (True, [])) for model in models]
 
 
 @pytest.mark.parametrize("name", NAMES)
