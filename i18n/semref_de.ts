@@ -41,7 +41,7 @@
   </message>
   <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
-   <translation>Eine Seite mit der Verwechslungsmatrix als Bild und den Zahlen jeder Klasse.</translation>
+   <translation>Eine Seite mit der Konfusionsmatrix als Bild und den Zahlen jeder Klasse.</translation>
   </message>
   <message>
    <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
@@ -101,7 +101,7 @@
   </message>
   <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
-   <translation>Luftbild mit 8 oder 16 Bit. Die Netze von SemRef nehmen drei Bänder; weitere Bänder werden mit ausgegeben.</translation>
+   <translation>Luftbild mit 8 oder 16 Bit. Die Netze von SemRef nehmen drei Kanäle; weitere Kanäle werden mit ausgegeben.</translation>
   </message>
   <message>
    <source>All that the report shows, for scripts.</source>
@@ -195,7 +195,7 @@
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
 
 All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
-   <translation>Bringt eine Referenzdatenbank auf den neuen Stand, nachdem ihre Klassenkarte berichtigt wurde: dasselbe Ergebnis wie ein neuer Aufbau, aber nur Fenster und Landmarken, die die Berichtigungen erreichen, werden angefasst.
+   <translation>Bringt eine Referenzdatenbank auf den neuen Stand, nachdem ihre Klassenkarte korrigiert wurde: dasselbe Ergebnis wie ein neuer Aufbau, aber nur Fenster und Landmarken, die die Korrekturen erreichen, werden angefasst.
 
 Alle Einstellungen kommen aus der Datenbank. Was sich nicht geändert hat, behält seine Zeile und seine fid; neue Landmarken kommen ans Ende. Die Klassenkarte muss Pixel, KBS und Klassen der alten haben.</translation>
   </message>
@@ -289,7 +289,7 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   </message>
   <message>
    <source>Checking {package}…</source>
-   <translation>{package} wird geprüft …</translation>
+   <translation>{package} wird geprüft…</translation>
   </message>
   <message>
    <source>Choose a GeoPackage</source>
@@ -367,7 +367,7 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
 
 Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.</source>
-   <translation>Vergleicht eine vorhergesagte Klassenkarte mit einer annotierten: Verwechslungsmatrix, IoU jeder Klasse, Gesamtgenauigkeit und die Stellen, an denen sie abweichen, als Polygone, die größte zuerst.
+   <translation>Vergleicht eine vorhergesagte Klassenkarte mit einer annotierten: Konfusionsmatrix, IoU jeder Klasse, Gesamtgenauigkeit und die Stellen, an denen sie abweichen, als Polygone, die größte zuerst.
 
 Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen teilen. Karten verschiedener Pixelgröße werden auf den Pixeln der annotierten verglichen. Pixel ohne Annotation bleiben weg; Pixel ohne Vorhersage gelten als falsch.</translation>
   </message>
@@ -393,7 +393,7 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
   </message>
   <message>
    <source>Confusion matrix</source>
-   <translation>Verwechslungsmatrix</translation>
+   <translation>Konfusionsmatrix</translation>
   </message>
   <message>
    <source>Constellation</source>
@@ -417,15 +417,15 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
   </message>
   <message>
    <source>Correct</source>
-   <translation>Verbessern</translation>
+   <translation>Korrigieren</translation>
   </message>
   <message>
    <source>Corrected label map</source>
-   <translation>Berichtigte Klassenkarte</translation>
+   <translation>Korrigierte Klassenkarte</translation>
   </message>
   <message>
    <source>Corrected places</source>
-   <translation>Verbesserte Stellen</translation>
+   <translation>Korrigierte Stellen</translation>
   </message>
   <message>
    <source>Counting labels</source>
@@ -541,11 +541,11 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   </message>
   <message>
    <source>Export for onboard use</source>
-   <translation>Für den Bordrechner ausgeben</translation>
+   <translation>Für den Bordrechner exportieren</translation>
   </message>
   <message>
    <source>Export training tiles</source>
-   <translation>Trainingskacheln ausgeben</translation>
+   <translation>Trainingskacheln exportieren</translation>
   </message>
   <message>
    <source>Extent</source>
@@ -785,7 +785,7 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   </message>
   <message>
    <source>Install from a folder of wheels…</source>
-   <translation>Aus einem Ordner mit Wheels installieren …</translation>
+   <translation>Aus einem Ordner mit Wheels installieren…</translation>
   </message>
   <message>
    <source>Installed and ready; QGIS need not be restarted.</source>
@@ -797,11 +797,11 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   </message>
   <message>
    <source>Installing {package}…</source>
-   <translation>{package} wird installiert …</translation>
+   <translation>{package} wird installiert…</translation>
   </message>
   <message>
    <source>Install…</source>
-   <translation>Installieren …</translation>
+   <translation>Installieren…</translation>
   </message>
   <message>
    <source>IoU</source>
@@ -949,7 +949,7 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   </message>
   <message>
    <source>Looking for QGIS’s Python…</source>
-   <translation>Das Python von QGIS wird gesucht …</translation>
+   <translation>Das Python von QGIS wird gesucht…</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -1213,7 +1213,7 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   </message>
   <message>
    <source>Only what lies in these polygons, or along these lines, is exported; without it the whole map.</source>
-   <translation>Nur was in diesen Polygonen oder entlang dieser Linien liegt, wird ausgegeben; sonst die ganze Karte.</translation>
+   <translation>Nur was in diesen Polygonen oder entlang dieser Linien liegt, wird exportiert; sonst die ganze Karte.</translation>
   </message>
   <message>
    <source>Only with an approximate heading: other headings are not searched.</source>
@@ -1229,7 +1229,7 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   </message>
   <message>
    <source>Open the sample project…</source>
-   <translation>Beispielprojekt öffnen …</translation>
+   <translation>Beispielprojekt öffnen…</translation>
   </message>
   <message>
    <source>Opens “Update reference database” with the places that are done</source>
@@ -1377,7 +1377,7 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   </message>
   <message>
    <source>Reading…</source>
-   <translation>Wird gelesen …</translation>
+   <translation>Wird gelesen…</translation>
   </message>
   <message>
    <source>Ready</source>
@@ -1913,7 +1913,7 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   </message>
   <message>
    <source>Update the database…</source>
-   <translation>Datenbank aktualisieren …</translation>
+   <translation>Datenbank aktualisieren…</translation>
   </message>
   <message>
    <source>Updated database</source>

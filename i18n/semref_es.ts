@@ -405,7 +405,7 @@ Las clases se emparejan por nombre, o por valor si los mapas no comparten nombre
   </message>
   <message>
    <source>Copy command</source>
-   <translation>Copiar orden</translation>
+   <translation>Copiar comando</translation>
   </message>
   <message>
    <source>Copy longitude, latitude</source>
@@ -537,7 +537,7 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   </message>
   <message>
    <source>Everything: label maps, databases, localization</source>
-   <translation>Todo: mapas de clases, bases de datos, localización</translation>
+   <translation>Todo: mapas de etiquetas, bases de datos, localización</translation>
   </message>
   <message>
    <source>Export for onboard use</source>

@@ -457,7 +457,7 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   </message>
   <message>
    <source>Dissolving neighbors</source>
-   <translation>Fusion des voisins</translation>
+   <translation>Regroupement des voisins</translation>
   </message>
   <message>
    <source>Distance</source>
@@ -537,7 +537,7 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   </message>
   <message>
    <source>Everything: label maps, databases, localization</source>
-   <translation>Tout : cartes de classes, bases de données, localisation</translation>
+   <translation>Tout : cartes d’étiquettes, bases de données, localisation</translation>
   </message>
   <message>
    <source>Export for onboard use</source>

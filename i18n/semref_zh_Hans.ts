@@ -305,7 +305,7 @@ Classes come from the class table, else from the layer’s categorized style, el
   </message>
   <message>
    <source>Choose a folder for the sample project</source>
-   <translation>选择示例项目的文件夹</translation>
+   <translation>选择示例工程的文件夹</translation>
   </message>
   <message>
    <source>Choose a folder with wheels (*.whl)</source>
@@ -993,7 +993,7 @@ The model that ships with SemRef can read these photos.</source>
   </message>
   <message>
    <source>Making the sample project</source>
-   <translation>正在生成示例项目</translation>
+   <translation>正在生成示例工程</translation>
   </message>
   <message>
    <source>Making up the landscape</source>
@@ -1229,7 +1229,7 @@ The model that ships with SemRef can read these photos.</source>
   </message>
   <message>
    <source>Open the sample project…</source>
-   <translation>打开示例项目…</translation>
+   <translation>打开示例工程…</translation>
   </message>
   <message>
    <source>Opens “Update reference database” with the places that are done</source>
@@ -1537,7 +1537,7 @@ The model that ships with SemRef can read these photos.</source>
   </message>
   <message>
    <source>SemRef sample project</source>
-   <translation>SemRef 示例项目</translation>
+   <translation>SemRef 示例工程</translation>
   </message>
   <message>
    <source>SemRef windows</source>
@@ -1801,11 +1801,11 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   </message>
   <message>
    <source>The sample project is being made.</source>
-   <translation>示例项目正在生成。</translation>
+   <translation>示例工程正在生成。</translation>
   </message>
   <message>
    <source>The sample project is in {folder}.</source>
-   <translation>示例项目位于 {folder}。</translation>
+   <translation>示例工程位于 {folder}。</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>
