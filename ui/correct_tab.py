@@ -46,7 +46,10 @@ _COLUMNS = (("kind", "annotated_class"), ("message", "predicted_class"), ("area"
 _LINE = QColor("#e8344e")
 _ZOOM_MARGIN = 3.0
 _LEAST_EXTENT_SHARE = 1e-4
-"""Specks are shown with some ground around them: at least this share of the layer's extent."""
+"""Points and lines have no extent: this share of the layer's is added."""
+
+_CLOSEST_SCALE = 500
+"""Specks are shown with some ground around them: not nearer than 1:500."""
 
 
 class CorrectTab(QWidget):
@@ -117,8 +120,10 @@ class CorrectTab(QWidget):
         self.open.toggled.connect(self._fill)
         self.update_button.clicked.connect(self._ask_update)
         self._canvas.destinationCrsChanged.connect(self._show_place)
+        QgsProject.instance().layersWillBeRemoved.connect(self._leave_removed)
 
     def shut_down(self) -> None:
+        QgsProject.instance().layersWillBeRemoved.disconnect(self._leave_removed)
         self._canvas.destinationCrsChanged.disconnect(self._show_place)
         self.layer.layerChanged.disconnect(self._use_layer)
         self._canvas.scene().removeItem(self._mark)
@@ -131,6 +136,11 @@ class CorrectTab(QWidget):
         stored = "" if self._layer is None else self._layer.customProperty(DONE_PROPERTY, "")
         self._done = set(json.loads(stored)) if stored else set()
         self._fill()
+
+    def _leave_removed(self, ids: List[str]) -> None:
+        """Else the box would go on to some other layer, without telling."""
+        if self._layer is not None and self._layer.id() in ids:
+            self.layer.setLayer(None)
 
     def _fill(self) -> None:
         fields = [None] * len(_COLUMNS) if self._layer is None else _fields(self._layer)
@@ -208,7 +218,7 @@ class CorrectTab(QWidget):
         if feature is None:
             self.text.setText("" if self.places.rowCount() else tr("No place to look at."))
             return
-        self.text.setText(" · ".join(_texts(feature, _fields(self._layer))))
+        self.text.setText(" · ".join(filter(None, _texts(feature, _fields(self._layer)))))
         geometry = feature.geometry()
         transform = QgsCoordinateTransform(
             self._layer.crs(), self._canvas.mapSettings().destinationCrs(), QgsProject.instance()
@@ -223,6 +233,8 @@ class CorrectTab(QWidget):
         extent.grow(_LEAST_EXTENT_SHARE * max(whole.width(), whole.height()))
         extent.scale(_ZOOM_MARGIN)
         self._canvas.setExtent(extent)
+        if self._canvas.scale() < _CLOSEST_SCALE:
+            self._canvas.zoomScale(_CLOSEST_SCALE)
         self._canvas.refresh()
 
     def _ask_update(self) -> None:
