@@ -1,0 +1,183 @@
+"""Makes the pictures of the docs: SemRef on its sample project, in desktop QGIS on a virtual screen.
+
+    .venv/bin/python tools/make_screenshots.py                       # all of them, into docs/images
+    .venv/bin/python tools/make_screenshots.py dark first_fix        # only these
+    .venv/bin/python tools/make_screenshots.py --language fr --output DIR   # all tabs in a language, to look at
+
+Each session starts QGIS with a fresh profile and the packaged plugin. Needs what tools/setup.sh installs and, for
+Chinese, a font with its characters.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import time
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Dict, List, Tuple
+
+from palette_png import shrink
+
+ROOT = Path(__file__).resolve().parent.parent
+SESSION = Path(__file__).with_name("screenshot_session.py")
+IMAGES = ROOT / "docs" / "images"
+SCREEN_PX = 2800, 2600
+LIMIT_S, TIME_TO_QUIT_S = 900, 20
+LARGEST_BYTES = 250_000
+CHINESE_FONT = "fonts-wqy-microhei"
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One session of QGIS; ``scenes``: name of a picture → (scene, suffix that makes the picture's name)."""
+
+    scenes: Tuple[Tuple[str, str], ...]
+    theme: str = "default"
+    language: str = "en_US"
+    scale: int = 1
+
+
+LIGHT = (
+    "first_fix", "dock_localize", "inspect", "correct", "prior", "toolbox", "algorithm_dialog", "model_designer",
+    "options", "narrow",
+)  # fmt: skip
+
+VARIANTS: Dict[str, Variant] = {
+    "light": Variant(tuple((scene, "") for scene in LIGHT)),
+    "dark": Variant((("whole_window", "_dark"),), theme="Night Mapping"),
+    "chinese": Variant((("whole_window", "_chinese"),), language="zh-Hans"),
+    "scale_200": Variant((("dock_localize", "_scale_200"),), scale=2),
+}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("only", nargs="*", help="scenes or variants; all without any")
+    parser.add_argument("--output", type=Path, default=IMAGES)
+    parser.add_argument("--samples", type=Path, help="folder to keep the sample projects in, one a language")
+    parser.add_argument("--language", action="append", default=[], help="all tabs of the dock in this language instead")
+    arguments = parser.parse_args()
+    variants = chosen(arguments.only, arguments.language)
+    say_what_is_missing(variants)
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix="semref-screenshots-") as folder:
+        work = Path(folder)
+        package = work / "semref.zip"
+        subprocess.run([sys.executable, str(ROOT / "tools" / "package.py"), "--output", str(package)], check=True)
+        for number, variant in enumerate(variants):
+            # Its layers have names in the language it is made in.
+            sample = (arguments.samples or work / "samples") / variant.language / "semref_sample"
+            sample.mkdir(parents=True, exist_ok=True)
+            for picture in take(variant, package, sample, work / str(number)):
+                target = arguments.output / picture.name
+                shrink(picture, target, LARGEST_BYTES)
+                print(f"{target} ({target.stat().st_size / 1000:.0f} kB)", flush=True)
+
+
+def chosen(only: List[str], languages: List[str]) -> List[Variant]:
+    if languages:
+        return [Variant((("all_tabs", f"_{language}"),), language=language) for language in languages]
+    if not only:
+        return list(VARIANTS.values())
+    unknown = set(only) - set(VARIANTS) - set(LIGHT)
+    if unknown:
+        sys.exit(f"There is no {', '.join(sorted(unknown))}; there are {', '.join((*VARIANTS, *LIGHT))}.")
+    variants = [VARIANTS[name] for name in only if name in VARIANTS]
+    scenes = tuple((name, "") for name in only if name in LIGHT)
+    return [*variants, Variant(scenes)] if scenes else variants
+
+
+def say_what_is_missing(variants: List[Variant]) -> None:
+    for program, source in (("qgis", "qgis"), ("xvfb-run", "xvfb")):
+        if shutil.which(program) is None:
+            sys.exit(f"{program} is missing; apt-get install {source}")
+    if any(variant.language.startswith("zh") for variant in variants):
+        fonts = subprocess.run(["fc-list", ":lang=zh-cn"], capture_output=True, text=True, check=False).stdout
+        if not fonts.strip():
+            sys.exit(f"No font has Chinese characters; apt-get install {CHINESE_FONT}")
+
+
+def take(variant: Variant, package: Path, sample: Path, home: Path) -> List[Path]:
+    """The pictures of one session, as large as they came from the screen."""
+    profile = home / "profiles" / "default"
+    pictures = home / "pictures"
+    runtime = home / "runtime"
+    temporary = home / "tmp"
+    for folder in (profile / "QGIS", profile / "python" / "plugins", pictures, temporary):
+        folder.mkdir(parents=True)
+    runtime.mkdir(mode=0o700)
+    with zipfile.ZipFile(package) as archive:
+        archive.extractall(profile / "python" / "plugins")
+    (profile / "QGIS" / "QGIS3.ini").write_text(settings(variant), encoding="utf-8")
+    job, result = home / "job.json", home / "result.json"
+    job.write_text(
+        json.dumps({
+            "sample": str(sample), "pictures": str(pictures), "scenes": variant.scenes, "result": str(result),
+        }),
+        encoding="utf-8",
+    )  # fmt: skip
+    environment = {
+        "PATH": os.environ["PATH"],
+        "LANG": "C.UTF-8",
+        "HOME": str(home),
+        "XDG_RUNTIME_DIR": str(runtime),
+        # Elsewhere than the sample, whose layers QGIS would mark as temporary.
+        "TMPDIR": str(temporary),
+        # OpenCV, where a virtual environment has it: QGIS runs the system's Python.
+        "PYTHONPATH": sysconfig.get_path("purelib"),
+        "QT_SCALE_FACTOR": str(variant.scale),
+        "SEMREF_SCREENSHOTS": str(job),
+    }
+    command = [
+        "xvfb-run", "--auto-servernum", f"--server-args=-screen 0 {SCREEN_PX[0]}x{SCREEN_PX[1]}x24",
+        "qgis", "--nologo", "--noversioncheck", "--profiles-path", str(home), "--code", str(SESSION),
+    ]  # fmt: skip
+    said = run(command, environment, home / "output.txt", result)
+    if not result.exists():
+        sys.exit(f"QGIS ended without a result; it said:\n{said}")
+    seen = json.loads(result.read_text(encoding="utf-8"))
+    problems = [seen.get("error", ""), *seen["messages"]]
+    if any(problems):
+        sys.exit("\n".join(filter(None, problems)))
+    return [pictures / name for name in seen["taken"]]
+
+
+def settings(variant: Variant) -> str:
+    """The fresh profile's: plugins that are on, language and theme."""
+    return (
+        "[PythonPlugins]\nsemref=true\nprocessing=true\n\n"
+        f"[locale]\noverrideFlag=true\nuserLocale={variant.language}\nglobalLocale={variant.language}\n\n"
+        f"[UI]\nUITheme={variant.theme}\n\n"
+        "[qgis]\ncheckVersion=false\naskToSaveProjectChanges=false\n\n"
+        "[app]\naskToSaveMemoryLayers=false\n"
+    )
+
+
+def run(command: List[str], environment: Dict[str, str], log: Path, result: Path) -> str:
+    """What the command printed; once its result is there it has a little time to end, and is ended then."""
+    with log.open("wb") as stream:
+        process = subprocess.Popen(
+            command, env=environment, stdin=subprocess.DEVNULL, stdout=stream, stderr=stream, start_new_session=True
+        )
+        end = time.monotonic() + LIMIT_S
+        while process.poll() is None and time.monotonic() < end and not result.exists():
+            time.sleep(0.5)
+        try:
+            process.wait(TIME_TO_QUIT_S)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+    return log.read_text(encoding="utf-8", errors="replace")
+
+
+if __name__ == "__main__":
+    main()
