@@ -19,6 +19,7 @@ from qgis.PyQt.QtGui import QIcon
 from ..core.errors import SemRefError
 from .components import OPENCV, Package, how_to_install, missing
 from .translation import tr
+from .version import algorithm_help_url
 
 ICON_PATH = Path(__file__).resolve().parent.parent / "resources" / "icon.svg"
 
@@ -100,6 +101,9 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         paragraphs = "".join(f"<p>{paragraph}</p>" for paragraph in self.summary().split("\n\n"))
         entries = [(p.description(), p.help()) for p in self.parameterDefinitions() if p.help()]
         return paragraphs + "".join(f"<h3>{title}</h3><p>{text}</p>" for title, text in entries)
+
+    def helpUrl(self) -> str:
+        return algorithm_help_url(self.ID)
 
     def canExecute(self):
         lacking = missing(self.PACKAGES)

@@ -23,6 +23,7 @@ from .repair_annotation import RepairAnnotation
 from .segment_image import SegmentImage
 from .translation import tr
 from .update_database import UpdateDatabase
+from .version import algorithm_help_url
 
 MODELS = Path(__file__).resolve().parent.parent / "models"
 """Ready-made models (.model3) that are offered beside the algorithms."""
@@ -56,6 +57,9 @@ class ShippedModel(QgsProcessingModelAlgorithm):
 
     def groupId(self):
         return REFERENCE_DATABASE
+
+    def helpUrl(self):
+        return algorithm_help_url(self.name())
 
     def icon(self):
         return QIcon(str(ICON_PATH))

@@ -11,8 +11,14 @@ def plugin_version() -> str:
     return _general()["version"]
 
 
-def user_guide_url() -> str:
-    return f"{_general()['homepage']}/blob/main/docs/user_guide.md"
+def guide_url(page: str = "user_guide.md") -> str:
+    """Address of a page of docs/."""
+    return f"{_general()['homepage']}/blob/main/docs/{page}"
+
+
+def algorithm_help_url(name: str) -> str:
+    """Address of the algorithm's section in the guide; forges leave the colon out of a heading's anchor."""
+    return f"{guide_url('guide/toolbox.md')}#semref{name}"
 
 
 @lru_cache(maxsize=1)

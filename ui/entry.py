@@ -10,7 +10,7 @@ from qgis.PyQt.QtWidgets import QAction
 from ..processing.base import ICON_PATH
 from ..processing.components import OPENCV, SHAPELY, how_to_install, missing
 from ..processing.translation import tr
-from ..processing.version import user_guide_url
+from ..processing.version import guide_url
 from .component_installer import ComponentInstaller
 from .components_page import PAGE
 from .dock import SemRefDock
@@ -101,4 +101,4 @@ class DockEntry:
 
 
 def _open_user_guide() -> None:
-    QDesktopServices.openUrl(QUrl(user_guide_url()))
+    QDesktopServices.openUrl(QUrl(guide_url()))

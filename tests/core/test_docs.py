@@ -1,0 +1,99 @@
+"""What the docs point to is there: pages, headings, pictures, algorithms, commands."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs"
+PAGES = [ROOT / "README.md", *sorted(DOCS.rglob("*.md"))]
+LARGEST_PICTURE_BYTES, LARGEST_SUM_BYTES = 250_000, 3_000_000
+
+each_page = pytest.mark.parametrize("page", PAGES, ids=[str(page.relative_to(ROOT)) for page in PAGES])
+
+
+def without_code(text: str) -> str:
+    return re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE)
+
+
+def links(page: Path) -> list[str]:
+    """Targets of links and pictures that lead to files of the repository."""
+    found = re.findall(r"\]\(([^)\s]+)\)", without_code(page.read_text(encoding="utf-8")))
+    return [target for target in found if "://" not in target and not target.startswith("mailto:")]
+
+
+def anchors(page: Path) -> set[str]:
+    """As forges make them: small letters, no punctuation, hyphens for spaces, a number for a heading that repeats."""
+    found: set[str] = set()
+    for heading in re.findall(r"^#+ (.+?)\s*$", without_code(page.read_text(encoding="utf-8")), flags=re.MULTILINE):
+        text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).lower()
+        anchor = re.sub(r"[^\w\- ]", "", text).replace(" ", "-")
+        count = sum(re.fullmatch(re.escape(anchor) + r"(-\d+)?", other) is not None for other in found)
+        found.add(f"{anchor}-{count}" if count else anchor)
+    return found
+
+
+def registered_algorithms() -> set[str]:
+    """Ids in the sources of the provider: an ID of every algorithm, the name of every model that ships."""
+    found = set()
+    for path in (ROOT / "processing").glob("*.py"):
+        found |= set(re.findall(r'^    ID = "(\w+)"', path.read_text(encoding="utf-8"), flags=re.MULTILINE))
+    for path in (ROOT / "models").glob("*.model3"):
+        found |= set(re.findall(r'name="model_name" type="QString" value="(\w+)"', path.read_text(encoding="utf-8")))
+    return found
+
+
+@each_page
+def test_every_link_and_picture_leads_to_a_file(page):
+    targets = [target.partition("#")[0] for target in links(page)]
+    assert [target for target in targets if target and not (page.parent / target).exists()] == []
+
+
+@each_page
+def test_every_link_to_a_heading_leads_to_one(page):
+    missing = []
+    for target in links(page):
+        file, _, anchor = target.partition("#")
+        linked = (page.parent / file).resolve() if file else page
+        if anchor and linked.suffix == ".md" and linked.exists() and anchor not in anchors(linked):
+            missing.append(target)
+    assert missing == []
+
+
+@each_page
+def test_every_algorithm_that_is_named_exists(page):
+    named = set(re.findall(r"semref:(\w+)", page.read_text(encoding="utf-8")))
+    assert named - registered_algorithms() == set()
+
+
+@each_page
+def test_every_script_that_is_named_exists(page):
+    named = set(re.findall(r"\btools/[\w/]+(?:\.py|\.sh|\.js|\.txt)\b", page.read_text(encoding="utf-8")))
+    assert [name for name in sorted(named) if not (ROOT / name).exists()] == []
+
+
+def test_every_picture_is_shown_somewhere():
+    shown = {(page.parent / target.partition("#")[0]).resolve() for page in PAGES for target in links(page)}
+    assert [path.name for path in sorted((DOCS / "images").iterdir()) if path.resolve() not in shown] == []
+
+
+def test_pictures_are_small():
+    sizes = {path.name: path.stat().st_size for path in (DOCS / "images").iterdir()}
+    assert {name: size for name, size in sizes.items() if size > LARGEST_PICTURE_BYTES} == {}
+    assert sum(sizes.values()) <= LARGEST_SUM_BYTES
+
+
+def test_the_plugin_opens_pages_of_the_guide_that_exist():
+    source = (ROOT / "processing" / "version.py").read_text(encoding="utf-8")
+    pages = re.findall(r"[\w/]+\.md", source)
+    assert "user_guide.md" in pages
+    assert [page for page in pages if not (DOCS / page).exists()] == []
+
+
+def test_the_anchors_of_headings_are_those_of_forges(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text("# Two words\n## `code` – (dash)\n## Two words\n```sh\n# no heading\n```\n", encoding="utf-8")
+    assert anchors(page) == {"two-words", "code--dash", "two-words-1"}
