@@ -33,6 +33,7 @@ IMAGES = ROOT / "docs" / "images"
 SCREEN_PX = 2800, 2600
 LIMIT_S, TIME_TO_QUIT_S = 900, 20
 LARGEST_BYTES = 250_000
+SAMPLE = "semref_sample"
 CHINESE_FONT = "fonts-wqy-microhei"
 
 
@@ -74,13 +75,21 @@ def main() -> None:
         package = work / "semref.zip"
         subprocess.run([sys.executable, str(ROOT / "tools" / "package.py"), "--output", str(package)], check=True)
         for number, variant in enumerate(variants):
-            # Its layers have names in the language it is made in.
-            sample = (arguments.samples or work / "samples") / variant.language / "semref_sample"
-            sample.mkdir(parents=True, exist_ok=True)
+            sample = sample_folder(arguments.samples or work / "samples", variant.language)
             for picture in take(variant, package, sample, work / str(number)):
                 target = arguments.output / picture.name
                 shrink(picture, target, LARGEST_BYTES)
                 print(f"{target} ({target.stat().st_size / 1000:.0f} kB)", flush=True)
+
+
+def sample_folder(samples: Path, language: str) -> Path:
+    """The sample project's in this language; what another one has is taken over but for its project, which has names."""
+    folder = samples / language / SAMPLE
+    made = next(samples.glob(f"*/{SAMPLE}/*.qgz"), None)
+    if not folder.exists() and made is not None:
+        shutil.copytree(made.parent, folder, ignore=shutil.ignore_patterns("*.qgz"))
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
 
 
 def chosen(only: List[str], languages: List[str]) -> List[Variant]:

@@ -142,8 +142,7 @@ def localized(session: Session) -> None:
         index = table.model().index(row, 0)
         if index.data() == SHOWN_PHOTO:
             table.selectRow(row)
-    wait_until(lambda: dock.results.table.selected() is not None, "the selected result")
-    settle(2.0)
+    wait_until(lambda: dock.results.image.canvas.scene().items(), "the selected image")
 
 
 def first_fix(session: Session) -> None:

@@ -148,6 +148,7 @@ class CorrectTab(QWidget):
         rows = [] if self._layer is None else _rows(self._layer, fields)
         self._done &= {row["id"] for row in rows}
         self.progress.setRange(0, max(len(rows), 1))
+        self.progress.setTextVisible(bool(rows))
         self._show_progress()
         if self.open.isChecked():
             rows = [row for row in rows if row["id"] not in self._done]

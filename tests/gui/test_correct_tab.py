@@ -54,7 +54,7 @@ def test_when_the_layer_is_removed_no_other_one_takes_its_place(tab, add_layer, 
     assert tab.layer.currentLayer() is None
     assert tab.places.rowCount() == 0
     tab.done.click()
-    assert tab.progress.value() == 0
+    assert tab.progress.value() == 0 and not tab.progress.isTextVisible()
 
 
 def test_other_layers_may_be_removed(tab, add_layer):
@@ -66,6 +66,7 @@ def test_other_layers_may_be_removed(tab, add_layer):
     QgsProject.instance().removeMapLayer(other.id())
     assert tab.layer.currentLayer() == issues
     assert tab.text.text() == "invalid · 100.0 m"
+    assert tab.progress.text() == "0 of 2 done" and tab.progress.isTextVisible()
 
 
 def test_a_speck_is_shown_with_the_ground_around_it(tab, iface, add_layer):
