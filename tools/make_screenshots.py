@@ -83,7 +83,7 @@ def main() -> None:
 
 
 def sample_folder(samples: Path, language: str) -> Path:
-    """The sample project's in this language; what another one has is taken over but for its project, which has names."""
+    """The sample project's; another language's is copied, but for its project, in which layers have names."""
     folder = samples / language / SAMPLE
     made = next(samples.glob(f"*/{SAMPLE}/*.qgz"), None)
     if not folder.exists() and made is not None:
