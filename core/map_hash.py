@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-from typing import List, Sequence, Tuple
+from functools import lru_cache
+from typing import List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -20,7 +21,7 @@ class BlockHasher:
     def __init__(self, width: int) -> None:
         self._columns = range(0, width, HASHED_BLOCK)
         self._row = 0
-        self._open: List = []
+        self._open: List[_BlockDigest] = []
         self._done: List[str] = []
 
     def add(self, labels_hw: np.ndarray) -> None:
@@ -29,10 +30,10 @@ class BlockHasher:
         while first < len(labels_hw):
             if self._row % HASHED_BLOCK == 0:
                 self._close()
-                self._open = [hashlib.blake2b(digest_size=_HASH_BYTES) for _ in self._columns]
+                self._open = [_BlockDigest() for _ in self._columns]
             last = min(len(labels_hw), first + HASHED_BLOCK - self._row % HASHED_BLOCK)
-            for pixels, column in zip(self._open, self._columns):
-                pixels.update(np.ascontiguousarray(labels_hw[first:last, column:column + HASHED_BLOCK]))
+            for block, column in zip(self._open, self._columns):
+                block.add(labels_hw[first:last, column:column + HASHED_BLOCK])
             self._row += last - first
             first = last
 
@@ -43,13 +44,52 @@ class BlockHasher:
         return tuple(self._done)
 
     def _close(self) -> None:
-        self._done += [pixels.hexdigest() for pixels in self._open]
+        self._done += [block.hexdigest() for block in self._open]
         self._open = []
+
+
+class _BlockDigest:
+    """Hash of one block whose rows come by.
+
+    Much of a map is blocks of one class, or of none beyond its border: these are counted until another value comes,
+    which takes a tenth of the time of hashing, and their hash is kept.
+    """
+
+    def __init__(self) -> None:
+        self._value = 0
+        self._count = 0
+        self._pixels: Optional[hashlib.blake2b] = None
+
+    def add(self, labels_hw: np.ndarray) -> None:
+        """The block's next rows, (h, w) uint8."""
+        if self._pixels is None:
+            if self._continues(labels_hw):
+                self._value, self._count = int(labels_hw[0, 0]), self._count + labels_hw.size
+                return
+            self._pixels = hashlib.blake2b(_one_value(self._value, self._count), digest_size=_HASH_BYTES)
+        self._pixels.update(np.ascontiguousarray(labels_hw))
+
+    def hexdigest(self) -> str:
+        return self._pixels.hexdigest() if self._pixels else _hash_of_one_value(self._value, self._count)
+
+    def _continues(self, labels_hw: np.ndarray) -> bool:
+        value = self._value if self._count else labels_hw[0, 0]
+        # The first row alone tells of most blocks that they have several values.
+        return bool((labels_hw[0] == value).all() and (labels_hw == value).all())
 
 
 def block_hash(labels_hw: np.ndarray) -> str:
     """Hash of one block, (h, w) uint8."""
     return hashlib.blake2b(np.ascontiguousarray(labels_hw), digest_size=_HASH_BYTES).hexdigest()
+
+
+def _one_value(value: int, count: int) -> bytes:
+    return bytes((value,)) * count
+
+
+@lru_cache(1024)
+def _hash_of_one_value(value: int, count: int) -> str:
+    return hashlib.blake2b(_one_value(value, count), digest_size=_HASH_BYTES).hexdigest()
 
 
 def blocks_shape(shape_hw: Tuple[int, int]) -> Tuple[int, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Iterator, List, Optional, Sequence, Set, Tuple
 
@@ -126,9 +127,16 @@ class DatabaseUpdater:
         height, width = self._source.shape_hw
         if self._areas is None:
             hasher = BlockHasher(width)
-            for row in range(0, height, HASHED_BLOCK):
-                hasher.add(self._whole.read(0, row, width, min(HASHED_BLOCK, height - row)))
-                yield row / height
+            # One thread hashes a band while this one reads the next.
+            with ThreadPoolExecutor(1) as pool:
+                hashing = None
+                for row in range(0, height, HASHED_BLOCK):
+                    labels = self._whole.read(0, row, width, min(HASHED_BLOCK, height - row))
+                    if hashing is not None:
+                        hashing.result()
+                    hashing = pool.submit(hasher.add, labels)
+                    yield row / height
+                hashing.result()
             hashes += hasher.hashes
             return
         hashes += self._database.parameters.block_hashes
