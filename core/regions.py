@@ -13,7 +13,8 @@ from .label_source import LabelSource
 from .reference_objects import class_mask
 
 TILE = 512
-"""Edge of the pieces in which a region is followed, in pixels."""
+"""Edge of the pieces in which a region is followed, in pixels. They begin half a tile before the map does, so that a
+hashed block with a line of pixels around it lies in four of them, not in nine."""
 
 _KEPT_TILES = 100
 """Tiles whose numbered parts are kept; 1 MB each."""
@@ -47,10 +48,10 @@ class RegionFinder:
         """Every region with a pixel inside ``bounds`` (left, top, right, bottom)."""
         left, top, right, bottom = bounds
         found = set()
-        for tile_row in range(top // self._size, (bottom - 1) // self._size + 1):
-            for tile_column in range(left // self._size, (right - 1) // self._size + 1):
+        for tile_row in range(self._tile_of(top), self._tile_of(bottom - 1) + 1):
+            for tile_column in range(self._tile_of(left), self._tile_of(right - 1) + 1):
                 parts, _ = self._tile((tile_column, tile_row))
-                x0, y0 = tile_column * self._size, tile_row * self._size
+                x0, y0 = self._first_of(tile_column), self._first_of(tile_row)
                 inside = parts[max(top - y0, 0):bottom - y0, max(left - x0, 0):right - x0]
                 found |= {self._region(((tile_column, tile_row), n)) for n in np.unique(inside).tolist() if n}
         return found
@@ -59,9 +60,9 @@ class RegionFinder:
         """The regions of all runs of the class that begin in this row from column ``left`` to ``right``."""
         mask = class_mask(self._source.read(left, row, right - left, 1), self._value)[0]
         for x in np.flatnonzero(np.diff(mask.astype(np.int8), prepend=0) == 1).tolist():
-            key = (left + x) // self._size, row // self._size
+            key = self._tile_of(left + x), self._tile_of(row)
             parts, _ = self._tile(key)
-            yield self._region((key, int(parts[row % self._size, (left + x) % self._size])))
+            yield self._region((key, int(parts[row - self._first_of(key[1]), left + x - self._first_of(key[0])])))
 
     def _region(self, part: _Part) -> Region:
         if part not in self._regions:
@@ -86,18 +87,18 @@ class RegionFinder:
         (tile_column, tile_row), number = part
         parts, _ = self._tile((tile_column, tile_row))
         ys, xs = _on_border(parts, number)
-        ys, xs = ys + tile_row * self._size, xs + tile_column * self._size
+        ys, xs = ys + self._first_of(tile_row), xs + self._first_of(tile_column)
         found = set()
         for dx, dy in _AROUND:
             beside_x, beside_y = xs + dx, ys + dy
-            tiles_x, tiles_y = beside_x // self._size, beside_y // self._size
+            tiles_x, tiles_y = self._tile_of(beside_x), self._tile_of(beside_y)
             for neighbor in set(zip(tiles_x.tolist(), tiles_y.tolist())) - {(tile_column, tile_row)}:
                 if not self._is_on_map(neighbor):
                     continue
                 there = (tiles_x == neighbor[0]) & (tiles_y == neighbor[1])
                 others, _ = self._tile(neighbor)
-                x, y = beside_x[there] % self._size, beside_y[there] % self._size
-                on_map = (x < others.shape[1]) & (y < others.shape[0])
+                x, y = beside_x[there] - self._first_of(neighbor[0]), beside_y[there] - self._first_of(neighbor[1])
+                on_map = (x >= 0) & (y >= 0) & (x < others.shape[1]) & (y < others.shape[0])
                 found |= {(neighbor, n) for n in np.unique(others[y[on_map], x[on_map]]).tolist() if n}
         return found
 
@@ -106,18 +107,27 @@ class RegionFinder:
         parts, boxes = self._tile((tile_column, tile_row))
         x, y, width, height = boxes[number].tolist()
         first = x + int((parts[y, x:x + width] == number).argmax())
-        left, top = tile_column * self._size, tile_row * self._size
+        left, top = self._first_of(tile_column), self._first_of(tile_row)
         return (left + x, top + y, left + x + width, top + y + height), (left + first, top + y)
+
+    def _tile_of(self, place):
+        """The column (or row) of tiles that a column (or row) of pixels lies in; −1 is the map's edge."""
+        return (place + self._size // 2) // self._size
+
+    def _first_of(self, tile: int) -> int:
+        """First column (or row) of pixels of a column (or row) of tiles, as far as it lies on the map."""
+        return max(tile * self._size - self._size // 2, 0)
 
     def _is_on_map(self, tile: _TileKey) -> bool:
         height, width = self._source.shape_hw
-        return 0 <= tile[0] * self._size < width and 0 <= tile[1] * self._size < height
+        return min(tile) >= 0 and self._first_of(tile[0]) < width and self._first_of(tile[1]) < height
 
     def _number_parts(self, tile: _TileKey) -> Tuple[np.ndarray, np.ndarray]:
         """(h, w) int32 part numbers of a tile, 0 for other classes, and (parts, 4) left, top, width, height."""
         height, width = self._source.shape_hw
-        left, top = tile[0] * self._size, tile[1] * self._size
-        labels = self._source.read(left, top, min(self._size, width - left), min(self._size, height - top))
+        left, top = self._first_of(tile[0]), self._first_of(tile[1])
+        right, bottom = min(self._first_of(tile[0] + 1), width), min(self._first_of(tile[1] + 1), height)
+        labels = self._source.read(left, top, right - left, bottom - top)
         mask = class_mask(labels, self._value)
         _, parts, statistics, _ = cv2.connectedComponentsWithStats(mask, connectivity=8, ltype=cv2.CV_32S)
         return parts, statistics[:, :4]

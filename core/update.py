@@ -65,7 +65,8 @@ class DatabaseUpdater:
         """``database``: with the references' bounds; ``distinctiveness``: (N,) of its windows, NaN for none.
 
         ``areas``: rectangles that hold every changed pixel, parts beyond the map are ignored; None when they are to be
-        found by comparing block hashes, which reads the whole map. Raises DatabaseError for a database that
+        found by comparing block hashes, which reads the whole map. Blocks that no area touches are taken to be as they
+        were and keep their hashes: what changed there is found by the next update without ``areas``. Raises DatabaseError for a database that
         can't be updated, LabelMapError when the map is not of the same pixel grid.
         """
         require_same_grid(source.shape_hw, frame, database)
@@ -148,15 +149,16 @@ class DatabaseUpdater:
             yield n / len(blocks)
 
     def _changed_places(self, hashes: Sequence[str]) -> List[Bounds]:
-        """Rectangles apart from each other that hold all changed pixels and, around them, a line of unchanged ones."""
+        """Rectangles apart from each other that hold the changed blocks and, around them, a line of unchanged pixels.
+
+        Whole blocks, also where only a corner of one was said to have changed: its new hash stands for all of it.
+        """
         height, width = shape_hw = self._source.shape_hw
         columns = blocks_shape(shape_hw)[1]
-        old = self._database.parameters.block_hashes
-        changed = {divmod(i, columns) for i, (before, now) in enumerate(zip(old, hashes)) if before != now}
         found = []
-        for area in [(0, 0, width, height)] if self._areas is None else self._areas:
-            for block in _blocks_of(area, shape_hw) & changed:
-                left, top, right, bottom = _common(_block_bounds(block, shape_hw), area)
+        for i, (before, now) in enumerate(zip(self._database.parameters.block_hashes, hashes)):
+            if before != now:
+                left, top, right, bottom = _block_bounds(divmod(i, columns), shape_hw)
                 found.append(_common((left - 1, top - 1, right + 1, bottom + 1), (0, 0, width, height)))
         return _joined(found)
 

@@ -1,6 +1,7 @@
 """An updated database is the one that a full rebuild makes, whatever was edited."""
 
 from dataclasses import fields, replace
+from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -241,13 +242,20 @@ def test_only_the_changed_areas_are_read():
     assert 0 < Watched.pixels < 0.6 * labels.size
 
 
-def test_a_change_outside_the_areas_is_missed():
+def test_a_change_outside_the_areas_but_in_a_block_they_touch_is_seen():
+    labels = houses(2)
+    edited = labels.copy()
+    edited[70:76, 80:86] = edited[90:94, 66:70] = 2
+    assert_is_the_rebuild(built(labels), edited, [(80, 70, 86, 76)])
+
+
+def test_a_change_in_another_block_is_missed_until_the_whole_map_is_compared():
     labels = houses(2)
     edited = labels.copy()
     edited[70:76, 80:86] = edited[10:16, 80:86] = 2
-    builder = built(labels)
-    database, *_ = updated(builder, edited, [(80, 70, 86, 76)])
+    database, distinctiveness, overview, _ = updated(built(labels), edited, [(80, 70, 86, 76)])
     assert database.parameters != built(edited).database.parameters
+    assert_is_the_rebuild(SimpleNamespace(database=database, distinctiveness=distinctiveness, overview=overview), edited)
 
 
 def test_a_map_that_loses_its_last_reference_object_is_refused():
