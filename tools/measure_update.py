@@ -1,11 +1,13 @@
 """Measure updating a database after an edit against building it anew, on Liechtenstein 2021; prints Markdown.
 
-    python tools/measure_update.py [--trials 200] [--check-every 1] [--stride 350] [--seed 1] [--work FOLDER]
+    python tools/measure_update.py [--trials 200] [--check-every 1] [--compare-every 10] [--stride 350] [--seed 1]
+                                   [--work FOLDER]
 
 Each edit stands for a correction: a rectangle of 5 to 60 m at a random place inside the annotated area, given one class
 or cleared; every tenth edit is ten of them. Each updated database is the next edit's start. Both algorithms run as
 users run them, on the same GeoTIFF; an update is right when windows, references with their bounds, overview,
-parameters, classes and distinctiveness are those of the rebuild. Both get one thread.
+parameters, classes and distinctiveness are those of the rebuild. Both get one thread. Every tenth time the changes are
+also found by comparing the whole map with the database.
 """
 
 from __future__ import annotations
@@ -60,6 +62,7 @@ def parse() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--trials", type=int, default=200)
     parser.add_argument("--check-every", type=int, default=1, help="build anew and compare after every n-th edit")
+    parser.add_argument("--compare-every", type=int, default=10, help="update without areas, too, every n-th time")
     parser.add_argument("--stride", type=float, default=350.0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--work", type=Path, help="keeps the label map for the next run")
@@ -84,30 +87,31 @@ def measure(options: argparse.Namespace, run: inputs.Run, work: Path) -> None:
             areas = edit(labels, rng, EDITS_IN_ONE if n % 10 == 0 else 1)
             changed = write_areas(Path(folder) / "changed.gpkg", areas, labels)
             given = {"DATABASE": str(database), "LABELS": str(labels), "OUTPUT": str(rebuilt)}
-            whole = options.check_every and n % options.check_every == 0
-            if whole:
+            if options.compare_every and n % options.compare_every == 0:
                 begin = time.perf_counter()
                 plugin.run_algorithm("updatedatabase", given)
                 compared.append(time.perf_counter() - begin)
             begin = time.perf_counter()
             plugin.run_algorithm("updatedatabase", {**given, "CHANGED": str(changed), "OUTPUT": str(database)})
             updated.append(time.perf_counter() - begin)
-            if whole:
-                found = same(database, rebuilt)
+            found = same(database, rebuilt) if len(compared) * options.compare_every == n else True
+            if options.check_every and n % options.check_every == 0:
                 begin = time.perf_counter()
                 plugin.run_algorithm("builddatabase", run.build_parameters(labels, options.stride, rebuilt))
                 rebuilds.append(time.perf_counter() - begin)
                 checked += 1
                 equal += found and same(database, rebuilt)
-            print(f"\r{n} edits, {equal} of {checked} equal", end="", file=sys.stderr, flush=True)
+            share = np.median(updated) / np.median(rebuilds)
+            print(f"\r{n} edits, {equal} of {checked} equal, {share:.1%}  ", end="", file=sys.stderr, flush=True)
         with contextlib.closing(sqlite3.connect(database)) as connection:
             questions = "SELECT count(*) FROM windows", 'SELECT count(*) FROM "references"'
             counts = [connection.execute(question).fetchone()[0] for question in questions]
     print(file=sys.stderr)
+    load = os.getloadavg()[1]
     print(
         f"{run.area.sentence} {counts[0]:,} windows, {counts[1]:,} landmarks. {options.trials} edits, each updated; "
         f"after {checked} of them the database was built anew: {equal} of {checked} updates equal the rebuild. Rebuild "
-        f"{np.median(rebuilds):.1f} s (median of {len(rebuilds)}).\n"
+        f"{np.median(rebuilds):.1f} s (median of {len(rebuilds)}). Load at the end {load:.1f}.\n"
     )
     print("| update | runs | median, s | 95 % within, s | median, share of the rebuild |\n|---|---|---|---|---|")
     for name, seconds in (("with the changed areas", updated), ("by comparing the whole map", compared)):
