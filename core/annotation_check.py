@@ -10,7 +10,14 @@ import shapely
 
 from .annotation_findings import GAP, INFORMATION, LOST, MERGED, NOTHING, SLIVER, SMALL, SPLIT, WARNING, Finding
 from .annotation_merging import MergeSettings, merge_gaps_and_slivers
-from .annotation_overlaps import NARROWEST_M, find_duplicates, find_hidden, find_overlaps, find_same_class_neighbors
+from .annotation_overlaps import (
+    NARROWEST_M,
+    classes_of_faces,
+    find_duplicates,
+    find_hidden,
+    find_overlaps,
+    find_same_class_neighbors,
+)
 from .annotation_polygons import (
     AnnotatedFeature,
     AnnotatedPolygons,
@@ -67,27 +74,29 @@ class AnnotationCheck:
         self.findings += find_invalid(self._features, geometries, parts)
         polygons = valid_polygons(self._features, parts)
         self.findings += find_unusable(self._features, geometries, polygons)
-        duplicates, repeated = find_duplicates(polygons)
-        self.findings += duplicates
         yield "Laying polygons on each other", 0.1
         if not len(polygons):
             return
         partition = partition_polygons(polygons.geometries)
         yield "Looking for overlaps", 0.6
         ranks = polygons.drawn_ranks()
+        duplicates, repeated = find_duplicates(polygons, partition)
+        self.findings += duplicates
         self.findings += find_overlaps(polygons, partition, ranks, repeated)
         self.findings += find_hidden(polygons, partition, ranks, duplicates)
         yield "Looking for gaps and slivers", 0.8
         self.findings += find_gaps_and_slivers(polygons, partition, self._settings.maximum_gap)
         yield "Looking at neighbors of one class", 0.85
-        self.findings += find_same_class_neighbors(polygons, partition, ranks)
+        self.findings += find_same_class_neighbors(
+            polygons, partition, ranks, self._settings.landmark_classes
+        )
         yield "Looking at landmarks", 0.9
         self._find_landmarks(polygons, partition, ranks)
         yield "Looking at landmarks", 1.0
 
     def _find_landmarks(self, polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray) -> None:
         top = partition.top_polygons(ranks)
-        face_classes = classes_seen(polygons, top)
+        face_classes = classes_of_faces(polygons, top)
         wanted = np.isin(face_classes, [int(value) for value in self._settings.landmark_classes])
         regions = find_regions(partition, face_classes)
         owners = region_owners(regions, top, partition.areas)
@@ -101,11 +110,6 @@ class AnnotationCheck:
             else:
                 bounds = tuple(shapely.bounds(geometry).tolist())
                 self.landmarks.append(DrawnRegion(to_wkb(geometry), bounds, value, feature_id, area))
-
-
-def classes_seen(polygons: AnnotatedPolygons, top: np.ndarray) -> np.ndarray:
-    """(F,) class values of the polygons seen from above, NOTHING where ``top`` is −1."""
-    return np.where(top >= 0, np.append(polygons.classes, NOTHING)[top], NOTHING)
 
 
 def region_owners(regions: Regions, top: np.ndarray, face_areas: np.ndarray) -> np.ndarray:
@@ -131,7 +135,7 @@ def find_gaps_and_slivers(
     Overlaps without priority are taken as repaired.
     """
     top = partition.top_polygons(polygons.repair_ranks())
-    _, merges = merge_gaps_and_slivers(partition, classes_seen(polygons, top), MergeSettings(maximum_gap))
+    _, merges = merge_gaps_and_slivers(partition, classes_of_faces(polygons, top), MergeSettings(maximum_gap))
     found = []
     for merge in merges:
         area, perimeter = partition.areas[merge.faces].sum(), partition.perimeters[merge.faces].sum()

@@ -47,6 +47,7 @@ class Finding:
     reason: why a geometry is invalid, or the value that is no class
     number: what the kind measures or counts: metres of shared border, pieces, features
     decided: whether a priority says which of two polygons lies on top
+    is_landmark: of neighbours, whether their class is one of landmarks
     """
 
     kind: str
@@ -60,3 +61,4 @@ class Finding:
     reason: str = ""
     number: float = 0.0
     decided: bool = False
+    is_landmark: bool = False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from itertools import combinations
-from typing import Dict, List, Tuple
+from typing import Dict, FrozenSet, List, Sequence, Tuple
 
 import numpy as np
 import shapely
@@ -14,6 +14,7 @@ from .annotation_findings import (
     ERROR,
     HIDDEN,
     INFORMATION,
+    NOTHING,
     OVERLAP,
     SAME_CLASS_NEIGHBORS,
     WARNING,
@@ -21,21 +22,24 @@ from .annotation_findings import (
 )
 from .annotation_polygons import AnnotatedPolygons
 from .geometry_bytes import to_wkb
-from .planar_partition import PlanarPartition
+from .planar_partition import PlanarPartition, corner_neighbors
 
 NARROWEST_M = 0.001
 """Overlaps with a smaller mean width (m) are rounding; they are mended, but not worth telling."""
 
 
-def find_duplicates(polygons: AnnotatedPolygons) -> Tuple[List[Finding], np.ndarray]:
-    """A finding for each polygon equal to an earlier one, and (N,) bool which these are.
+def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> Tuple[List[Finding], np.ndarray]:
+    """A finding for each polygon that covers what an earlier one covers, and (N,) bool which these are.
 
     With different classes it is an error, unless a priority says which lies on top.
     """
     first_of: Dict[bytes, int] = {}
     repeated, found = np.zeros(len(polygons), bool), []
-    for n, wkb in enumerate(to_wkb(shapely.normalize(polygons.geometries))):
-        first = first_of.setdefault(wkb, n)
+    order = np.argsort(partition.cover_polygons, kind="stable")
+    bounds = np.searchsorted(partition.cover_polygons[order], np.arange(len(polygons) + 1))
+    faces = partition.cover_faces[order]
+    for n, (start, end) in enumerate(zip(bounds[:-1].tolist(), bounds[1:].tolist())):
+        first = first_of.setdefault(faces[start:end].tobytes(), n) if start < end else n
         if first == n:
             continue
         repeated[n] = True
@@ -90,24 +94,53 @@ def find_hidden(
 
 
 def find_same_class_neighbors(
-    polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray
+    polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, landmark_classes: Sequence[int]
 ) -> List[Finding]:
-    """A finding for each two features of one class that share a border as seen from above; ``number``: m of border."""
+    """A finding for each two features of one class that touch as seen from above; ``number``: m of shared border.
+
+    Those of ``landmark_classes`` also where they touch in a point only (``number`` is 0): pixels that touch by a
+    corner belong to one object, too.
+    """
     top = partition.top_polygons(ranks)
-    pairs = top[partition.neighbors]
-    both = (pairs >= 0).all(axis=1)
-    same = np.zeros(len(pairs), bool)
-    same[both] = polygons.classes[pairs[both, 0]] == polygons.classes[pairs[both, 1]]
-    same[both] &= polygons.features[pairs[both, 0]] != polygons.features[pairs[both, 1]]
     lengths: Dict[Tuple[int, int], float] = defaultdict(float)
-    for pair, length in zip(np.sort(pairs[same], axis=1).tolist(), partition.border_lengths[same].tolist()):
-        lengths[tuple(pair)] += length
+    pairs, same = _of_one_class(polygons, top, partition.neighbors)
+    for pair, length in zip(pairs, partition.border_lengths[same].tolist()):
+        lengths[pair] += length
+    told = {_features(polygons, pair) for pair in lengths}
+    for pair in _of_one_class(polygons, top, corner_neighbors(partition, classes_of_faces(polygons, top)))[0]:
+        if polygons.classes[pair[0]] in landmark_classes and _features(polygons, pair) not in told:
+            told.add(_features(polygons, pair))
+            lengths[pair] = 0.0
     areas = shapely.area(polygons.geometries)
     found = []
     for pair, length in lengths.items():
         smaller, larger = sorted(pair, key=lambda n: (areas[n], n))
-        found.append(_pair(SAME_CLASS_NEIGHBORS, INFORMATION, polygons, smaller, larger, number=length))
+        is_landmark = bool(polygons.classes[smaller] in landmark_classes)
+        found.append(
+            _pair(SAME_CLASS_NEIGHBORS, INFORMATION, polygons, smaller, larger, number=length, is_landmark=is_landmark)
+        )
     return found
+
+
+def classes_of_faces(polygons: AnnotatedPolygons, top: np.ndarray) -> np.ndarray:
+    """(F,) class values of the polygons seen from above, NOTHING where ``top`` is −1."""
+    return np.where(top >= 0, np.append(polygons.classes, NOTHING)[top], NOTHING)
+
+
+def _of_one_class(
+    polygons: AnnotatedPolygons, top: np.ndarray, neighbors: np.ndarray
+) -> Tuple[List[Tuple[int, int]], np.ndarray]:
+    """Pairs of polygons of one class and different features, and (E,) bool which of the ``neighbors`` they are."""
+    pairs = top[neighbors]
+    both = (pairs >= 0).all(axis=1)
+    same = np.zeros(len(pairs), bool)
+    same[both] = polygons.classes[pairs[both, 0]] == polygons.classes[pairs[both, 1]]
+    same[both] &= polygons.features[pairs[both, 0]] != polygons.features[pairs[both, 1]]
+    return [tuple(pair) for pair in np.sort(pairs[same], axis=1).tolist()], same
+
+
+def _features(polygons: AnnotatedPolygons, pair: Tuple[int, int]) -> FrozenSet[int]:
+    return frozenset(polygons.features[list(pair)].tolist())
 
 
 def _overlap(polygons: AnnotatedPolygons, ranks: np.ndarray, pair: Tuple[int, int], shared) -> Finding:
@@ -125,6 +158,7 @@ def _pair(
     decided: bool = False,
     number: float = 0.0,
     geometry=None,
+    is_landmark: bool = False,
 ) -> Finding:
     shown = polygons.geometries[one] if geometry is None else geometry
     return Finding(
@@ -138,4 +172,5 @@ def _pair(
         float(shapely.area(shown)),
         number=number,
         decided=decided,
+        is_landmark=is_landmark,
     )

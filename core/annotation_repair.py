@@ -8,10 +8,10 @@ from typing import Dict, Iterator, List, Sequence, Set, Tuple
 import numpy as np
 import shapely
 
-from .annotation_check import classes_seen, region_owners
+from .annotation_check import region_owners
 from .annotation_findings import DISSOLVED, GAP, INFORMATION, NOTHING, SLIVER, Finding
 from .annotation_merging import Merge, MergeSettings, merge_gaps_and_slivers
-from .annotation_overlaps import find_duplicates, find_hidden, find_overlaps
+from .annotation_overlaps import classes_of_faces, find_duplicates, find_hidden, find_overlaps
 from .annotation_polygons import (
     AnnotatedFeature,
     AnnotatedPolygons,
@@ -59,13 +59,13 @@ class AnnotationRepair:
         partition = partition_polygons(polygons.geometries)
         yield "Resolving overlaps", 0.6
         ranks = polygons.repair_ranks()
-        duplicates, repeated = find_duplicates(polygons)
+        duplicates, repeated = find_duplicates(polygons, partition)
         self.changes += duplicates
         self.changes += find_overlaps(polygons, partition, ranks, repeated)
         self.changes += find_hidden(polygons, partition, ranks, duplicates)
         top = partition.top_polygons(ranks)
         yield "Filling gaps and merging slivers", 0.8
-        classes, merges = merge_gaps_and_slivers(partition, classes_seen(polygons, top), self._settings)
+        classes, merges = merge_gaps_and_slivers(partition, classes_of_faces(polygons, top), self._settings)
         self.changes += [_merged(merge, polygons, partition, top) for merge in merges]
         yield "Dissolving neighbors", 0.9
         self._dissolve(polygons, partition, top, classes)
@@ -76,7 +76,7 @@ class AnnotationRepair:
     ) -> None:
         regions = find_regions(partition, classes)
         # A face that went to a neighbour's class says nothing about whose attributes its region has.
-        own = np.where(classes_seen(polygons, top) == classes, top, -1)
+        own = np.where(classes_of_faces(polygons, top) == classes, top, -1)
         owners = region_owners(regions, own, partition.areas)
         covered = classes != NOTHING
         numbers, groups = np.unique(regions.of_face[covered], return_inverse=True)

@@ -103,6 +103,23 @@ def find_regions(partition: PlanarPartition, face_classes: np.ndarray) -> Region
     return Regions(of_face, classes, np.bincount(of_face, partition.areas, count), perimeters, neighbors, lengths)
 
 
+def corner_neighbors(partition: PlanarPartition, face_classes: np.ndarray) -> np.ndarray:
+    """(E, 2) int64 faces of one class that meet in a point and belong to regions that share no border, once a pair of
+    regions; ``face_classes``: (F,) class values, negative ones are left out."""
+    of_face = find_regions(partition, face_classes).of_face
+    covered = np.flatnonzero(face_classes >= 0)
+    coordinates, place = shapely.get_coordinates(partition.faces[covered], return_index=True)
+    vertices = np.unique(coordinates.view(np.complex128).reshape(-1), return_inverse=True)[1].reshape(-1)
+    faces = covered[place]
+    order = np.lexsort((of_face[faces], face_classes[faces], vertices))
+    vertices, faces = vertices[order], faces[order]
+    first, second = faces[:-1], faces[1:]
+    meeting = (vertices[:-1] == vertices[1:]) & (face_classes[first] == face_classes[second])
+    meeting &= of_face[first] != of_face[second]
+    pairs = np.column_stack([first, second])[meeting]
+    return pairs[np.unique(np.sort(of_face[pairs], axis=1), axis=0, return_index=True)[1]] if len(pairs) else pairs
+
+
 def dissolve(faces: np.ndarray, groups: np.ndarray) -> np.ndarray:
     """(F,) faces and their group, counted from 0 without gaps → (G,) shapely geometries, normalised."""
     order = np.argsort(groups, kind="stable")

@@ -52,6 +52,10 @@
    <translation>Ein Segmentierungsnetz mit seinen Klassen in den Metadaten; für Deepness gemachte Modelle passen.</translation>
   </message>
   <message>
+   <source>A segmentation network with the classes of the label map, which are matched by name.</source>
+   <translation>Ein Segmentierungsnetz mit den Klassen der Klassenkarte; sie werden nach Namen zugeordnet.</translation>
+  </message>
+  <message>
    <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
    <translation>Ein Segmentierungsnetz: Die Bilder sind dann Fotos. Seine Klassen sind die der Datenbank mit demselben Namen; Klassen, die die Datenbank nicht hat, gelten als ohne Klasse.</translation>
   </message>
@@ -420,6 +424,10 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
    <translation>Korrigieren</translation>
   </message>
   <message>
+   <source>Corrected annotation to database</source>
+   <translation>Von der berichtigten Annotation zur Datenbank</translation>
+  </message>
+  <message>
    <source>Corrected label map</source>
    <translation>Korrigierte Klassenkarte</translation>
   </message>
@@ -612,8 +620,16 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Objekt {id} wurde weggelassen: seine Klasse „{reason}“ hat keine Kategorie im Stil.</translation>
   </message>
   <message>
+   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border.</source>
+   <translation>Die Objekte {id} und {other} sind beide {name} und haben {number:.2f} m gemeinsame Grenze.</translation>
+  </message>
+  <message>
    <source>Features {id} and {other} are both {name} and share {number:.2f} m of border: they become one landmark.</source>
    <translation>Die Objekte {id} und {other} sind beide {name} und haben {number:.2f} m gemeinsame Grenze: sie werden eine Landmarke.</translation>
+  </message>
+  <message>
+   <source>Features {id} and {other} are both {name} and touch in a point: as a rule their pixels become one landmark.</source>
+   <translation>Die Objekte {id} und {other} sind beide {name} und berühren sich in einem Punkt: in der Regel werden ihre Pixel eine Landmarke.</translation>
   </message>
   <message>
    <source>Fewer than three landmarks: no vector.</source>
@@ -694,6 +710,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Fraction of the map that is labeled</source>
    <translation>Anteil der Karte mit Klasse</translation>
+  </message>
+  <message>
+   <source>From a corrected annotation to an updated reference database: “Rasterize annotation” with the pixels, the extent and the CRS of the old label map, then “Update reference database”. Only what the corrections reach is made anew.</source>
+   <translation>Von einer berichtigten Annotation zu einer aktualisierten Referenzdatenbank: „Annotation rastern“ mit den Pixeln, der Ausdehnung und dem KBS der alten Klassenkarte, dann „Referenzdatenbank aktualisieren“. Nur was die Berichtigungen erreichen, wird neu gemacht.</translation>
+  </message>
+  <message>
+   <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
+   <translation>Von Polygonen der Landbedeckung in einem Lauf zu einer Referenzdatenbank: „Annotation rastern“, dann „Referenzdatenbank erstellen“. Geben Sie eine Klassentabelle an oder nennen Sie die Referenzklassen.</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -818,6 +842,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Es darf die Datenbank selbst sein; sie wird dann ersetzt, wenn die neue vollständig ist.</translation>
+  </message>
+  <message>
+   <source>It must be in the CRS of the label map; its pixels may be of another size.</source>
+   <translation>Sie muss im KBS der Klassenkarte liegen; ihre Pixel dürfen eine andere Größe haben.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1172,6 +1200,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Versatz</translation>
   </message>
   <message>
+   <source>Old label map</source>
+   <translation>Alte Klassenkarte</translation>
+  </message>
+  <message>
    <source>On the diagonal a confidence means what it says; below it promises too much.</source>
    <translation>Auf der Diagonale hält die Konfidenz, was sie sagt; darunter verspricht sie zu viel.</translation>
   </message>
@@ -1240,6 +1272,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Orthofoto</translation>
   </message>
   <message>
+   <source>Orthophoto to disagreements</source>
+   <translation>Vom Orthofoto zu den Abweichungen</translation>
+  </message>
+  <message>
    <source>Outlining the disagreements</source>
    <translation>Abweichungen werden umrissen</translation>
   </message>
@@ -1296,8 +1332,8 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Polygone der Landbedeckung. Sie dürfen sich überlappen, mehrteilig, ungültig oder dreidimensional sein.</translation>
   </message>
   <message>
-   <source>Polygons that hold everything that was changed, such as the corrected issues: the map is read around them only, and changes outside their bounding boxes are missed. If left out, the whole map is compared with the database, which takes longer.</source>
-   <translation>Polygone, in denen alles liegt, was geändert wurde, etwa die behobenen Befunde: die Karte wird nur um sie herum gelesen, und Änderungen außerhalb ihrer umschließenden Rechtecke werden übersehen. Ohne Angabe wird die ganze Karte mit der Datenbank verglichen, was länger dauert.</translation>
+   <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
+   <translation>Polygone, in denen alles liegt, was geändert wurde, etwa die berichtigten Stellen: nur die Blöcke von 512 × 512 Pixeln, die sie berühren, werden angesehen, und Änderungen anderswo werden übersehen, bis ohne diese Angabe aktualisiert wird. Ohne Angabe wird die ganze Karte mit der Datenbank verglichen, was länger dauert.</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -1608,6 +1644,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
 Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit weniger als drei Landmarken erhalten keinen Vektor; wie viele, steht im Protokoll.</translation>
   </message>
   <message>
+   <source>Smaller disagreements are left out.</source>
+   <translation>Kleinere Abweichungen werden weggelassen.</translation>
+  </message>
+  <message>
    <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
    <translation>Kleinere Abweichungen ergeben kein Polygon; in quadrierten Karteneinheiten, ohne Georeferenz in Pixeln.</translation>
   </message>
@@ -1736,6 +1776,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Klassenkarte enthält keine Klassennamen; ihre Klassen werden nach ihren Werten benannt.</translation>
   </message>
   <message>
+   <source>The label map that the reference database was built from.</source>
+   <translation>Die Klassenkarte, aus der die Referenzdatenbank erstellt wurde.</translation>
+  </message>
+  <message>
    <source>The largest of each kind</source>
    <translation>Die größten jeder Art</translation>
   </message>
@@ -1758,6 +1802,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>Das Netz, das aus Fotos Klassen macht; bei Klassenbildern leer lassen</translation>
+  </message>
+  <message>
+   <source>The one that the old label map was made with.</source>
+   <translation>Die, mit der die alte Klassenkarte gemacht wurde.</translation>
   </message>
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
@@ -1962,6 +2010,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>What the confidence is worth</source>
    <translation>Was die Konfidenz wert ist</translation>
+  </message>
+  <message>
+   <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
+   <translation>Wo widerspricht ein neues Orthofoto der Annotation? „Bild segmentieren“, dann „Klassenkarten vergleichen“: die Abweichungen als Polygone, die größten zuerst, zum Durchgehen im Reiter „Verbessern“ des Bedienfelds. Ist die Annotation verbessert, bringt „Von der berichtigten Annotation zur Datenbank“ die Referenzdatenbank auf den neuen Stand.</translation>
   </message>
   <message>
    <source>Where it succeeds</source>

@@ -52,6 +52,10 @@
    <translation>Una red de segmentación con sus clases en los metadatos; los modelos hechos para Deepness sirven.</translation>
   </message>
   <message>
+   <source>A segmentation network with the classes of the label map, which are matched by name.</source>
+   <translation>Una red de segmentación con las clases del mapa de etiquetas, que se emparejan por nombre.</translation>
+  </message>
+  <message>
    <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
    <translation>Una red de segmentación: entonces las imágenes son fotos. Sus clases son las de la base de datos con el mismo nombre; las clases que la base de datos no tiene cuentan como sin etiqueta.</translation>
   </message>
@@ -420,6 +424,10 @@ Las clases se emparejan por nombre, o por valor si los mapas no comparten nombre
    <translation>Corregir</translation>
   </message>
   <message>
+   <source>Corrected annotation to database</source>
+   <translation>De la anotación corregida a la base de datos</translation>
+  </message>
+  <message>
    <source>Corrected label map</source>
    <translation>Mapa de etiquetas corregido</translation>
   </message>
@@ -612,8 +620,16 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>El objeto espacial {id} se dejó fuera: su clase «{reason}» no tiene categoría en el estilo.</translation>
   </message>
   <message>
+   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border.</source>
+   <translation>Los objetos espaciales {id} y {other} son ambos {name} y comparten {number:.2f} m de límite.</translation>
+  </message>
+  <message>
    <source>Features {id} and {other} are both {name} and share {number:.2f} m of border: they become one landmark.</source>
    <translation>Los objetos espaciales {id} y {other} son ambos {name} y comparten {number:.2f} m de límite: se convierten en un solo hito.</translation>
+  </message>
+  <message>
+   <source>Features {id} and {other} are both {name} and touch in a point: as a rule their pixels become one landmark.</source>
+   <translation>Los objetos espaciales {id} y {other} son ambos {name} y se tocan en un punto: por lo general sus píxeles se convierten en un solo hito.</translation>
   </message>
   <message>
    <source>Fewer than three landmarks: no vector.</source>
@@ -694,6 +710,14 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Fraction of the map that is labeled</source>
    <translation>Fracción del mapa que está etiquetada</translation>
+  </message>
+  <message>
+   <source>From a corrected annotation to an updated reference database: “Rasterize annotation” with the pixels, the extent and the CRS of the old label map, then “Update reference database”. Only what the corrections reach is made anew.</source>
+   <translation>De una anotación corregida a una base de datos de referencia actualizada: «Rasterizar anotación» con los píxeles, la extensión y el SRC del mapa de etiquetas antiguo, y después «Actualizar base de datos de referencia». Solo se rehace lo que alcanzan las correcciones.</translation>
+  </message>
+  <message>
+   <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
+   <translation>De polígonos de cobertura del suelo a una base de datos de referencia en una sola ejecución: «Rasterizar anotación» y después «Crear base de datos de referencia». Indique una tabla de clases o nombre las clases de referencia.</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -818,6 +842,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Puede ser la propia base de datos, que entonces se reemplaza cuando la actualización está completa.</translation>
+  </message>
+  <message>
+   <source>It must be in the CRS of the label map; its pixels may be of another size.</source>
+   <translation>Debe estar en el SRC del mapa de etiquetas; sus píxeles pueden tener otro tamaño.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1172,6 +1200,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Desplazamiento</translation>
   </message>
   <message>
+   <source>Old label map</source>
+   <translation>Mapa de etiquetas antiguo</translation>
+  </message>
+  <message>
    <source>On the diagonal a confidence means what it says; below it promises too much.</source>
    <translation>En la diagonal, una confianza cumple lo que dice; por debajo, promete demasiado.</translation>
   </message>
@@ -1240,6 +1272,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Ortofoto</translation>
   </message>
   <message>
+   <source>Orthophoto to disagreements</source>
+   <translation>De la ortofoto a las discrepancias</translation>
+  </message>
+  <message>
    <source>Outlining the disagreements</source>
    <translation>Trazando el contorno de las discrepancias</translation>
   </message>
@@ -1296,8 +1332,8 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Polígonos de cobertura del suelo. Pueden superponerse, ser multiparte, no válidos o tridimensionales.</translation>
   </message>
   <message>
-   <source>Polygons that hold everything that was changed, such as the corrected issues: the map is read around them only, and changes outside their bounding boxes are missed. If left out, the whole map is compared with the database, which takes longer.</source>
-   <translation>Polígonos que contienen todo lo que se modificó, por ejemplo los problemas corregidos: el mapa solo se lee alrededor de ellos, y los cambios fuera de sus rectángulos envolventes pasan inadvertidos. Sin ellos se compara todo el mapa con la base de datos, lo que tarda más.</translation>
+   <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
+   <translation>Polígonos que contienen todo lo que se modificó, por ejemplo los lugares corregidos: solo se examinan los bloques de 512 × 512 píxeles que tocan, y los cambios en otros lugares pasan inadvertidos hasta una actualización sin este parámetro. Sin ellos se compara todo el mapa con la base de datos, lo que tarda más.</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -1608,6 +1644,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
 El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con menos de tres hitos no reciben vector; el registro dice cuántas.</translation>
   </message>
   <message>
+   <source>Smaller disagreements are left out.</source>
+   <translation>Las discrepancias más pequeñas se omiten.</translation>
+  </message>
+  <message>
    <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
    <translation>Las discrepancias más pequeñas no dan polígono; en unidades del mapa cuadradas, en píxeles sin georreferencia.</translation>
   </message>
@@ -1736,6 +1776,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El mapa de etiquetas no trae nombres de clases; sus clases se nombran por sus valores.</translation>
   </message>
   <message>
+   <source>The label map that the reference database was built from.</source>
+   <translation>El mapa de etiquetas con el que se creó la base de datos de referencia.</translation>
+  </message>
+  <message>
    <source>The largest of each kind</source>
    <translation>Los mayores de cada tipo</translation>
   </message>
@@ -1758,6 +1802,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>La red que hace etiquetas a partir de fotos; déjelo vacío para imágenes de etiquetas</translation>
+  </message>
+  <message>
+   <source>The one that the old label map was made with.</source>
+   <translation>La tabla con la que se hizo el mapa de etiquetas antiguo.</translation>
   </message>
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
@@ -1962,6 +2010,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>What the confidence is worth</source>
    <translation>Lo que vale la confianza</translation>
+  </message>
+  <message>
+   <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
+   <translation>¿Dónde contradice una nueva ortofoto a la anotación? «Segmentar imagen» y después «Comparar mapas de etiquetas»: las discrepancias como polígonos, las mayores primero, para recorrerlas en la pestaña «Corregir» del panel. Cuando la anotación está corregida, «De la anotación corregida a la base de datos» actualiza la base de datos de referencia.</translation>
   </message>
   <message>
    <source>Where it succeeds</source>

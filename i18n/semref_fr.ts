@@ -52,6 +52,10 @@
    <translation>Un réseau de segmentation avec ses classes dans ses métadonnées ; les modèles faits pour Deepness conviennent.</translation>
   </message>
   <message>
+   <source>A segmentation network with the classes of the label map, which are matched by name.</source>
+   <translation>Un réseau de segmentation ayant les classes de la carte d’étiquettes ; elles sont associées par leur nom.</translation>
+  </message>
+  <message>
    <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
    <translation>Un réseau de segmentation : les images sont alors des photos. Ses classes sont celles de la base de données qui portent le même nom ; les classes que la base n’a pas comptent comme non étiquetées.</translation>
   </message>
@@ -420,6 +424,10 @@ Les classes sont associées par leur nom, ou par leur valeur si les cartes n’o
    <translation>Corriger</translation>
   </message>
   <message>
+   <source>Corrected annotation to database</source>
+   <translation>De l’annotation corrigée à la base de données</translation>
+  </message>
+  <message>
    <source>Corrected label map</source>
    <translation>Carte d’étiquettes corrigée</translation>
   </message>
@@ -612,8 +620,16 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>L’entité {id} a été laissée de côté : sa classe « {reason} » n’a pas de catégorie dans le style.</translation>
   </message>
   <message>
+   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border.</source>
+   <translation>Les entités {id} et {other} sont toutes deux {name} et partagent {number:.2f} m de limite.</translation>
+  </message>
+  <message>
    <source>Features {id} and {other} are both {name} and share {number:.2f} m of border: they become one landmark.</source>
    <translation>Les entités {id} et {other} sont toutes deux {name} et partagent {number:.2f} m de limite : elles deviennent un seul repère visuel.</translation>
+  </message>
+  <message>
+   <source>Features {id} and {other} are both {name} and touch in a point: as a rule their pixels become one landmark.</source>
+   <translation>Les entités {id} et {other} sont toutes deux {name} et se touchent en un point : en règle générale, leurs pixels deviennent un seul repère visuel.</translation>
   </message>
   <message>
    <source>Fewer than three landmarks: no vector.</source>
@@ -694,6 +710,14 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Fraction of the map that is labeled</source>
    <translation>Part de la carte qui est étiquetée</translation>
+  </message>
+  <message>
+   <source>From a corrected annotation to an updated reference database: “Rasterize annotation” with the pixels, the extent and the CRS of the old label map, then “Update reference database”. Only what the corrections reach is made anew.</source>
+   <translation>D’une annotation corrigée à une base de données de référence mise à jour : « Rastériser l’annotation » avec les pixels, l’emprise et le SCR de l’ancienne carte d’étiquettes, puis « Mettre à jour une base de données de référence ». Seul ce que les corrections atteignent est refait.</translation>
+  </message>
+  <message>
+   <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
+   <translation>Des polygones d’occupation du sol à une base de données de référence en une seule exécution : « Rastériser l’annotation », puis « Créer une base de données de référence ». Indiquez une table de classes ou nommez les classes de référence.</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -818,6 +842,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Ce peut être la base de données elle-même, qui est alors remplacée une fois la mise à jour terminée.</translation>
+  </message>
+  <message>
+   <source>It must be in the CRS of the label map; its pixels may be of another size.</source>
+   <translation>Elle doit être dans le SCR de la carte d’étiquettes ; ses pixels peuvent avoir une autre taille.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1172,6 +1200,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Décalage</translation>
   </message>
   <message>
+   <source>Old label map</source>
+   <translation>Ancienne carte d’étiquettes</translation>
+  </message>
+  <message>
    <source>On the diagonal a confidence means what it says; below it promises too much.</source>
    <translation>Sur la diagonale, une confiance tient ce qu’elle promet ; au-dessous, elle promet trop.</translation>
   </message>
@@ -1240,6 +1272,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Orthophoto</translation>
   </message>
   <message>
+   <source>Orthophoto to disagreements</source>
+   <translation>De l’orthophoto aux divergences</translation>
+  </message>
+  <message>
    <source>Outlining the disagreements</source>
    <translation>Tracé du contour des divergences</translation>
   </message>
@@ -1296,8 +1332,8 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Polygones d’occupation du sol. Ils peuvent se superposer, être multiparties, invalides ou en trois dimensions.</translation>
   </message>
   <message>
-   <source>Polygons that hold everything that was changed, such as the corrected issues: the map is read around them only, and changes outside their bounding boxes are missed. If left out, the whole map is compared with the database, which takes longer.</source>
-   <translation>Polygones contenant tout ce qui a été modifié, par exemple les problèmes corrigés : la carte n’est lue qu’autour d’eux, et les modifications hors de leurs rectangles englobants sont manquées. Sans eux, toute la carte est comparée à la base de données, ce qui prend plus de temps.</translation>
+   <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
+   <translation>Polygones contenant tout ce qui a été modifié, par exemple les lieux corrigés : seuls les blocs de 512 × 512 pixels qu’ils touchent sont examinés, et les modifications ailleurs sont manquées jusqu’à une mise à jour sans ce paramètre. Sans lui, toute la carte est comparée à la base de données, ce qui prend plus de temps.</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -1608,6 +1644,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
 La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtres avec moins de trois repères n’ont pas de vecteur ; le journal dit combien.</translation>
   </message>
   <message>
+   <source>Smaller disagreements are left out.</source>
+   <translation>Les divergences plus petites sont omises.</translation>
+  </message>
+  <message>
    <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
    <translation>Les divergences plus petites ne donnent pas de polygone ; en unités de carte carrées, en pixels sans géoréférence.</translation>
   </message>
@@ -1736,6 +1776,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La carte d’étiquettes n’apporte pas de noms de classes ; ses classes sont nommées par leurs valeurs.</translation>
   </message>
   <message>
+   <source>The label map that the reference database was built from.</source>
+   <translation>La carte d’étiquettes à partir de laquelle la base de données de référence a été créée.</translation>
+  </message>
+  <message>
    <source>The largest of each kind</source>
    <translation>Les plus grands de chaque type</translation>
   </message>
@@ -1758,6 +1802,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>Le réseau qui fait des étiquettes à partir de photos ; laisser vide pour des images d’étiquettes</translation>
+  </message>
+  <message>
+   <source>The one that the old label map was made with.</source>
+   <translation>Celle avec laquelle l’ancienne carte d’étiquettes a été faite.</translation>
   </message>
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
@@ -1962,6 +2010,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>What the confidence is worth</source>
    <translation>Ce que vaut la confiance</translation>
+  </message>
+  <message>
+   <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
+   <translation>Où une nouvelle orthophoto contredit-elle l’annotation ? « Segmenter une image », puis « Comparer des cartes d’étiquettes » : les divergences sous forme de polygones, les plus grandes d’abord, à parcourir dans l’onglet « Corriger » du panneau. Une fois l’annotation corrigée, « De l’annotation corrigée à la base de données » met à jour la base de données de référence.</translation>
   </message>
   <message>
    <source>Where it succeeds</source>

@@ -52,6 +52,10 @@
    <translation>元数据中带有类别的分割网络；为 Deepness 制作的模型也可使用。</translation>
   </message>
   <message>
+   <source>A segmentation network with the classes of the label map, which are matched by name.</source>
+   <translation>具有该标签图各类别的分割网络；类别按名称匹配。</translation>
+  </message>
+  <message>
    <source>A segmentation network: the images are then photos. Its classes are those of the database by name; classes that the database does not have count as unlabeled.</source>
    <translation>分割网络：此时输入的影像为照片。其类别按名称与数据库的类别对应；数据库中没有的类别视为无标签。</translation>
   </message>
@@ -420,6 +424,10 @@ Classes are matched by name, or by value where the maps share no names. Maps of 
    <translation>修正</translation>
   </message>
   <message>
+   <source>Corrected annotation to database</source>
+   <translation>从更正后的标注到数据库</translation>
+  </message>
+  <message>
    <source>Corrected label map</source>
    <translation>更正后的标签图</translation>
   </message>
@@ -612,8 +620,16 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>要素 {id} 已舍弃：其类别“{reason}”在样式中没有对应的分类。</translation>
   </message>
   <message>
+   <source>Features {id} and {other} are both {name} and share {number:.2f} m of border.</source>
+   <translation>要素 {id} 和 {other} 都是 {name}，共享 {number:.2f} m 边界。</translation>
+  </message>
+  <message>
    <source>Features {id} and {other} are both {name} and share {number:.2f} m of border: they become one landmark.</source>
    <translation>要素 {id} 和 {other} 都是 {name}，共享 {number:.2f} m 边界：它们会合并成一个地标。</translation>
+  </message>
+  <message>
+   <source>Features {id} and {other} are both {name} and touch in a point: as a rule their pixels become one landmark.</source>
+   <translation>要素 {id} 和 {other} 都是 {name}，并在一点相接：通常它们的像元会合并成一个地标。</translation>
   </message>
   <message>
    <source>Fewer than three landmarks: no vector.</source>
@@ -694,6 +710,14 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Fraction of the map that is labeled</source>
    <translation>标签图中有标签部分的比例</translation>
+  </message>
+  <message>
+   <source>From a corrected annotation to an updated reference database: “Rasterize annotation” with the pixels, the extent and the CRS of the old label map, then “Update reference database”. Only what the corrections reach is made anew.</source>
+   <translation>从更正后的标注到更新后的参考数据库：以旧标签图的像元、范围和坐标参照系执行“栅格化标注”，然后执行“更新参考数据库”。只重做更正所涉及的部分。</translation>
+  </message>
+  <message>
+   <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
+   <translation>一次运行即可从土地覆盖多边形得到参考数据库：先“栅格化标注”，再“构建参考数据库”。请给出类别表，或指定参考类别。</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -818,6 +842,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>可以是该数据库本身，更新完成后即被替换。</translation>
+  </message>
+  <message>
+   <source>It must be in the CRS of the label map; its pixels may be of another size.</source>
+   <translation>它必须与标签图使用相同的坐标参照系；其像元大小可以不同。</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1172,6 +1200,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>偏移</translation>
   </message>
   <message>
+   <source>Old label map</source>
+   <translation>旧标签图</translation>
+  </message>
+  <message>
    <source>On the diagonal a confidence means what it says; below it promises too much.</source>
    <translation>在对角线上，置信度名副其实；在对角线下方，置信度过于乐观。</translation>
   </message>
@@ -1240,6 +1272,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>正射影像</translation>
   </message>
   <message>
+   <source>Orthophoto to disagreements</source>
+   <translation>从正射影像到不一致之处</translation>
+  </message>
+  <message>
    <source>Outlining the disagreements</source>
    <translation>正在勾绘不一致之处</translation>
   </message>
@@ -1296,8 +1332,8 @@ The model that ships with SemRef can read these photos.</source>
    <translation>土地覆盖多边形。可以重叠、为多部件、无效或三维。</translation>
   </message>
   <message>
-   <source>Polygons that hold everything that was changed, such as the corrected issues: the map is read around them only, and changes outside their bounding boxes are missed. If left out, the whole map is compared with the database, which takes longer.</source>
-   <translation>包含所有更改内容的多边形，例如已更正的问题：只读取它们周围的地图，其外接矩形之外的更改会被遗漏。若留空，则将整幅地图与数据库比较，耗时更长。</translation>
+   <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
+   <translation>包含所有更改内容的多边形，例如已更正的地点：只查看它们触及的 512 × 512 像元的块，其他地方的更改会被遗漏，直到进行一次不带此项的更新。若留空，则将整幅地图与数据库比较，耗时更长。</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -1608,6 +1644,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
 方法见 He &amp; Wu, Remote Sensing 2025, 17, 1671。地标少于三个的窗口没有向量；数量见日志。</translation>
   </message>
   <message>
+   <source>Smaller disagreements are left out.</source>
+   <translation>忽略更小的不一致之处。</translation>
+  </message>
+  <message>
    <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
    <translation>更小的不一致之处不生成多边形；单位为平方地图单位，没有地理参照时为像元。</translation>
   </message>
@@ -1736,6 +1776,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>标签图不带类别名称；其类别以值命名。</translation>
   </message>
   <message>
+   <source>The label map that the reference database was built from.</source>
+   <translation>构建参考数据库所用的标签图。</translation>
+  </message>
+  <message>
    <source>The largest of each kind</source>
    <translation>各种类中最大的问题</translation>
   </message>
@@ -1758,6 +1802,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>由照片生成标签的网络；输入为标签影像时请留空</translation>
+  </message>
+  <message>
+   <source>The one that the old label map was made with.</source>
+   <translation>制作旧标签图时所用的类别表。</translation>
   </message>
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
@@ -1962,6 +2010,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>What the confidence is worth</source>
    <translation>置信度的意义</translation>
+  </message>
+  <message>
+   <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
+   <translation>新的正射影像在哪里与标注相矛盾？先“分割影像”，再“比较标签图”：不一致之处以多边形表示，最大的在前，可在面板的“修正”选项卡中逐一查看。标注更正之后，“从更正后的标注到数据库”使参考数据库保持最新。</translation>
   </message>
   <message>
    <source>Where it succeeds</source>

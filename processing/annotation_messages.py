@@ -63,6 +63,12 @@ def _check_template(finding: Finding) -> str:
         return tr("{name} (feature {id}) lies on {area:.2f} m² of {other_name} (feature {other}), as their order says.")
     if finding.kind == kinds.DUPLICATE and finding.class_value != finding.other_class:
         return tr("{name} (feature {id}) has the same outline as {other_name} (feature {other}).")
+    if finding.kind == kinds.SAME_CLASS_NEIGHBORS and not finding.is_landmark:
+        return tr("Features {id} and {other} are both {name} and share {number:.2f} m of border.")
+    if finding.kind == kinds.SAME_CLASS_NEIGHBORS and not finding.number:
+        return tr(
+            "Features {id} and {other} are both {name} and touch in a point: as a rule their pixels become one landmark."
+        )
     return {
         kinds.INVALID: tr("The geometry of feature {id} is invalid: {reason}."),
         kinds.NO_GEOMETRY: tr("Feature {id} has no geometry and is skipped."),

@@ -78,11 +78,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return self.GROUP
 
     def group(self) -> str:
-        return {
-            ANNOTATION: tr("Annotation"),
-            REFERENCE_DATABASE: tr("Reference database"),
-            LOCALIZATION: tr("Localization"),
-        }[self.GROUP]
+        return group_title(self.GROUP)
 
     def tags(self) -> List[str]:
         return [*self.TAGS, "semref"]
@@ -133,6 +129,15 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             if error.errno not in _DISK_ERRORS:
                 raise
             raise QgsProcessingException(_disk_sentence(error)) from error
+
+
+def group_title(group: str) -> str:
+    """A group of algorithms in the user's language."""
+    return {
+        ANNOTATION: tr("Annotation"),
+        REFERENCE_DATABASE: tr("Reference database"),
+        LOCALIZATION: tr("Localization"),
+    }[group]
 
 
 _DISK_ERRORS = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EPERM, errno.EFBIG)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-from qgis.core import QgsApplication, QgsProcessingModelAlgorithm, QgsProcessingProvider, QgsProcessingRegistry
+from qgis.core import QgsApplication, QgsProcessingProvider, QgsProcessingRegistry
 from qgis.PyQt.QtGui import QIcon
 
-from .base import ICON_PATH, REFERENCE_DATABASE
+from .base import ICON_PATH
 from .build_database import BuildDatabase
 from .check_annotation import CheckAnnotation
 from .compare_labels import CompareLabels
@@ -21,12 +19,8 @@ from .make_sample import MakeSample
 from .rasterize_annotation import RasterizeAnnotation
 from .repair_annotation import RepairAnnotation
 from .segment_image import SegmentImage
-from .translation import tr
+from .shipped_models import shipped_models
 from .update_database import UpdateDatabase
-from .version import algorithm_help_url
-
-MODELS = Path(__file__).resolve().parent.parent / "models"
-"""Ready-made models (.model3) that are offered beside the algorithms."""
 
 ALGORITHMS = (
     CheckAnnotation,
@@ -44,28 +38,6 @@ ALGORITHMS = (
     LocalizeImages,
     EvaluateLocalization,
 )
-
-
-class ShippedModel(QgsProcessingModelAlgorithm):
-    """A model file that stands beside the algorithms, in their group and in the user's language."""
-
-    def displayName(self):
-        return tr("Annotation to reference database")
-
-    def group(self):
-        return tr("Reference database")
-
-    def groupId(self):
-        return REFERENCE_DATABASE
-
-    def helpUrl(self):
-        return algorithm_help_url(self.name())
-
-    def icon(self):
-        return QIcon(str(ICON_PATH))
-
-    def svgIconPath(self):
-        return str(ICON_PATH)
 
 
 class SemRefProvider(QgsProcessingProvider):
@@ -88,12 +60,7 @@ class SemRefProvider(QgsProcessingProvider):
             self.addAlgorithm(algorithm())
         # A model can be read only when the algorithms in it are registered: not the first time.
         if QgsApplication.processingRegistry().providerById(self.id()) is not None:
-            self._add_models()
-
-    def _add_models(self) -> None:
-        for path in sorted(MODELS.glob("*.model3")):
-            model = ShippedModel()
-            if model.fromFile(str(path)):
+            for model in shipped_models():
                 self.addAlgorithm(model)
 
     def defaultVectorFileExtension(self, has_geometry=True):

@@ -70,6 +70,17 @@ def found(features, **settings) -> list:
             [(kinds.DUPLICATE, WARNING, 1, 0)],
         ),
         (
+            [feature(square(0, 0, 5)), feature(shapely.from_wkt("POLYGON ((5 5, 5 3, 5 0, 0 0, 0 5, 5 5))"))],
+            [(kinds.DUPLICATE, WARNING, 1, 0)],
+        ),
+        (
+            [feature(square(0, 0, 5)), feature(square(5, 5, 4))],
+            [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 1, 0)],
+        ),
+        ([feature(square(0, 0, 5), 9), feature(square(5, 5, 4), 9)], []),
+        ([feature(square(0, 0, 5), 9), feature(square(5, 0, 4), 9)], [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 1, 0)]),
+        ([feature(shapely.union_all([square(0, 0, 5), square(5, 5, 4)]))], []),
+        (
             [feature(square(1, 1, 2)), feature(square(0, 0, 5), 2, 1.0)],
             [(kinds.HIDDEN, WARNING, 0, 1), (kinds.OVERLAP, INFORMATION, 1, 0)],
         ),
@@ -88,7 +99,8 @@ def found(features, **settings) -> list:
     ],
     ids=[
         "nothing", "clean neighbors", "null", "empty", "invalid", "overlap", "decided overlap", "same class overlap",
-        "duplicate", "duplicate of another class", "decided duplicate", "hidden", "gap", "large hole", "sliver",
+        "duplicate", "duplicate of another class", "decided duplicate", "duplicate with more vertices", "corner",
+        "corner of no landmarks", "neighbors that are no landmarks", "corner of one feature", "hidden", "gap", "large hole", "sliver",
     ],
 )  # fmt: skip
 def test_each_kind_is_found_with_its_severity_and_ids(features, expected):
@@ -122,6 +134,24 @@ def test_a_multipolygon_whose_parts_touch_along_an_edge_is_invalid_though_its_pa
 def test_the_shared_border_of_neighbors_is_measured():
     (finding,) = check(numbered([feature(square(0, 0, 5)), feature(square(5, 2, 9))])).findings
     assert finding.kind == kinds.SAME_CLASS_NEIGHBORS and finding.number == pytest.approx(3)
+
+
+def test_neighbors_that_touch_in_a_point_are_told_once_and_share_no_border():
+    features = [feature(square(0, 0, 5)), feature(square(5, 5, 4)), feature(square(9, 1, 4)), feature(square(3, 5, 2))]
+    findings = check(numbered(features)).findings
+    told = {frozenset((f.feature_id, f.other_id)): (f.number, f.is_landmark) for f in findings}
+    assert len(findings) == 3
+    # The first and the second touch by a corner, but the fourth joins them.
+    assert told == {
+        frozenset((0, 3)): (pytest.approx(2), True),
+        frozenset((1, 3)): (pytest.approx(2), True),
+        frozenset((1, 2)): (0, True),
+    }
+
+
+def test_what_no_landmark_is_does_not_become_one():
+    (finding,) = check([feature(square(0, 0, 5), 9), feature(square(5, 0, 4), 9, feature_id=1)]).findings
+    assert not finding.is_landmark and finding.number == pytest.approx(4)
 
 
 def test_rounding_is_no_overlap():

@@ -11,7 +11,16 @@ import pytest
 import shapely
 
 from semref.core.annotation_check import AnnotationCheck, CheckSettings
-from semref.core.annotation_findings import DISSOLVED, GAP, INVALID, NO_AREA, NOTHING, OVERLAP, SLIVER
+from semref.core.annotation_findings import (
+    DISSOLVED,
+    GAP,
+    INVALID,
+    NO_AREA,
+    NOTHING,
+    OVERLAP,
+    SAME_CLASS_NEIGHBORS,
+    SLIVER,
+)
 from semref.core.annotation_merging import THIN_M, MergeSettings
 from semref.core.annotation_polygons import AnnotatedFeature
 from semref.core.annotation_repair import AnnotationRepair
@@ -92,7 +101,8 @@ def test_the_check_finds_nothing_left_to_repair(kind, seed):
     features = random_features(kind, seed)
     check = AnnotationCheck(as_features(repair(features), features), CheckSettings(0.0, 1.0, (1, 2, 3, 4)))
     list(check.steps())
-    assert check.findings == []
+    # Two polygons that meet in a point can't be one.
+    assert {(finding.kind, finding.number) for finding in check.findings} <= {(SAME_CLASS_NEIGHBORS, 0.0)}
 
 
 @every_kind

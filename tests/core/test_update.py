@@ -255,7 +255,8 @@ def test_a_change_in_another_block_is_missed_until_the_whole_map_is_compared():
     edited[70:76, 80:86] = edited[10:16, 80:86] = 2
     database, distinctiveness, overview, _ = updated(built(labels), edited, [(80, 70, 86, 76)])
     assert database.parameters != built(edited).database.parameters
-    assert_is_the_rebuild(SimpleNamespace(database=database, distinctiveness=distinctiveness, overview=overview), edited)
+    half_way = SimpleNamespace(database=database, distinctiveness=distinctiveness, overview=overview)
+    assert_is_the_rebuild(half_way, edited)
 
 
 def test_a_map_that_loses_its_last_reference_object_is_refused():

@@ -1,0 +1,160 @@
+"""From a new orthophoto to an updated database, as docs/guide/round_trip.md tells it, with the models that ship."""
+
+from __future__ import annotations
+
+import sqlite3
+import sys
+from pathlib import Path
+
+import pytest
+from osgeo import gdal, ogr
+from qgis.core import QgsProcessingException
+
+from semref.core.sample import landscape as landscape_module
+from semref.core.sample.classes import CLASSES
+from semref.processing.exchange import sample_files
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import read_pixels
+
+FIND, APPLY = "semref:orthophototodisagreements", "semref:correctiontodatabase"
+BUILDING = next(entry for entry in CLASSES if entry.name == "building")
+SIZE_XY = (620.0, 520.0)
+"""Metres of a sample area that is made in seconds."""
+
+
+@pytest.fixture(scope="module")
+def folder(run_algorithm, tmp_path_factory):
+    """The true annotation, one that lacks a building, and the orthophoto; label map and database lack it, too."""
+    folder = tmp_path_factory.mktemp("round_trip")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(landscape_module, "SIZE_XY", SIZE_XY)
+        patch.setattr(landscape_module, "FILL_WINDOW_M", min(SIZE_XY))
+        landscape = landscape_module.make_landscape(3)
+    photo_hw3 = sample_files.render_photo(landscape, 1.0)
+    sample_files.write_shapefile(landscape, folder)
+    sample_files.write_classes(folder / "classes.csv")
+    sample_files.write_orthophoto(landscape, 1.0, photo_hw3, folder / "orthophoto.tif")
+    west, _, _, north, _, _ = gdal.Open(str(folder / "orthophoto.tif")).GetGeoTransform()
+    extent = f"{west},{west + SIZE_XY[0]},{north - SIZE_XY[1]},{north}"
+    forget_building(folder, extent)
+    rasterize(run_algorithm, folder, "wrong.gpkg", extent, "old.tif")
+    build(run_algorithm, folder, "old")
+    rasterize(run_algorithm, folder, "landcover.shp", extent, "true.tif")
+    build(run_algorithm, folder, "true")
+    return folder
+
+
+def forget_building(folder, extent):
+    """Writes wrong.gpkg, the annotation without the largest building that lies well inside the extent."""
+    gdal.VectorTranslate(str(folder / "wrong.gpkg"), str(folder / "landcover.shp"), geometryType="MULTIPOLYGON")
+    source = ogr.Open(str(folder / "wrong.gpkg"), update=1)
+    layer = source.GetLayer(0)
+    left, right, bottom, top = (float(side) for side in extent.split(","))
+    layer.SetAttributeFilter(f"class = '{BUILDING.name}'")
+    found = []
+    for feature in layer:
+        shape = feature.GetGeometryRef()
+        west, east, south, north = shape.GetEnvelope()
+        if west > left + 40 and east < right - 40 and south > bottom + 40 and north < top - 40:
+            found.append((shape.Area(), feature.GetFID(), (west, east, south, north)))
+    area, fid, box = max(found)
+    assert area > 150
+    layer.SetAttributeFilter(None)
+    layer.DeleteFeature(fid)
+    (folder / "building.txt").write_text(",".join(map(str, box)))
+
+
+def rasterize(run_algorithm, folder, layer, extent, output):
+    parameters = {
+        "INPUT": str(folder / layer),
+        "CLASS_FIELD": "class",
+        "PRIORITY_FIELD": "zorder",
+        "CLASS_TABLE": str(folder / "classes.csv"),
+        "EXTENT": extent,
+        "PIXEL_SIZE": 1.0,
+        "OUTPUT": str(folder / output),
+    }
+    run_algorithm("semref:rasterizeannotation", parameters)
+
+
+def build(run_algorithm, folder, name):
+    parameters = {
+        "LABELS": str(folder / f"{name}.tif"),
+        "WINDOW_SIZE": 120,
+        "STRIDE": 50,
+        "MINIMUM_AREA": 40,
+        "DATABASE": str(folder / f"{name}.gpkg"),
+    }
+    run_algorithm("semref:builddatabase", parameters)
+
+
+def find(run_algorithm, repository, folder, output):
+    parameters = {
+        "IMAGE": str(folder / "orthophoto.tif"),
+        "MODEL": str(repository / "models" / "sample_area.onnx"),
+        "LABELS": str(folder / "old.tif"),
+        "MINIMUM_AREA": 30,
+        "segment:Predicted label map": str(output / "predicted.tif"),
+        "compare:Disagreements": str(output / "disagreements.gpkg"),
+        "compare:Report": str(output / "report.html"),
+    }
+    return run_algorithm(FIND, parameters)
+
+
+def apply(run_algorithm, folder, output, layer="landcover.shp", **parameters):
+    defaults = {
+        "INPUT": str(folder / layer),
+        "CLASS_FIELD": "class",
+        "PRIORITY_FIELD": "zorder",
+        "CLASS_TABLE": str(folder / "classes.csv"),
+        "LABELS": str(folder / "old.tif"),
+        "DATABASE": str(folder / "old.gpkg"),
+        "rasterize:Corrected label map": str(output / "corrected.tif"),
+        "update:Updated database": str(output / "updated.gpkg"),
+    }
+    return run_algorithm(APPLY, {**defaults, **parameters})
+
+
+def windows(path):
+    with sqlite3.connect(path) as connection:
+        return connection.execute("SELECT * FROM windows ORDER BY fid").fetchall()
+
+
+def test_what_the_annotation_lacks_is_found_and_the_correction_reaches_the_database(
+    run_algorithm, repository, folder, tmp_path
+):
+    results = find(run_algorithm, repository, folder, tmp_path)
+    assert Path(results["segment:Predicted label map"]).exists() and Path(results["compare:Report"]).exists()
+    west, east, south, north = map(float, (folder / "building.txt").read_text().split(","))
+    source = ogr.Open(results["compare:Disagreements"])
+    layer = source.GetLayer(0)
+    layer.SetSpatialFilterRect(west, south, east, north)
+    layer.SetAttributeFilter(f"predicted_class = '{BUILDING.name}'")
+    found = sorted(layer, key=lambda feature: -feature["area"])
+    assert found[0]["area"] > 0.3 * (east - west) * (north - south)
+    assert found[0]["annotated_class"] != BUILDING.name
+    # The annotator draws the building, and marks the place as done.
+    done = str(tmp_path / "done.gpkg")
+    gdal.VectorTranslate(done, results["compare:Disagreements"], where=f"fid = {found[0].GetFID()}")
+    results = apply(run_algorithm, folder, tmp_path, CHANGED=done)
+    assert (read_pixels(results["rasterize:Corrected label map"]) == read_pixels(folder / "true.tif")).all()
+    assert windows(results["update:Updated database"]) == windows(folder / "true.gpkg") != windows(folder / "old.gpkg")
+
+
+def test_without_changed_areas_the_corrections_are_found(run_algorithm, folder, tmp_path):
+    results = apply(run_algorithm, folder, tmp_path)
+    assert windows(results["update:Updated database"]) == windows(folder / "true.gpkg")
+
+
+def test_an_annotation_that_was_not_corrected_changes_nothing(run_algorithm, folder, tmp_path):
+    results = apply(run_algorithm, folder, tmp_path, layer="wrong.gpkg")
+    assert windows(results["update:Updated database"]) == windows(folder / "old.gpkg")
+
+
+def test_another_class_table_is_refused(run_algorithm, folder, tmp_path):
+    table = tmp_path / "other.csv"
+    table.write_text((folder / "classes.csv").read_text().replace("building", "house"))
+    with pytest.raises(QgsProcessingException):
+        apply(run_algorithm, folder, tmp_path, CLASS_TABLE=str(table))
+    assert not (tmp_path / "updated.gpkg").exists()
