@@ -66,8 +66,8 @@ class DatabaseUpdater:
 
         ``areas``: rectangles that hold every changed pixel, parts beyond the map are ignored; None when they are to be
         found by comparing block hashes, which reads the whole map. Blocks that no area touches are taken to be as they
-        were and keep their hashes: what changed there is found by the next update without ``areas``. Raises DatabaseError for a database that
-        can't be updated, LabelMapError when the map is not of the same pixel grid.
+        were and keep their hashes: what changed there is found by the next update without ``areas``. Raises
+        DatabaseError for a database that can't be updated, LabelMapError when the map is not of the same pixel grid.
         """
         require_same_grid(source.shape_hw, frame, database)
         self._whole = source

@@ -67,7 +67,8 @@ def _check_template(finding: Finding) -> str:
         return tr("Features {id} and {other} are both {name} and share {number:.2f} m of border.")
     if finding.kind == kinds.SAME_CLASS_NEIGHBORS and not finding.number:
         return tr(
-            "Features {id} and {other} are both {name} and touch in a point: as a rule their pixels become one landmark."
+            "Features {id} and {other} are both {name} and touch in a point: as a rule their pixels become one "
+            "landmark."
         )
     return {
         kinds.INVALID: tr("The geometry of feature {id} is invalid: {reason}."),

@@ -85,9 +85,9 @@ def _correction_to_database() -> ModelTexts:
             "CLASS_TABLE": tr("The one that the old label map was made with."),
             "LABELS": tr("The label map that the reference database was built from."),
             "CHANGED": tr(
-                "Polygons that hold everything that was changed, such as the places that were corrected: only the blocks "
-                "of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update "
-                "without this. If left out, the whole map is compared with the database, which takes longer."
+                "Polygons that hold everything that was changed, such as the places that were corrected: only the "
+                "blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an "
+                "update without this. If left out, the whole map is compared with the database, which takes longer."
             ),
         },
         {"LABELS": tr("Old label map")},

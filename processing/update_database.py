@@ -55,9 +55,9 @@ class UpdateDatabase(SemRefAlgorithm):
         self.offer(
             QgsProcessingParameterFeatureSource(self.CHANGED, tr("Changed areas"), [SOURCE_POLYGON], optional=True),
             tr(
-                "Polygons that hold everything that was changed, such as the places that were corrected: only the blocks "
-                "of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update "
-                "without this. If left out, the whole map is compared with the database, which takes longer."
+                "Polygons that hold everything that was changed, such as the places that were corrected: only the "
+                "blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an "
+                "update without this. If left out, the whole map is compared with the database, which takes longer."
             ),
         )
         self.offer(

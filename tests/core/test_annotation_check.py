@@ -100,7 +100,8 @@ def found(features, **settings) -> list:
     ids=[
         "nothing", "clean neighbors", "null", "empty", "invalid", "overlap", "decided overlap", "same class overlap",
         "duplicate", "duplicate of another class", "decided duplicate", "duplicate with more vertices", "corner",
-        "corner of no landmarks", "neighbors that are no landmarks", "corner of one feature", "hidden", "gap", "large hole", "sliver",
+        "corner of no landmarks", "neighbors that are no landmarks", "corner of one feature", "hidden",
+        "gap", "large hole", "sliver",
     ],
 )  # fmt: skip
 def test_each_kind_is_found_with_its_severity_and_ids(features, expected):
