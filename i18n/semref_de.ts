@@ -2013,7 +2013,7 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   </message>
   <message>
    <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
-   <translation>Wo widerspricht ein neues Orthofoto der Annotation? „Bild segmentieren“, dann „Klassenkarten vergleichen“: die Abweichungen als Polygone, die größten zuerst, zum Durchgehen im Reiter „Verbessern“ des Bedienfelds. Ist die Annotation verbessert, bringt „Von der berichtigten Annotation zur Datenbank“ die Referenzdatenbank auf den neuen Stand.</translation>
+   <translation>Wo widerspricht ein neues Orthofoto der Annotation? „Bild segmentieren“, dann „Klassenkarten vergleichen“: die Abweichungen als Polygone, die größten zuerst, zum Durchgehen im Reiter „Korrigieren“ des Bedienfelds. Ist die Annotation verbessert, bringt „Von der berichtigten Annotation zur Datenbank“ die Referenzdatenbank auf den neuen Stand.</translation>
   </message>
   <message>
    <source>Where it succeeds</source>
