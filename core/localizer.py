@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Optional, Tuple
+from typing import List, Optional, Tuple
 
 import numpy as np
 
@@ -111,24 +111,15 @@ class Localizer:
         Raises DatabaseError when no window can be matched.
         """
         self.check(TOPOLOGY_VECTOR)
-        count, best = 0, None
-        for size, index, vectors in self._levels:
-            described = self.describe(labels_hw, size)
-            count = max(count, len(described.objects))
-            if described.vector is None:
-                continue
-            distances = vector_distances(described.vector, vectors)
-            nearest = int(distances.argmin())
-            if best is None or distances[nearest] < best[0]:
-                best = float(distances[nearest]), int(index[nearest]), len(described.objects)
-        if best is None:
+        count, nearest = self._nearest_windows(labels_hw, 1)
+        if not nearest:
             missing = MINIMUM_REFERENCES - count
             reason = (
                 f"The image shows {count} landmark{'' if count == 1 else 's'}; "
                 f"at least {missing} more {'is' if missing == 1 else 'are'} needed."
             )
             return Localization(TOO_FEW_REFERENCES, TOPOLOGY_VECTOR, count, reason)
-        distance, index, count = best
+        distance, index, count = nearest[0]
         if distance > DISTANCE_THRESHOLD:
             reason = f"The nearest window has distance {distance:.3f}, more than {DISTANCE_THRESHOLD:g}."
             return Localization(NO_MATCH, TOPOLOGY_VECTOR, count, reason, distance=distance)
@@ -143,6 +134,28 @@ class Localizer:
             window=str(windows.names[index]),
             window_index=index,
         )
+
+    def nearest_windows(self, labels_hw: np.ndarray, count: int) -> List[Tuple[int, float]]:
+        """(index, distance) of up to ``count`` windows with the vectors nearest to the image's, nearest first.
+
+        ``labels_hw``: (H, W) uint8 labels of the database's class table. Empty where it shows too few landmarks.
+        """
+        return [(index, distance) for distance, index, _ in self._nearest_windows(labels_hw, count)[1]]
+
+    def _nearest_windows(self, labels_hw: np.ndarray, count: int) -> Tuple[int, List[Tuple[float, int, int]]]:
+        """The most landmarks the image has at any level; (distance, index, landmarks) of the nearest windows."""
+        most, found = 0, []
+        for size, index, vectors in self._levels:
+            described = self.describe(labels_hw, size)
+            most = max(most, len(described.objects))
+            if described.vector is None:
+                continue
+            distances = vector_distances(described.vector, vectors)
+            # Sorting takes a hundred times as long; both take the first of equal ones.
+            nearest = [distances.argmin()] if count == 1 else np.argsort(distances, kind="stable")[:count]
+            found += [(float(distances[n]), int(index[n]), len(described.objects)) for n in nearest]
+        # By distance alone: of equal ones the first level's first window comes first.
+        return most, sorted(found, key=lambda window: window[0])[:count]
 
     @property
     def index(self) -> ConstellationIndex:
