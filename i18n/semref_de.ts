@@ -72,6 +72,10 @@
    <translation>Einen Ordner mit Bildern hinzufügen</translation>
   </message>
   <message>
+   <source>Add a raster layer of the project</source>
+   <translation>Rasterlayer des Projekts hinzufügen</translation>
+  </message>
+  <message>
    <source>Add database to map</source>
    <translation>Datenbank zur Karte hinzufügen</translation>
   </message>
@@ -92,8 +96,8 @@
    <translation>Bilder hinzufügen.</translation>
   </message>
   <message>
-   <source>Add photos or label images, or drop files and folders here.</source>
-   <translation>Fotos oder Klassenbilder hinzufügen, oder Dateien und Ordner hierher ziehen.</translation>
+   <source>Add photos or label images, or drop files, folders and layers here.</source>
+   <translation>Fotos oder Labelbilder hinzufügen oder Dateien, Ordner und Layer hierher ziehen.</translation>
   </message>
   <message>
    <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
@@ -288,8 +292,8 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Prüfung einer Annotation</translation>
   </message>
   <message>
-   <source>Checking and repairing annotations</source>
-   <translation>Annotationen prüfen und reparieren</translation>
+   <source>Checking and repairing annotations, making the sample project</source>
+   <translation>Annotationen prüfen und reparieren, das Beispielprojekt erstellen</translation>
   </message>
   <message>
    <source>Checking {package}…</source>
@@ -408,16 +412,16 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
    <translation>Kopiert: {command}</translation>
   </message>
   <message>
+   <source>Copies the position as chosen last; the arrow shows how</source>
+   <translation>Kopiert die Position wie zuletzt gewählt; der Pfeil zeigt, wie</translation>
+  </message>
+  <message>
    <source>Copy command</source>
    <translation>Befehl kopieren</translation>
   </message>
   <message>
-   <source>Copy longitude, latitude</source>
-   <translation>Länge, Breite kopieren</translation>
-  </message>
-  <message>
-   <source>Copy x, y</source>
-   <translation>x, y kopieren</translation>
+   <source>Copy position</source>
+   <translation>Position kopieren</translation>
   </message>
   <message>
    <source>Correct</source>
@@ -448,8 +452,16 @@ Training and validation tiles are divided by place: whole blocks of ground are s
 Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöcke werden für die Validierung zurückgelegt, und kein Pixel ist in beiden. Kacheln ohne Klassen entfallen. Klassen in einem anderen Gitter werden durch nächste Nachbarn auf das des Bildes gebracht.</translation>
   </message>
   <message>
+   <source>Databases whose layers are in the project</source>
+   <translation>Datenbanken, deren Layer im Projekt sind</translation>
+  </message>
+  <message>
    <source>Decode color labels</source>
    <translation>Farbiges Klassenbild dekodieren</translation>
+  </message>
+  <message>
+   <source>Degrees, minutes, seconds (WGS 84)</source>
+   <translation>Grad, Minuten, Sekunden (WGS 84)</translation>
   </message>
   <message>
    <source>Describe image</source>
@@ -792,12 +804,20 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Bild</translation>
   </message>
   <message>
+   <source>Image before (Alt+Up)</source>
+   <translation>Voriges Bild (Alt+Auf)</translation>
+  </message>
+  <message>
    <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
    <translation>Bild mit mindestens drei Kanälen (Rot, Grün, Blau) zu je 8 Bit.</translation>
   </message>
   <message>
    <source>Images</source>
    <translation>Bilder</translation>
+  </message>
+  <message>
+   <source>In the project…</source>
+   <translation>Im Projekt …</translation>
   </message>
   <message>
    <source>Inspect</source>
@@ -920,8 +940,16 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Größter Maßstab</translation>
   </message>
   <message>
+   <source>Latitude, longitude (WGS 84)</source>
+   <translation>Breite, Länge (WGS 84)</translation>
+  </message>
+  <message>
    <source>Lay image on map</source>
    <translation>Bild auf die Karte legen</translation>
+  </message>
+  <message>
+   <source>Laying an image on the map</source>
+   <translation>Ein Bild wird auf die Karte gelegt</translation>
   </message>
   <message>
    <source>Laying polygons on each other</source>
@@ -958,6 +986,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Localizing images</source>
    <translation>Bilder werden lokalisiert</translation>
+  </message>
+  <message>
+   <source>Longitude, latitude (WGS 84)</source>
+   <translation>Länge, Breite (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
@@ -1110,6 +1142,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Nearest look-alike at distance {value:.3f}</source>
    <translation>Nächster Doppelgänger im Abstand {value:.3f}</translation>
+  </message>
+  <message>
+   <source>Next image (Alt+Down)</source>
+   <translation>Nächstes Bild (Alt+Ab)</translation>
   </message>
   <message>
    <source>Next place</source>
@@ -1340,6 +1376,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Positionen</translation>
   </message>
   <message>
+   <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
+   <translation>Positionen, Bildflächen und mögliche Orte als ein GeoPackage, das mit dem Projekt geöffnet wird</translation>
+  </message>
+  <message>
    <source>Possible places</source>
    <translation>Mögliche Orte</translation>
   </message>
@@ -1440,8 +1480,8 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Verlässlichkeit der Konfidenz</translation>
   </message>
   <message>
-   <source>Remove</source>
-   <translation>Entfernen</translation>
+   <source>Remove the selected images (Del)</source>
+   <translation>Ausgewählte Bilder entfernen (Entf)</translation>
   </message>
   <message>
    <source>Remove what SemRef installed</source>
@@ -1514,6 +1554,18 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Rotation (°)</source>
    <translation>Drehung (°)</translation>
+  </message>
+  <message>
+   <source>Save results</source>
+   <translation>Ergebnisse speichern</translation>
+  </message>
+  <message>
+   <source>Save results to a file…</source>
+   <translation>Ergebnisse in eine Datei speichern …</translation>
+  </message>
+  <message>
+   <source>Saved; the dock shows these results again when this project is opened.</source>
+   <translation>Gespeichert; das Fenster zeigt diese Ergebnisse wieder, wenn dieses Projekt geöffnet wird.</translation>
   </message>
   <message>
    <source>Scale</source>
@@ -1828,6 +1880,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
   </message>
   <message>
+   <source>The project has no raster layer of a file.</source>
+   <translation>Das Projekt hat keinen Rasterlayer aus einer Datei.</translation>
+  </message>
+  <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
    <translation>Der Proxy ist nicht nutzbar; prüfen Sie ihn unter Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus Wheels.</translation>
   </message>
@@ -1990,6 +2046,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Vector</source>
    <translation>Vektor</translation>
+  </message>
+  <message>
+   <source>Well-known text in the project’s CRS</source>
+   <translation>Well-known Text im KBS des Projekts</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>
@@ -2244,6 +2304,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>medianer Fehler</translation>
   </message>
   <message>
+   <source>next best: {windows}</source>
+   <translation>nächstbeste: {windows}</translation>
+  </message>
+  <message>
    <source>no class</source>
    <translation>keine Klasse</translation>
   </message>
@@ -2314,6 +2378,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>wrong fixes</source>
    <translation>falsche Fixe</translation>
+  </message>
+  <message>
+   <source>x, y in the database’s CRS</source>
+   <translation>x, y im KBS der Datenbank</translation>
+  </message>
+  <message>
+   <source>x, y in the project’s CRS ({crs})</source>
+   <translation>x, y im KBS des Projekts ({crs})</translation>
   </message>
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
@@ -2392,6 +2464,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{lacking} Fenster ({share:.0%}) zeigen weniger als drei Landmarken und haben keinen Vektor.</translation>
   </message>
   <message>
+   <source>{layers}: not added, because a layer has to be one file of an image.</source>
+   <translation>{layers}: nicht hinzugefügt, weil ein Layer eine einzelne Bilddatei sein muss.</translation>
+  </message>
+  <message>
    <source>{layer}: {features} features</source>
    <translation>{layer}: {features} Objekte</translation>
   </message>
@@ -2456,6 +2532,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{packages} fehlt; ohne kann nichts lokalisiert werden.</translation>
   </message>
   <message>
+   <source>{packages} is missing; without it the model can’t make labels of photos.</source>
+   <translation>{packages} fehlt; ohne das kann das Modell aus Fotos keine Labels machen.</translation>
+  </message>
+  <message>
    <source>{package} can’t be installed: {reason}: {name}.</source>
    <translation>{package} kann nicht installiert werden: {reason}: {name}.</translation>
   </message>
@@ -2506,6 +2586,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{training} tiles to train on, {validation} to validate on</source>
    <translation>{training} Kacheln zum Trainieren, {validation} zum Validieren</translation>
+  </message>
+  <message>
+   <source>{value} agree with the map</source>
+   <translation>{value} stimmen mit der Karte überein</translation>
   </message>
   <message>
    <source>{value} landmarks in the image</source>

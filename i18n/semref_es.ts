@@ -72,6 +72,10 @@
    <translation>Añadir una carpeta de imágenes</translation>
   </message>
   <message>
+   <source>Add a raster layer of the project</source>
+   <translation>Añadir una capa ráster del proyecto</translation>
+  </message>
+  <message>
    <source>Add database to map</source>
    <translation>Añadir la base de datos al mapa</translation>
   </message>
@@ -92,8 +96,8 @@
    <translation>Añada imágenes.</translation>
   </message>
   <message>
-   <source>Add photos or label images, or drop files and folders here.</source>
-   <translation>Añada fotos o imágenes de etiquetas, o suelte aquí archivos y carpetas.</translation>
+   <source>Add photos or label images, or drop files, folders and layers here.</source>
+   <translation>Añada fotos o imágenes de etiquetas, o suelte aquí archivos, carpetas y capas.</translation>
   </message>
   <message>
    <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
@@ -288,8 +292,8 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Comprobación de una anotación</translation>
   </message>
   <message>
-   <source>Checking and repairing annotations</source>
-   <translation>Comprobar y reparar anotaciones</translation>
+   <source>Checking and repairing annotations, making the sample project</source>
+   <translation>Comprobar y reparar anotaciones, crear el proyecto de ejemplo</translation>
   </message>
   <message>
    <source>Checking {package}…</source>
@@ -408,16 +412,16 @@ Las clases se emparejan por nombre, o por valor si los mapas no comparten nombre
    <translation>Copiado: {command}</translation>
   </message>
   <message>
+   <source>Copies the position as chosen last; the arrow shows how</source>
+   <translation>Copia la posición como se eligió la última vez; la flecha muestra cómo</translation>
+  </message>
+  <message>
    <source>Copy command</source>
    <translation>Copiar comando</translation>
   </message>
   <message>
-   <source>Copy longitude, latitude</source>
-   <translation>Copiar longitud, latitud</translation>
-  </message>
-  <message>
-   <source>Copy x, y</source>
-   <translation>Copiar x, y</translation>
+   <source>Copy position</source>
+   <translation>Copiar posición</translation>
   </message>
   <message>
    <source>Correct</source>
@@ -448,8 +452,16 @@ Training and validation tiles are divided by place: whole blocks of ground are s
 Las teselas de entrenamiento y de validación se separan por lugar: bloques enteros de terreno se reservan para la validación, y ningún píxel está en ambas. Las teselas sin etiquetas se dejan fuera. Las etiquetas en otra cuadrícula se llevan a la de la imagen por vecino más próximo.</translation>
   </message>
   <message>
+   <source>Databases whose layers are in the project</source>
+   <translation>Bases de datos cuyas capas están en el proyecto</translation>
+  </message>
+  <message>
    <source>Decode color labels</source>
    <translation>Decodificar etiquetas en color</translation>
+  </message>
+  <message>
+   <source>Degrees, minutes, seconds (WGS 84)</source>
+   <translation>Grados, minutos, segundos (WGS 84)</translation>
   </message>
   <message>
    <source>Describe image</source>
@@ -792,12 +804,20 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Imagen</translation>
   </message>
   <message>
+   <source>Image before (Alt+Up)</source>
+   <translation>Imagen anterior (Alt+Arriba)</translation>
+  </message>
+  <message>
    <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
    <translation>Imagen con al menos tres bandas (rojo, verde, azul) de 8 bits.</translation>
   </message>
   <message>
    <source>Images</source>
    <translation>Imágenes</translation>
+  </message>
+  <message>
+   <source>In the project…</source>
+   <translation>En el proyecto…</translation>
   </message>
   <message>
    <source>Inspect</source>
@@ -920,8 +940,16 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Escala mayor</translation>
   </message>
   <message>
+   <source>Latitude, longitude (WGS 84)</source>
+   <translation>Latitud, longitud (WGS 84)</translation>
+  </message>
+  <message>
    <source>Lay image on map</source>
    <translation>Poner la imagen sobre el mapa</translation>
+  </message>
+  <message>
+   <source>Laying an image on the map</source>
+   <translation>Colocando una imagen en el mapa</translation>
   </message>
   <message>
    <source>Laying polygons on each other</source>
@@ -958,6 +986,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Localizing images</source>
    <translation>Localizando imágenes</translation>
+  </message>
+  <message>
+   <source>Longitude, latitude (WGS 84)</source>
+   <translation>Longitud, latitud (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
@@ -1110,6 +1142,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Nearest look-alike at distance {value:.3f}</source>
    <translation>La ventana más parecida está a la distancia {value:.3f}</translation>
+  </message>
+  <message>
+   <source>Next image (Alt+Down)</source>
+   <translation>Imagen siguiente (Alt+Abajo)</translation>
   </message>
   <message>
    <source>Next place</source>
@@ -1340,6 +1376,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Posiciones</translation>
   </message>
   <message>
+   <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
+   <translation>Posiciones, huellas y lugares posibles en un GeoPackage, que se abre con el proyecto</translation>
+  </message>
+  <message>
    <source>Possible places</source>
    <translation>Lugares posibles</translation>
   </message>
@@ -1440,8 +1480,8 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Fiabilidad de la confianza</translation>
   </message>
   <message>
-   <source>Remove</source>
-   <translation>Eliminar</translation>
+   <source>Remove the selected images (Del)</source>
+   <translation>Quitar las imágenes seleccionadas (Supr)</translation>
   </message>
   <message>
    <source>Remove what SemRef installed</source>
@@ -1514,6 +1554,18 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Rotation (°)</source>
    <translation>Rotación (°)</translation>
+  </message>
+  <message>
+   <source>Save results</source>
+   <translation>Guardar resultados</translation>
+  </message>
+  <message>
+   <source>Save results to a file…</source>
+   <translation>Guardar los resultados en un archivo…</translation>
+  </message>
+  <message>
+   <source>Saved; the dock shows these results again when this project is opened.</source>
+   <translation>Guardado; el panel volverá a mostrar estos resultados al abrir este proyecto.</translation>
   </message>
   <message>
    <source>Scale</source>
@@ -1828,6 +1880,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Las posiciones son ahora una capa temporal del proyecto; expórtela para conservarlas.</translation>
   </message>
   <message>
+   <source>The project has no raster layer of a file.</source>
+   <translation>El proyecto no tiene ninguna capa ráster de un archivo.</translation>
+  </message>
+  <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
    <translation>El proxy no se puede usar; compruébelo en Configuración ▸ Opciones ▸ Red, o instale desde wheels.</translation>
   </message>
@@ -1990,6 +2046,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Vector</source>
    <translation>Vector</translation>
+  </message>
+  <message>
+   <source>Well-known text in the project’s CRS</source>
+   <translation>Texto WKT en el SRC del proyecto</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>
@@ -2244,6 +2304,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>error mediano</translation>
   </message>
   <message>
+   <source>next best: {windows}</source>
+   <translation>siguientes: {windows}</translation>
+  </message>
+  <message>
    <source>no class</source>
    <translation>sin clase</translation>
   </message>
@@ -2314,6 +2378,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>wrong fixes</source>
    <translation>posiciones erróneas</translation>
+  </message>
+  <message>
+   <source>x, y in the database’s CRS</source>
+   <translation>x, y en el SRC de la base de datos</translation>
+  </message>
+  <message>
+   <source>x, y in the project’s CRS ({crs})</source>
+   <translation>x, y en el SRC del proyecto ({crs})</translation>
   </message>
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
@@ -2392,6 +2464,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{lacking} ventanas ({share:.0%}) muestran menos de tres hitos y no tienen vector.</translation>
   </message>
   <message>
+   <source>{layers}: not added, because a layer has to be one file of an image.</source>
+   <translation>{layers}: no añadido, porque una capa debe ser un único archivo de imagen.</translation>
+  </message>
+  <message>
    <source>{layer}: {features} features</source>
    <translation>{layer}: {features} objetos espaciales</translation>
   </message>
@@ -2456,6 +2532,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>Falta {packages}; sin él no se puede localizar nada.</translation>
   </message>
   <message>
+   <source>{packages} is missing; without it the model can’t make labels of photos.</source>
+   <translation>Falta {packages}; sin él, el modelo no puede etiquetar las fotos.</translation>
+  </message>
+  <message>
    <source>{package} can’t be installed: {reason}: {name}.</source>
    <translation>{package} no se puede instalar: {reason}: {name}.</translation>
   </message>
@@ -2506,6 +2586,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{training} tiles to train on, {validation} to validate on</source>
    <translation>{training} teselas para entrenar, {validation} para validar</translation>
+  </message>
+  <message>
+   <source>{value} agree with the map</source>
+   <translation>{value} coinciden con el mapa</translation>
   </message>
   <message>
    <source>{value} landmarks in the image</source>

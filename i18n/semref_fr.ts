@@ -72,6 +72,10 @@
    <translation>Ajouter un dossier d’images</translation>
   </message>
   <message>
+   <source>Add a raster layer of the project</source>
+   <translation>Ajouter une couche raster du projet</translation>
+  </message>
+  <message>
    <source>Add database to map</source>
    <translation>Ajouter la base de données à la carte</translation>
   </message>
@@ -92,8 +96,8 @@
    <translation>Ajoutez des images.</translation>
   </message>
   <message>
-   <source>Add photos or label images, or drop files and folders here.</source>
-   <translation>Ajoutez des photos ou des images d’étiquettes, ou déposez ici des fichiers et des dossiers.</translation>
+   <source>Add photos or label images, or drop files, folders and layers here.</source>
+   <translation>Ajoutez des photos ou des images d’étiquettes, ou déposez ici des fichiers, des dossiers et des couches.</translation>
   </message>
   <message>
    <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
@@ -288,8 +292,8 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Vérification d’une annotation</translation>
   </message>
   <message>
-   <source>Checking and repairing annotations</source>
-   <translation>Vérifier et réparer les annotations</translation>
+   <source>Checking and repairing annotations, making the sample project</source>
+   <translation>Vérifier et réparer les annotations, créer le projet exemple</translation>
   </message>
   <message>
    <source>Checking {package}…</source>
@@ -408,16 +412,16 @@ Les classes sont associées par leur nom, ou par leur valeur si les cartes n’o
    <translation>Copié : {command}</translation>
   </message>
   <message>
+   <source>Copies the position as chosen last; the arrow shows how</source>
+   <translation>Copie la position comme choisi en dernier ; la flèche montre comment</translation>
+  </message>
+  <message>
    <source>Copy command</source>
    <translation>Copier la commande</translation>
   </message>
   <message>
-   <source>Copy longitude, latitude</source>
-   <translation>Copier longitude, latitude</translation>
-  </message>
-  <message>
-   <source>Copy x, y</source>
-   <translation>Copier x, y</translation>
+   <source>Copy position</source>
+   <translation>Copier la position</translation>
   </message>
   <message>
    <source>Correct</source>
@@ -448,8 +452,16 @@ Training and validation tiles are divided by place: whole blocks of ground are s
 Les tuiles d’entraînement et de validation sont séparées par lieu : des blocs de terrain entiers sont réservés à la validation, et aucun pixel n’est dans les deux. Les tuiles sans étiquettes sont laissées de côté. Les étiquettes d’une autre grille sont ramenées sur celle de l’image, par plus proche voisin.</translation>
   </message>
   <message>
+   <source>Databases whose layers are in the project</source>
+   <translation>Bases de données dont les couches sont dans le projet</translation>
+  </message>
+  <message>
    <source>Decode color labels</source>
    <translation>Décoder des étiquettes en couleur</translation>
+  </message>
+  <message>
+   <source>Degrees, minutes, seconds (WGS 84)</source>
+   <translation>Degrés, minutes, secondes (WGS 84)</translation>
   </message>
   <message>
    <source>Describe image</source>
@@ -792,12 +804,20 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Image</translation>
   </message>
   <message>
+   <source>Image before (Alt+Up)</source>
+   <translation>Image précédente (Alt+Haut)</translation>
+  </message>
+  <message>
    <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
    <translation>Image avec au moins trois bandes (rouge, vert, bleu) de 8 bits.</translation>
   </message>
   <message>
    <source>Images</source>
    <translation>Images</translation>
+  </message>
+  <message>
+   <source>In the project…</source>
+   <translation>Dans le projet…</translation>
   </message>
   <message>
    <source>Inspect</source>
@@ -920,8 +940,16 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Plus grande échelle</translation>
   </message>
   <message>
+   <source>Latitude, longitude (WGS 84)</source>
+   <translation>Latitude, longitude (WGS 84)</translation>
+  </message>
+  <message>
    <source>Lay image on map</source>
    <translation>Poser l’image sur la carte</translation>
+  </message>
+  <message>
+   <source>Laying an image on the map</source>
+   <translation>Pose d’une image sur la carte</translation>
   </message>
   <message>
    <source>Laying polygons on each other</source>
@@ -958,6 +986,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Localizing images</source>
    <translation>Localisation des images</translation>
+  </message>
+  <message>
+   <source>Longitude, latitude (WGS 84)</source>
+   <translation>Longitude, latitude (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
@@ -1110,6 +1142,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Nearest look-alike at distance {value:.3f}</source>
    <translation>Sosie le plus proche à la distance {value:.3f}</translation>
+  </message>
+  <message>
+   <source>Next image (Alt+Down)</source>
+   <translation>Image suivante (Alt+Bas)</translation>
   </message>
   <message>
    <source>Next place</source>
@@ -1340,6 +1376,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Positions</translation>
   </message>
   <message>
+   <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
+   <translation>Positions, emprises et lieux possibles dans un GeoPackage, ouvert avec le projet</translation>
+  </message>
+  <message>
    <source>Possible places</source>
    <translation>Lieux possibles</translation>
   </message>
@@ -1440,8 +1480,8 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Fiabilité de la confiance</translation>
   </message>
   <message>
-   <source>Remove</source>
-   <translation>Supprimer</translation>
+   <source>Remove the selected images (Del)</source>
+   <translation>Retirer les images sélectionnées (Suppr)</translation>
   </message>
   <message>
    <source>Remove what SemRef installed</source>
@@ -1514,6 +1554,18 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Rotation (°)</source>
    <translation>Rotation (°)</translation>
+  </message>
+  <message>
+   <source>Save results</source>
+   <translation>Enregistrer les résultats</translation>
+  </message>
+  <message>
+   <source>Save results to a file…</source>
+   <translation>Enregistrer les résultats dans un fichier…</translation>
+  </message>
+  <message>
+   <source>Saved; the dock shows these results again when this project is opened.</source>
+   <translation>Enregistré ; le panneau montrera de nouveau ces résultats à l’ouverture de ce projet.</translation>
   </message>
   <message>
    <source>Scale</source>
@@ -1828,6 +1880,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les positions sont maintenant une couche temporaire du projet ; exportez-la pour les conserver.</translation>
   </message>
   <message>
+   <source>The project has no raster layer of a file.</source>
+   <translation>Le projet n’a aucune couche raster issue d’un fichier.</translation>
+  </message>
+  <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
    <translation>Le proxy est inutilisable ; vérifiez-le sous Préférences ▸ Options ▸ Réseau, ou installez depuis des wheels.</translation>
   </message>
@@ -1990,6 +2046,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Vector</source>
    <translation>Vecteur</translation>
+  </message>
+  <message>
+   <source>Well-known text in the project’s CRS</source>
+   <translation>Texte WKT dans le SCR du projet</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>
@@ -2244,6 +2304,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>erreur médiane</translation>
   </message>
   <message>
+   <source>next best: {windows}</source>
+   <translation>suivantes : {windows}</translation>
+  </message>
+  <message>
    <source>no class</source>
    <translation>aucune classe</translation>
   </message>
@@ -2314,6 +2378,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>wrong fixes</source>
    <translation>positions erronées</translation>
+  </message>
+  <message>
+   <source>x, y in the database’s CRS</source>
+   <translation>x, y dans le SCR de la base de données</translation>
+  </message>
+  <message>
+   <source>x, y in the project’s CRS ({crs})</source>
+   <translation>x, y dans le SCR du projet ({crs})</translation>
   </message>
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
@@ -2392,6 +2464,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{lacking} fenêtres ({share:.0%}) montrent moins de trois repères visuels et n’ont pas de vecteur.</translation>
   </message>
   <message>
+   <source>{layers}: not added, because a layer has to be one file of an image.</source>
+   <translation>{layers} : non ajouté, car une couche doit être un seul fichier d’image.</translation>
+  </message>
+  <message>
    <source>{layer}: {features} features</source>
    <translation>{layer} : {features} entités</translation>
   </message>
@@ -2456,6 +2532,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{packages} est absent ; sans lui, rien ne peut être localisé.</translation>
   </message>
   <message>
+   <source>{packages} is missing; without it the model can’t make labels of photos.</source>
+   <translation>{packages} manque ; sans lui, le modèle ne peut pas étiqueter les photos.</translation>
+  </message>
+  <message>
    <source>{package} can’t be installed: {reason}: {name}.</source>
    <translation>{package} ne peut pas être installé : {reason} : {name}.</translation>
   </message>
@@ -2506,6 +2586,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{training} tiles to train on, {validation} to validate on</source>
    <translation>{training} tuiles d’entraînement, {validation} de validation</translation>
+  </message>
+  <message>
+   <source>{value} agree with the map</source>
+   <translation>{value} concordent avec la carte</translation>
   </message>
   <message>
    <source>{value} landmarks in the image</source>

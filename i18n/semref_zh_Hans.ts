@@ -72,6 +72,10 @@
    <translation>添加影像文件夹</translation>
   </message>
   <message>
+   <source>Add a raster layer of the project</source>
+   <translation>添加项目中的栅格图层</translation>
+  </message>
+  <message>
    <source>Add database to map</source>
    <translation>将数据库添加到地图</translation>
   </message>
@@ -92,8 +96,8 @@
    <translation>请添加影像。</translation>
   </message>
   <message>
-   <source>Add photos or label images, or drop files and folders here.</source>
-   <translation>在此添加照片或标签影像，也可将文件和文件夹拖放到此处。</translation>
+   <source>Add photos or label images, or drop files, folders and layers here.</source>
+   <translation>添加照片或标签影像，或将文件、文件夹和图层拖放到此处。</translation>
   </message>
   <message>
    <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
@@ -288,8 +292,8 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>标注检查报告</translation>
   </message>
   <message>
-   <source>Checking and repairing annotations</source>
-   <translation>检查和修复标注</translation>
+   <source>Checking and repairing annotations, making the sample project</source>
+   <translation>检查和修复标注，制作示例项目</translation>
   </message>
   <message>
    <source>Checking {package}…</source>
@@ -408,16 +412,16 @@ Classes are matched by name, or by value where the maps share no names. Maps of 
    <translation>已复制：{command}</translation>
   </message>
   <message>
+   <source>Copies the position as chosen last; the arrow shows how</source>
+   <translation>按上次所选方式复制位置；箭头显示各种方式</translation>
+  </message>
+  <message>
    <source>Copy command</source>
    <translation>复制命令</translation>
   </message>
   <message>
-   <source>Copy longitude, latitude</source>
-   <translation>复制经度、纬度</translation>
-  </message>
-  <message>
-   <source>Copy x, y</source>
-   <translation>复制 x、y</translation>
+   <source>Copy position</source>
+   <translation>复制位置</translation>
   </message>
   <message>
    <source>Correct</source>
@@ -448,8 +452,16 @@ Training and validation tiles are divided by place: whole blocks of ground are s
 训练图块和验证图块按地点划分：整块的地面留作验证，任何像元都不会同时出现在两者中。没有标签的图块会被舍弃。格网不同的标签会按最近邻重采样到影像的格网上。</translation>
   </message>
   <message>
+   <source>Databases whose layers are in the project</source>
+   <translation>图层在项目中的数据库</translation>
+  </message>
+  <message>
    <source>Decode color labels</source>
    <translation>解码彩色标签</translation>
+  </message>
+  <message>
+   <source>Degrees, minutes, seconds (WGS 84)</source>
+   <translation>度、分、秒 (WGS 84)</translation>
   </message>
   <message>
    <source>Describe image</source>
@@ -792,12 +804,20 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>影像</translation>
   </message>
   <message>
+   <source>Image before (Alt+Up)</source>
+   <translation>上一幅影像 (Alt+Up)</translation>
+  </message>
+  <message>
    <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
    <translation>至少有三个 8 位波段（红、绿、蓝）的影像。</translation>
   </message>
   <message>
    <source>Images</source>
    <translation>影像</translation>
+  </message>
+  <message>
+   <source>In the project…</source>
+   <translation>项目中的数据库…</translation>
   </message>
   <message>
    <source>Inspect</source>
@@ -920,8 +940,16 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>最大比例</translation>
   </message>
   <message>
+   <source>Latitude, longitude (WGS 84)</source>
+   <translation>纬度, 经度 (WGS 84)</translation>
+  </message>
+  <message>
    <source>Lay image on map</source>
    <translation>将影像铺到地图上</translation>
+  </message>
+  <message>
+   <source>Laying an image on the map</source>
+   <translation>正在将影像铺到地图上</translation>
   </message>
   <message>
    <source>Laying polygons on each other</source>
@@ -958,6 +986,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Localizing images</source>
    <translation>正在定位影像</translation>
+  </message>
+  <message>
+   <source>Longitude, latitude (WGS 84)</source>
+   <translation>经度, 纬度 (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
@@ -1110,6 +1142,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Nearest look-alike at distance {value:.3f}</source>
    <translation>最近的相似窗口，距离 {value:.3f}</translation>
+  </message>
+  <message>
+   <source>Next image (Alt+Down)</source>
+   <translation>下一幅影像 (Alt+Down)</translation>
   </message>
   <message>
    <source>Next place</source>
@@ -1340,6 +1376,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>位置</translation>
   </message>
   <message>
+   <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
+   <translation>将位置、影像范围和可能地点保存为一个 GeoPackage，随项目一起打开</translation>
+  </message>
+  <message>
    <source>Possible places</source>
    <translation>可能地点</translation>
   </message>
@@ -1440,8 +1480,8 @@ The model that ships with SemRef can read these photos.</source>
    <translation>置信度的可靠性</translation>
   </message>
   <message>
-   <source>Remove</source>
-   <translation>移除</translation>
+   <source>Remove the selected images (Del)</source>
+   <translation>移除所选影像 (Del)</translation>
   </message>
   <message>
    <source>Remove what SemRef installed</source>
@@ -1514,6 +1554,18 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Rotation (°)</source>
    <translation>旋转角度（°）</translation>
+  </message>
+  <message>
+   <source>Save results</source>
+   <translation>保存结果</translation>
+  </message>
+  <message>
+   <source>Save results to a file…</source>
+   <translation>将结果保存到文件…</translation>
+  </message>
+  <message>
+   <source>Saved; the dock shows these results again when this project is opened.</source>
+   <translation>已保存；再次打开此项目时，面板会重新显示这些结果。</translation>
   </message>
   <message>
    <source>Scale</source>
@@ -1828,6 +1880,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>位置现在是工程中的临时图层；如需保留请导出。</translation>
   </message>
   <message>
+   <source>The project has no raster layer of a file.</source>
+   <translation>项目中没有来自文件的栅格图层。</translation>
+  </message>
+  <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
    <translation>代理无法使用；请在 设置 ▸ 选项 ▸ 网络 中检查，或从 wheel 安装。</translation>
   </message>
@@ -1990,6 +2046,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Vector</source>
    <translation>向量</translation>
+  </message>
+  <message>
+   <source>Well-known text in the project’s CRS</source>
+   <translation>WKT 文本（项目坐标参照系）</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>
@@ -2244,6 +2304,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>误差中值</translation>
   </message>
   <message>
+   <source>next best: {windows}</source>
+   <translation>次优：{windows}</translation>
+  </message>
+  <message>
    <source>no class</source>
    <translation>无类别</translation>
   </message>
@@ -2314,6 +2378,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>wrong fixes</source>
    <translation>错误定位结果</translation>
+  </message>
+  <message>
+   <source>x, y in the database’s CRS</source>
+   <translation>x, y（数据库坐标参照系）</translation>
+  </message>
+  <message>
+   <source>x, y in the project’s CRS ({crs})</source>
+   <translation>x, y（项目坐标参照系 {crs}）</translation>
   </message>
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
@@ -2392,6 +2464,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{lacking} 个窗口（{share:.0%}）的地标少于三个，没有向量。</translation>
   </message>
   <message>
+   <source>{layers}: not added, because a layer has to be one file of an image.</source>
+   <translation>{layers}：未添加，因为图层必须是单个影像文件。</translation>
+  </message>
+  <message>
    <source>{layer}: {features} features</source>
    <translation>{layer}：{features} 个要素</translation>
   </message>
@@ -2456,6 +2532,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>缺少 {packages}；没有它就无法定位。</translation>
   </message>
   <message>
+   <source>{packages} is missing; without it the model can’t make labels of photos.</source>
+   <translation>缺少 {packages}；没有它，模型无法为照片生成标签。</translation>
+  </message>
+  <message>
    <source>{package} can’t be installed: {reason}: {name}.</source>
    <translation>无法安装 {package}：{reason}：{name}。</translation>
   </message>
@@ -2506,6 +2586,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{training} tiles to train on, {validation} to validate on</source>
    <translation>训练图块 {training} 个，验证图块 {validation} 个</translation>
+  </message>
+  <message>
+   <source>{value} agree with the map</source>
+   <translation>{value} 个与地图一致</translation>
   </message>
   <message>
    <source>{value} landmarks in the image</source>

@@ -93,7 +93,7 @@ def purpose(package: Package) -> str:
     """What the package is for, in the user's language."""
     return {
         OPENCV: tr("Everything: label maps, databases, localization"),
-        SHAPELY: tr("Checking and repairing annotations"),
+        SHAPELY: tr("Checking and repairing annotations, making the sample project"),
         ONNXRUNTIME: tr("Segmenting photos with a network"),
     }[package]
 

@@ -6,8 +6,9 @@ import numpy as np
 from qgis.core import QgsProcessingFeedback
 
 from ..core.class_table import ClassTable
-from ..core.errors import ImageError
+from ..core.errors import ImageError, ModelError
 from .base import check_canceled
+from .components import ONNXRUNTIME, how_to_install, missing
 from .segment_image import describe
 from .threads import worker_threads
 
@@ -21,6 +22,9 @@ class PhotoLabels:
     def __init__(self, model_path: str, table: ClassTable, feedback: QgsProcessingFeedback) -> None:
         from ..core.segmentation_model import SegmentationModel
 
+        lacking = missing([ONNXRUNTIME])
+        if lacking:
+            raise ModelError(how_to_install(lacking))
         self._model = SegmentationModel(model_path, worker_threads())
         self._values = self._model.classes.values_in(table, model_path)
         self._feedback = feedback

@@ -25,12 +25,13 @@ _BUG_REPORT_BEGINS = "Traceback"
 class AlgorithmRun(QObject):
     """One run. After ``start`` returned True exactly one of ``done``, ``failed``, ``broke`` and ``canceled`` comes.
 
-    done: the results (dict) and the context that holds layers in memory; failed: a sentence for the user; broke: a
-    bug's traceback.
+    said: what is being done; logged: detail for the log panel; done: the results (dict) and the context that holds
+    layers in memory; failed: a sentence for the user; broke: a bug's traceback.
     """
 
     progressed = pyqtSignal(float)
     said = pyqtSignal(str)
+    logged = pyqtSignal(str)
     done = pyqtSignal(object, object)
     failed = pyqtSignal(str)
     broke = pyqtSignal(str)
@@ -62,6 +63,7 @@ class AlgorithmRun(QObject):
         self._context.setTransformContext(QgsProject.instance().transformContext())
         self._feedback = _Feedback()
         self._feedback.said.connect(self.said)
+        self._feedback.logged.connect(self.logged)
         self._feedback.progressChanged.connect(self.progressed)
         self._task = QgsProcessingAlgRunnerTask(algorithm, parameters, self._context, self._feedback)
         self._task.setDescription(title)
@@ -104,6 +106,7 @@ class _Feedback(QgsProcessingFeedback):
     """Passes on what is being done; called in the worker thread, so it only emits and stores."""
 
     said = pyqtSignal(str)
+    logged = pyqtSignal(str)
 
     def __init__(self) -> None:
         super().__init__(False)
@@ -113,6 +116,15 @@ class _Feedback(QgsProcessingFeedback):
     def setProgressText(self, text):
         self.said.emit(text)
 
+    def pushInfo(self, info):
+        self.logged.emit(info)
+
+    def pushWarning(self, warning):
+        self.logged.emit(warning)
+
     def reportError(self, error, fatalError=False):
+        # A bug's report is logged when the run ends.
+        if not fatalError and not error.startswith(_BUG_REPORT_BEGINS):
+            self.logged.emit(error)
         # What ends a run is reported last.
         self.last_error = error

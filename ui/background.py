@@ -12,10 +12,14 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ..core.database import ReferenceDatabase
 from ..core.errors import SemRefError
 from ..processing.exchange.geopackage import read_database
+from .algorithm_run import UNLOAD_WAIT_MS
 
 
 class Reader(QObject):
-    """One reading at a time; a new one makes the answer of the one before unwanted.
+    """One reading at a time; a new one makes the answer of the one before unwanted, and waits until that has ended.
+
+    So whoever goes through hundreds of images with a key held down has two of them read, not hundreds at a time.
+    ``shut_down`` before it is deleted.
 
     answered: what the function returned; failed: a sentence for the user; broke: a bug's traceback.
     """
@@ -27,26 +31,43 @@ class Reader(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._task: Optional[_Task] = None
+        self._next: Optional[tuple] = None
+        self._is_wanted = False
 
     def read(self, title: str, function: Callable, *arguments) -> None:
-        self.forget()
-        task = _Task(title, function, arguments)
-        self._task = task
-        task.done.connect(self._take)
-        QgsApplication.taskManager().addTask(task)
+        self._next = title, function, arguments
+        self._is_wanted = False
+        if self._task is None:
+            self._start()
 
     def forget(self) -> None:
         """The answer of what runs is not wanted any more."""
-        if self._task is not None:
-            self._task.done.disconnect(self._take)
-            self._task.cancel()
-            self._task = None
+        self._next = None
+        self._is_wanted = False
+
+    def shut_down(self) -> None:
+        """Forgets, and waits until no code of the plugin runs in the background any more."""
+        self.forget()
+        task, self._task = self._task, None
+        if task is not None:
+            task.done.disconnect(self._take)
+            task.cancel()
+            task.waitForFinished(UNLOAD_WAIT_MS)
+
+    def _start(self) -> None:
+        (title, function, arguments), self._next = self._next, None
+        self._is_wanted = True
+        self._task = _Task(title, function, arguments)
+        self._task.done.connect(self._take)
+        QgsApplication.taskManager().addTask(self._task)
 
     def _take(self) -> None:
         task, self._task = self._task, None
-        if task is None:
+        if self._next is not None:
+            self._start()
+        elif not self._is_wanted:
             return
-        if task.sentence:
+        elif task.sentence:
             self.failed.emit(task.sentence)
         elif task.report:
             self.broke.emit(task.report)
@@ -55,6 +76,8 @@ class Reader(QObject):
 
 
 class _Task(QgsTask):
+    """``done`` comes in the main thread, also of one that was canceled in QGIS's own list of tasks."""
+
     done = pyqtSignal()
 
     def __init__(self, title: str, function: Callable, arguments: tuple) -> None:

@@ -6,7 +6,6 @@ import json
 from typing import Dict, List, Optional, Set
 
 from qgis.core import (
-    QgsApplication,
     QgsCoordinateTransform,
     QgsCsException,
     QgsFeature,
@@ -29,13 +28,13 @@ from qgis.PyQt.QtWidgets import (
     QShortcut,
     QTableWidget,
     QTableWidgetItem,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from ..processing.compat import POLYGON_GEOMETRY, is_null
 from ..processing.translation import tr
+from .buttons import tool_button
 
 DONE_PROPERTY = "semref/done"
 """Custom property of the layer, so that the project remembers what is done and the layer's own table stays as it is."""
@@ -87,8 +86,8 @@ class CorrectTab(QWidget):
         self.text = QLabel()
         self.text.setWordWrap(True)
         self.text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.before = _tool("/mActionArrowLeft.svg", tr("Place before"))
-        self.after = _tool("/mActionArrowRight.svg", tr("Next place"))
+        self.before = tool_button("/mActionArrowLeft.svg", tr("Place before"))
+        self.after = tool_button("/mActionArrowRight.svg", tr("Next place"))
         self.done = QPushButton(tr("Done, next"))
         self.done.setToolTip(tr("Marks the place as done and goes to the next one that is not (Ctrl+D)"))
         self.open = QCheckBox(tr("Only what is open"))
@@ -269,11 +268,3 @@ def _texts(feature: QgsFeature, fields: List[Optional[str]]) -> List[str]:
 
 def _rows(layer: QgsVectorLayer, fields: List[Optional[str]]) -> List[Dict]:
     return [{"id": feature.id(), "texts": _texts(feature, fields)} for feature in layer.getFeatures()]
-
-
-def _tool(icon: str, text: str) -> QToolButton:
-    button = QToolButton()
-    button.setIcon(QgsApplication.getThemeIcon(icon))
-    button.setToolTip(text)
-    button.setAccessibleName(text)
-    return button

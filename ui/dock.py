@@ -5,36 +5,56 @@ from __future__ import annotations
 import os
 from typing import List, Optional
 
-from qgis.core import QgsProject, QgsVectorLayer
+from qgis.core import QgsProject, QgsSettings, QgsVectorLayer
 from qgis.gui import QgsDockWidget
-from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtWidgets import QFrame, QLabel, QProgressBar, QPushButton, QScrollArea, QTabWidget, QVBoxLayout, QWidget
+from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import (
+    QFileDialog,
+    QFrame,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QScrollArea,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
-from ..core.errors import DatabaseError, LabelMapError
+from ..core.errors import DatabaseError, LabelMapError, ParameterError
+from ..processing.compat import wkt_for_gdal
+from ..processing.exchange.results_file import open_results, write_results
 from ..processing.translation import tr
 from .background import DatabaseShelf, Reader
+from .buttons import tool_button
 from .correct_tab import CorrectTab
 from .database_layers import add_database_to_map
-from .drapes import lay_on_map
+from .drapes import add_placed, place_image
 from .findings import FIX, Finding, read_findings
 from .highlight import HitHighlight
-from .image_picture import ImagePicture, read_picture
+from .image_picture import ImagePicture, PictureShelf
 from .inputs import AUTOMATIC, MARGIN_PX, DatabaseBox, ImageBox, MethodRow
 from .inspect_tab import InspectTab
 from .localization_run import LocalizationRun
+from .match_marks import MatchMarks
 from .messages import Messages
 from .missing_notice import MissingNotice
 from .prior_row import PriorRow
-from .results import ResultsBox
+from .project_state import DockState, ProjectState
+from .results import ResultsBox, runners_up_line
 
 UPDATE_DATABASE = "semref:updatedatabase"
 
 LOCALIZE, INSPECT, CORRECT = range(3)
 """The dock's tabs."""
 
+_TAB_SETTING = "semref/dock/tab"
+_RESULTS_FOLDER_SETTING = "semref/dock/results_folder"
+
 
 class SemRefDock(QgsDockWidget):
     """``shut_down`` before it is deleted: it cancels what runs and clears the canvas."""
+
+    helpAsked = pyqtSignal()
 
     def __init__(self, canvas, message_bar, parent=None) -> None:
         super().__init__("SemRef", parent)
@@ -42,7 +62,9 @@ class SemRefDock(QgsDockWidget):
         self.setObjectName("SemRefDock")
         self.messages = Messages(message_bar)
         self._highlight: Optional[HitHighlight] = HitHighlight(canvas)
-        self._positions: Optional[QgsVectorLayer] = None
+        self._matches: Optional[MatchMarks] = MatchMarks(canvas)
+        self._layers: tuple = (None, None, None)
+        self._results_file = ""
         self.run = LocalizationRun(self)
         self.notice = MissingNotice()
         self.database = DatabaseBox()
@@ -57,23 +79,30 @@ class SemRefDock(QgsDockWidget):
         self.correct = CorrectTab(canvas)
         self.tabs = QTabWidget()
         self._shelf = DatabaseShelf()
+        self._picture_shelf = PictureShelf(self._shelf)
         self._pictures = Reader(self)
         self._model_used = ""
         self._databases = Reader(self)
+        self._drapes = Reader(self)
+        self._draped_name = ""
         self._lay_out()
         self._connect()
+        self._state = ProjectState(self._state_now, self)
+        self._state.opened.connect(self._restore)
         self._show_idle()
 
     def shut_down(self) -> None:
         self.run.abandon()
         self.visibilityChanged.disconnect(self._follow_visibility)
-        self._pictures.forget()
-        self._databases.forget()
-        self.inspect.shut_down()
-        self.correct.shut_down()
-        self.prior.shut_down()
+        self._state.shut_down()
+        for reader in self._readers:
+            reader.shut_down()
+        for part in (self.database, self.inspect, self.correct, self.prior):
+            part.shut_down()
+        self._matches.remove()
         self._highlight.remove()
-        self._highlight = self._positions = None
+        self._highlight = self._matches = None
+        self._layers = (None, None, None)
 
     def read_database(self):
         """The chosen database, None without one; for background threads. Raises DatabaseError."""
@@ -88,15 +117,42 @@ class SemRefDock(QgsDockWidget):
 
     def prepare(self, database: str, model: str, images: List[str]) -> None:
         """Shows the dock with these images, the first one selected, ready to be localized by the automatic method."""
-        self.run.cancel()
-        self.results.show_findings([])
-        self.prior.forget()
-        self.method.choose(AUTOMATIC)
-        self.database.file.setFilePath(database)
-        self.images.model.setFilePath(model)
-        self.images.list.show_only(images)
+        self._show_state(DockState(database, model, AUTOMATIC, images, self.results.image.opacity.value()))
         self.setUserVisible(True)
-        self.tabs.setCurrentIndex(0)
+        self.tabs.setCurrentIndex(LOCALIZE)
+
+    # --- the project ---
+
+    def _state_now(self) -> DockState:
+        return DockState(
+            self.database.path(),
+            self.images.model_path(),
+            self.method.method(),
+            self.images.paths(),
+            self.results.image.opacity.value(),
+            self._results_file,
+            self.prior.circle(),
+        )
+
+    def _show_state(self, state: DockState) -> None:
+        self.run.cancel()
+        self._show_layers((None, None, None), "", state.model)
+        self.method.choose(state.method)
+        self.database.file.setFilePath(state.database)
+        self.images.model.setFilePath(state.model)
+        self.images.list.show_only(state.images)
+        self.results.image.opacity.setValue(state.opacity)
+        self.prior.restore(state.prior)
+
+    def _restore(self, state: DockState) -> None:
+        """As it was when the project that is opened now was saved."""
+        self._show_state(state)
+        if not state.results:
+            return
+        try:
+            self._show_layers(open_results(state.results), state.results, state.model)
+        except ParameterError as error:
+            self.messages.warning(str(error))
 
     def _lay_out(self) -> None:
         localize = QWidget()
@@ -110,6 +166,10 @@ class SemRefDock(QgsDockWidget):
             (localize, tr("Localize")), (self.inspect, tr("Inspect")), (self.correct, tr("Correct")),
         ):  # fmt: skip
             self.tabs.addTab(_scrolling(page), title)
+        self.help = tool_button("/mActionHelpContents.svg", tr("User guide"))
+        self.help.setAutoRaise(True)
+        self.tabs.setCornerWidget(self.help)
+        self.tabs.setCurrentIndex(QgsSettings().value(_TAB_SETTING, LOCALIZE, type=int))
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
@@ -123,11 +183,18 @@ class SemRefDock(QgsDockWidget):
         self.database.changed.connect(self._forget_database)
         self.database.addToMapAsked.connect(self._add_database_to_map)
         self.images.changed.connect(self._show_idle)
+        self.images.refused.connect(self._refuse_layers)
+        self.tabs.currentChanged.connect(self._remember_tab)
+        self.help.clicked.connect(self.helpAsked)
         self.localize_button.clicked.connect(self._localize_or_cancel)
         self.results.findingSelected.connect(self._show_hit)
         self.results.zoom.toggled.connect(self._zoom_if_asked)
         self.results.keepAsked.connect(self._keep_results)
+        self.results.saveAsked.connect(self._save_results)
         self.results.drapeAsked.connect(self._drape)
+        self.results.copied.connect(self._show_copied)
+        self.results.image.pointed.connect(self._point_at)
+        self._matches.pointed.connect(self._point_at)
         self.run.progressed.connect(self._show_progress)
         self.run.said.connect(self.state.show_text)
         self.run.found.connect(self._show_found)
@@ -142,8 +209,12 @@ class SemRefDock(QgsDockWidget):
         self._pictures.failed.connect(self._show_no_picture)
         self._databases.answered.connect(self.inspect.use)
         self._databases.failed.connect(self.messages.error)
-        for reader in (self._pictures, self._databases):
+        self._drapes.answered.connect(self._show_drape)
+        self._drapes.failed.connect(self.messages.error)
+        self._readers = (self._pictures, self._databases, self._drapes)
+        for reader in self._readers:
             reader.broke.connect(self.messages.bug)
+        self.run.logged.connect(self.messages.log)
 
     # --- running ---
 
@@ -175,6 +246,7 @@ class SemRefDock(QgsDockWidget):
         return bool(self.database.path() and self.images.paths())
 
     def _show_idle(self) -> None:
+        self.notice.use_model(self.images.model_path())
         self._set_running(False)
         if self._is_ready():
             self.state.show_text(tr("Ready to localize."))
@@ -194,11 +266,19 @@ class SemRefDock(QgsDockWidget):
         footprints: Optional[QgsVectorLayer],
         places: Optional[QgsVectorLayer],
     ) -> None:
-        findings = read_findings(positions, footprints, places)
-        self._positions = positions
         self._set_running(False)
-        fixes = sum(1 for finding in findings if finding.status == FIX)
-        self.state.show_text(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(findings)))
+        self._show_layers((positions, footprints, places), "", self._model_used)
+        # Whoever has the dock open sees it there.
+        if not self.isUserVisible():
+            self.messages.success(self.state.text_shown)
+
+    def _show_layers(self, layers: tuple, file: str, model: str) -> None:
+        """Results: positions, footprints and possible places, None for what there is not; ``file`` that holds them."""
+        self._layers, self._results_file, self._model_used = layers, file, model
+        findings = [] if layers[0] is None else read_findings(*layers)
+        if findings:
+            fixes = sum(1 for finding in findings if finding.status == FIX)
+            self.state.show_text(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(findings)))
         self.results.show_findings(findings)
 
     def _show_failure(self, sentence: str) -> None:
@@ -221,6 +301,7 @@ class SemRefDock(QgsDockWidget):
                 tr("The hit lies outside the area of the project’s CRS; choose another one to see it.")
             )
         self._zoom_if_asked()
+        self._matches.show(None, None)
         self._read_picture(finding)
 
     def _read_picture(self, finding: Optional[Finding]) -> None:
@@ -230,15 +311,24 @@ class SemRefDock(QgsDockWidget):
             self.results.image.clear(tr("The selected image appears here."))
             return
         self.results.image.clear(tr("Reading…"))
-        arguments = self._shelf, self.database.path(), finding.image, self._model_used
-        self._pictures.read(tr("Reading an image"), _picture, *arguments)
+        arguments = finding.hit, self.database.path(), self._model_used
+        self._pictures.read(tr("Reading an image"), self._picture_shelf.read, *arguments)
 
     def _show_picture(self, picture: ImagePicture) -> None:
         self.results.image.show_picture(picture)
         self.inspect.compare_with(os.path.basename(picture.path), picture.vector)
+        self._matches.show(picture.matches, self.results.table.selected().crs)
+        if picture.runners_up is not None:
+            self._highlight.show_runners_up(picture.runners_up)
+            self.results.details.add_lines([runners_up_line(picture.runners_up)])
 
     def _show_no_picture(self, sentence: str) -> None:
         self.results.image.clear(sentence)
+
+    def _point_at(self, number: int) -> None:
+        """One of the matched landmarks, in the image and on the map."""
+        self.results.image.point_at(number)
+        self._matches.point_at(number)
 
     def _read_database(self) -> None:
         """The inspected database, in the background."""
@@ -264,7 +354,8 @@ class SemRefDock(QgsDockWidget):
 
     def _follow_visibility(self) -> None:
         # A dock behind another one's tab is not hidden: its hit stays.
-        self._highlight.set_visible(not self.isHidden())
+        for marks in (self._highlight, self._matches):
+            marks.set_visible(not self.isHidden())
 
     def _add_database_to_map(self) -> None:
         try:
@@ -274,14 +365,47 @@ class SemRefDock(QgsDockWidget):
 
     def _keep_results(self) -> None:
         # A copy: the user may remove the layer and keep the results again.
-        QgsProject.instance().addMapLayer(self._positions.clone())
+        QgsProject.instance().addMapLayer(self._layers[0].clone())
         self.messages.info(tr("The positions are a temporary layer of the project now; export it to keep them."))
 
-    def _drape(self, finding: Finding) -> None:
+    def _save_results(self) -> None:
+        folder = QgsSettings().value(_RESULTS_FOLDER_SETTING, "", type=str)
+        path, _ = QFileDialog.getSaveFileName(self, tr("Save results"), folder, tr("GeoPackage (*.gpkg)"))
+        if not path:
+            return
+        path = path if path.lower().endswith(".gpkg") else f"{path}.gpkg"
+        QgsSettings().setValue(_RESULTS_FOLDER_SETTING, os.path.dirname(path))
         try:
-            lay_on_map(finding, self.database.path())
+            write_results(path, self._layers)
+            positions = open_results(path)[0]
+        except ParameterError as error:
+            self.messages.error(str(error))
+            return
+        self._results_file = path
+        positions.setName(os.path.splitext(os.path.basename(path))[0])
+        QgsProject.instance().addMapLayer(positions)
+        self.messages.info(tr("Saved; the dock shows these results again when this project is opened."))
+
+    def _drape(self, finding: Finding) -> None:
+        self._draped_name = finding.name
+        arguments = finding.image, finding.hit.footprint, wkt_for_gdal(finding.crs)
+        self._drapes.read(tr("Laying an image on the map"), place_image, *arguments)
+
+    def _show_drape(self, placed: str) -> None:
+        try:
+            add_placed(placed, self._draped_name, self.database.path(), QgsProject.instance())
         except LabelMapError as error:
             self.messages.error(str(error))
+
+    def _show_copied(self, text: str) -> None:
+        self.state.show_text(tr("Copied: {command}").format(command=text))
+
+    def _refuse_layers(self, names: List[str]) -> None:
+        sentence = tr("{layers}: not added, because a layer has to be one file of an image.")
+        self.messages.warning(sentence.format(layers=", ".join(names)))
+
+    def _remember_tab(self, tab: int) -> None:
+        QgsSettings().setValue(_TAB_SETTING, tab)
 
 
 def _scrolling(page: QWidget) -> QScrollArea:
@@ -294,15 +418,15 @@ def _scrolling(page: QWidget) -> QScrollArea:
     return area
 
 
-def _picture(shelf: DatabaseShelf, database: str, image: str, model: str) -> ImagePicture:
-    """In the background."""
-    return read_picture(image, shelf.read(database), model)
-
-
 class _ShorteningLabel(QLabel):
     """One line that shortens long file names in the middle instead of widening the dock."""
 
     _full_text = ""
+
+    @property
+    def text_shown(self) -> str:
+        """As a whole."""
+        return self._full_text
 
     def show_text(self, text: str) -> None:
         self._full_text = text

@@ -51,6 +51,7 @@ class DockEntry:
         self._installer = ComponentInstaller(window)
         self._options = OptionsFactory(self._installer)
         iface.registerOptionsWidgetFactory(self._options)
+        self._dock.helpAsked.connect(_open_user_guide)
         self._dock.notice.installAsked.connect(self._show_options)
         self._options.changed.connect(self._dock.notice.refresh)
         for signal in (self._installer.installed, self._installer.failed, self._installer.canceled):

@@ -10,6 +10,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, Qgs
 
 from ..processing.compat import is_null
 from ..processing.translation import tr
+from .image_picture import Hit
 
 FIX = "fix"
 """The one status with a position."""
@@ -35,6 +36,7 @@ class Finding:
     confidence: Optional[float]
     distance: Optional[float]
     references: Optional[int]
+    inliers: Optional[int]
     error_95: Optional[float]
     window: Optional[str]
     method: Optional[str]
@@ -53,9 +55,22 @@ class Finding:
         return self.method != TOPOLOGY_VECTOR
 
     @property
+    def hit(self) -> Hit:
+        """What the image view needs of it."""
+        by_vector = self.status == FIX and not self.is_verified
+        if self.center is None or self.heading is None or self.outline is None:
+            return Hit(self.image, by_vector=by_vector)
+        return Hit(self.image, corners_of(self.outline), self.heading, self.pixel_size)
+
+    @property
     def center(self) -> Optional[QgsPointXY]:
         """In ``crs``; None without a fix."""
         return None if self.x is None or self.y is None else QgsPointXY(self.x, self.y)
+
+
+def corners_of(outline: QgsGeometry) -> tuple:
+    """(x, y) of a footprint's four corners, the image's upper left first, clockwise."""
+    return tuple((point.x(), point.y()) for point in outline.asPolygon()[0][:4])
 
 
 _COLUMNS = tuple(name for name in Finding.__dataclass_fields__ if name not in ("crs", "outline", "possible"))

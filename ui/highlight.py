@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import cos, radians, sin, sqrt
-from typing import Optional
+from typing import List, Optional
 
 from qgis.core import QgsCoordinateTransform, QgsCsException, QgsGeometry, QgsPointXY, QgsProject, QgsRectangle
 from qgis.gui import QgsMapCanvas, QgsRubberBand, QgsVertexMarker
@@ -11,11 +11,14 @@ from qgis.PyQt.QtGui import QColor
 
 from ..processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
 from .findings import Finding
+from .image_picture import RUNNERS_UP, RunnersUp
 
 # Red with a white rim stands out on land-cover colours, aerial images, white and black alike.
 _LINE = QColor("#e8344e")
 _POSSIBLE = QColor("#e69f00")
 _RIM = QColor("#ffffff")
+_PALEST, _PALE = 90, 180
+"""Opacity of the last and the first runner-up's outline, of 255."""
 
 _ZOOM_MARGIN = 2.0
 """The canvas shows this many times the window's size, so that its surroundings can be seen."""
@@ -37,6 +40,8 @@ class HitHighlight:
         self._heading = _band(canvas, LINE_GEOMETRY)
         self._error = _band(canvas, POLYGON_GEOMETRY)
         self._possible = _band(canvas, POLYGON_GEOMETRY, _POSSIBLE)
+        self._runners_up = [_pale_band(canvas, rank) for rank in range(RUNNERS_UP)]
+        self._runners_up_shown: Optional[RunnersUp] = None
         self._center = QgsVertexMarker(canvas)
         self._center.setIconType(QgsVertexMarker.IconType.ICON_CIRCLE)
         self._center.setIconSize(11)
@@ -51,7 +56,13 @@ class HitHighlight:
         """Shows the finding's hit, or the places it may be at; nothing for None. False where the CRS can't show it."""
         shown = finding is not None and (finding.center is not None or finding.possible)
         self._hit = finding if shown else None
+        self._runners_up_shown = None
         return self._place()
+
+    def show_runners_up(self, windows: Optional[RunnersUp]) -> None:
+        """Outlines the windows that come after the shown one, the paler the farther behind."""
+        self._runners_up_shown = windows
+        self._place()
 
     def set_visible(self, visible: bool) -> None:
         self._visible = visible
@@ -70,8 +81,9 @@ class HitHighlight:
 
     def remove(self) -> None:
         self._canvas.destinationCrsChanged.disconnect(self._place)
-        for item in (self._outline, self._heading, self._error, self._possible, self._center):
+        for item in (self._outline, self._heading, self._error, self._possible, *self._runners_up, self._center):
             self._canvas.scene().removeItem(item)
+        self._runners_up = []
         self._outline = self._heading = self._error = self._possible = self._center = None
 
     def _place(self) -> bool:
@@ -79,7 +91,8 @@ class HitHighlight:
         self._outline.reset(POLYGON_GEOMETRY)
         self._heading.reset(LINE_GEOMETRY)
         self._error.reset(POLYGON_GEOMETRY)
-        self._possible.reset(POLYGON_GEOMETRY)
+        for band in (self._possible, *self._runners_up):
+            band.reset(POLYGON_GEOMETRY)
         self._center.setVisible(placed is not None and self._hit.center is not None)
         if placed is None:
             return self._hit is None or not self._visible
@@ -89,7 +102,28 @@ class HitHighlight:
                 band.setToGeometry(shape)
         if center is not None:
             self._center.setCenter(center)
+        for band, square in zip(self._runners_up, self._squares()):
+            band.setToGeometry(square)
         return True
+
+    def _squares(self) -> List[QgsGeometry]:
+        """The runners-up in the canvas's CRS; those that it can't show are left out."""
+        windows = self._runners_up_shown
+        if windows is None:
+            return []
+        target = self._canvas.mapSettings().destinationCrs()
+        transform = QgsCoordinateTransform(self._hit.crs, target, QgsProject.instance())
+        squares = []
+        for (x, y), size in zip(windows.centers.tolist(), windows.sizes.tolist()):
+            half = size / 2
+            square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
+            square = square.densifyByCount(_POINTS_A_SIDE)
+            try:
+                square.transform(transform)
+            except QgsCsException:
+                continue
+            squares.append(square)
+        return squares
 
     def _on_canvas(self):
         """(outline, heading arrow, error circle, possible places, centre) in the canvas's CRS; None where that has no
@@ -119,6 +153,21 @@ def _band(canvas: QgsMapCanvas, kind, color: QColor = _LINE) -> QgsRubberBand:
     # Unfilled: the map's colours inside the window stay what they are.
     band.setFillColor(QColor(0, 0, 0, 0))
     band.setWidth(2)
+    return band
+
+
+def _pale_band(canvas: QgsMapCanvas, rank: int) -> QgsRubberBand:
+    color = QColor(_LINE)
+    color.setAlpha(_PALE - (_PALE - _PALEST) * rank // max(RUNNERS_UP - 1, 1))
+    band = QgsRubberBand(canvas, POLYGON_GEOMETRY)
+    rim = QColor(_RIM)
+    rim.setAlpha(color.alpha())
+    band.setStrokeColor(color)
+    band.setSecondaryStrokeColor(rim)
+    band.setFillColor(QColor(0, 0, 0, 0))
+    band.setWidth(2)
+    # Below the winning window.
+    band.setZValue(band.zValue() - 1)
     return band
 
 

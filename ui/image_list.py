@@ -1,4 +1,4 @@
-"""The list of images to localise: files and folders, also dropped from a file manager."""
+"""The list of images to localise: files and folders, also dropped from a file manager or the layer tree."""
 
 from __future__ import annotations
 
@@ -11,16 +11,18 @@ from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem
 
 from ..processing.translation import tr
+from .layer_files import dropped_files
 from .placeholder import paint_placeholder
 
 _PATH_ROLE = Qt.ItemDataRole.UserRole
-_VISIBLE_ROWS = 4
+_VISIBLE_ROWS = 3
 
 
 class ImageList(QListWidget):
-    """Emits ``changed`` when images come or go."""
+    """Emits ``changed`` when images come or go, ``refused`` with the names of dropped layers that are no file."""
 
     changed = pyqtSignal()
+    refused = pyqtSignal(list)
 
     def __init__(self, parent=None) -> None:
         super().__init__(parent)
@@ -65,7 +67,7 @@ class ImageList(QListWidget):
     def paintEvent(self, event):
         super().paintEvent(event)
         if not self.count():
-            paint_placeholder(self, tr("Add photos or label images, or drop files and folders here."))
+            paint_placeholder(self, tr("Add photos or label images, or drop files, folders and layers here."))
 
     def keyPressEvent(self, event):
         if event.matches(QKeySequence.StandardKey.Delete):
@@ -77,14 +79,17 @@ class ImageList(QListWidget):
         self.dragMoveEvent(event)
 
     def dragMoveEvent(self, event):
-        if _dropped_paths(event):
+        if any(dropped_files(event.mimeData())):
             event.setDropAction(Qt.DropAction.CopyAction)
             event.accept()
         else:
             event.ignore()
 
     def dropEvent(self, event):
-        self.add(_dropped_paths(event))
+        files, others = dropped_files(event.mimeData())
+        self.add(files)
+        if others:
+            self.refused.emit(others)
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
 
@@ -95,7 +100,3 @@ def _item(path: str) -> QListWidgetItem:
     item.setData(_PATH_ROLE, path)
     item.setToolTip(path)
     return item
-
-
-def _dropped_paths(event) -> List[str]:
-    return [url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile()]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Optional
 
 from qgis.core import QgsSettings
-from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt
-from qgis.PyQt.QtGui import QColor, QImage, QPainter, QPen, QPixmap, QTransform
+from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QFont, QImage, QPainter, QPen, QPixmap, QTransform
 from qgis.PyQt.QtWidgets import (
     QCheckBox,
     QGraphicsItem,
@@ -21,6 +21,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ..processing.translation import tr
 from .image_picture import ImagePicture
+from .numbers import nearest_number, paint_numbers, paint_ring
 from .placeholder import paint_placeholder
 
 _LANDMARKS_SETTING = "semref/dock/show_landmarks"
@@ -30,12 +31,19 @@ _OPACITY_SETTING = "semref/dock/label_opacity"
 _STAR = QColor("#e8344e")
 _RIM = QColor("#ffffff")
 _LANDMARK_PX = 7
+_RING_PX, _POINTED_RING_PX = 4.0, 9.0
+_REACH_PX = 12
 _ZOOM_STEP = 1.25
 _MOST_ZOOM = 40.0
 
 
 class ImageView(QWidget):
-    """A picture that can be zoomed (wheel), moved (drag) and fitted (double click), and what is drawn on it."""
+    """A picture that can be zoomed (wheel), moved (drag) and fitted (double click), and what is drawn on it.
+
+    pointed: the number of the matched landmark under the mouse, 0 for none.
+    """
+
+    pointed = pyqtSignal(int)
 
     def __init__(self, parent=None) -> None:
         super().__init__(parent)
@@ -64,6 +72,7 @@ class ImageView(QWidget):
         self.opacity.valueChanged.connect(self._apply)
         self.landmarks.toggled.connect(self._apply)
         self.star.toggled.connect(self._apply)
+        self.canvas.pointed.connect(self.pointed)
         self.clear("")
 
     def show_picture(self, picture: ImagePicture) -> None:
@@ -74,6 +83,10 @@ class ImageView(QWidget):
         """Shows only a text."""
         self.canvas.clear(text)
 
+    def point_at(self, number: int) -> None:
+        """Stresses one of the matched landmarks; 0 for none."""
+        self.canvas.point_at(number)
+
     def _apply(self) -> None:
         settings = QgsSettings()
         settings.setValue(_OPACITY_SETTING, self.opacity.value())
@@ -83,6 +96,8 @@ class ImageView(QWidget):
 
 
 class _Canvas(QGraphicsView):
+    pointed = pyqtSignal(int)
+
     def __init__(self) -> None:
         super().__init__()
         self.setScene(QGraphicsScene(self))
@@ -91,9 +106,10 @@ class _Canvas(QGraphicsView):
         self.setTransformationAnchor(QGraphicsView.ViewportAnchor.AnchorUnderMouse)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setMouseTracking(True)
         self._text = ""
         self._labels: Optional[QGraphicsItem] = None
-        self._landmarks: Optional[QGraphicsItem] = None
+        self._landmarks: Optional[_Landmarks] = None
         self._star: Optional[QGraphicsItem] = None
 
     def show_picture(self, picture: ImagePicture) -> None:
@@ -104,7 +120,7 @@ class _Canvas(QGraphicsView):
             self._add(picture.photo, picture)
         self._labels = self._add(picture.labels, picture)
         self._star = _Star(picture)
-        self._landmarks = _Landmarks(picture)
+        self._landmarks = _Landmarks(picture, self.font())
         scene.addItem(self._star)
         scene.addItem(self._landmarks)
         scene.setSceneRect(QRectF(0, 0, picture.width, picture.height))
@@ -129,6 +145,10 @@ class _Canvas(QGraphicsView):
             self._landmarks.setVisible(landmarks)
             self._star.setVisible(star)
 
+    def point_at(self, number: int) -> None:
+        if self._landmarks is not None:
+            self._landmarks.point_at(number)
+
     def fit(self) -> None:
         self.fitInView(self.sceneRect(), Qt.AspectRatioMode.KeepAspectRatio)
 
@@ -144,6 +164,17 @@ class _Canvas(QGraphicsView):
         super().resizeEvent(event)
         if self._labels is not None:
             self.fit()
+
+    def mouseMoveEvent(self, event):
+        super().mouseMoveEvent(event)
+        if self._landmarks is not None and self._landmarks.isVisible():
+            # In scene pixels, so that the reach on the screen is the same at any zoom.
+            reach = _REACH_PX / max(self.transform().m11(), 1e-9)
+            self.pointed.emit(nearest_number(self._landmarks.matched, self.mapToScene(event.pos()), reach) or 0)
+
+    def leaveEvent(self, event):
+        super().leaveEvent(event)
+        self.pointed.emit(0)
 
     def mouseDoubleClickEvent(self, event):
         self.fit()
@@ -163,9 +194,10 @@ class _Canvas(QGraphicsView):
 
 
 class _Landmarks(QGraphicsItem):
-    """Dots in the classes' colours that keep their size whatever the zoom; hollow where the image's edge cuts one."""
+    """Dots in the classes' colours that keep their size whatever the zoom; hollow where the image's edge cuts one.
+    Those that agree with the map are ringed and numbered."""
 
-    def __init__(self, picture: ImagePicture) -> None:
+    def __init__(self, picture: ImagePicture, font: QFont) -> None:
         super().__init__()
         objects = picture.objects
         self._rect = QRectF(0, 0, picture.width, picture.height)
@@ -173,6 +205,15 @@ class _Landmarks(QGraphicsItem):
             (QPointF(*center), QColor(picture.colors[int(value)]), bool(cut))
             for center, value, cut in zip(objects.centers_xy.tolist(), objects.classes, objects.touches_edge)
         ]
+        found = [] if picture.matches is None else picture.matches.objects.tolist()
+        self.matched = [(number, self._dots[index][0]) for number, index in enumerate(found, start=1)]
+        self._font = font
+        self._pointed = 0
+
+    def point_at(self, number: int) -> None:
+        if number != self._pointed:
+            self._pointed = number
+            self.update()
 
     def boundingRect(self):
         return self._rect
@@ -184,6 +225,14 @@ class _Landmarks(QGraphicsItem):
             painter.setPen(QPen(_RIM if not cut else color, 1.5))
             painter.setBrush(Qt.BrushStyle.NoBrush if cut else color)
             painter.drawEllipse(transform.map(center), _LANDMARK_PX / 2, _LANDMARK_PX / 2)
+        places = [(number, transform.map(center)) for number, center in self.matched]
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(_STAR, 2))
+        for number, place in places:
+            painter.drawEllipse(place, _RING_PX, _RING_PX)
+            if number == self._pointed:
+                paint_ring(painter, place, _POINTED_RING_PX, _STAR)
+        paint_numbers(painter, self._font, places, self._pointed)
         painter.setWorldTransform(transform)
 
 

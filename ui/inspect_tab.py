@@ -33,6 +33,7 @@ from ..core.database import ReferenceDatabase
 from ..core.look_alikes import DescribedWindow, describe_window, vector_rows, window_at
 from ..core.matching import vector_confidence, vector_distances
 from ..processing.translation import tr
+from .buttons import tool_button
 from .vector_plot import VectorPlot
 from .window_marks import WindowMarks
 from .window_tool import WindowTool
@@ -73,8 +74,8 @@ class InspectTab(QWidget):
         self.name = QLineEdit()
         self.name.setPlaceholderText(tr("Window name"))
         self.name.setClearButtonEnabled(True)
-        self.before = _step_button("/mActionArrowLeft.svg", tr("Window before"))
-        self.after = _step_button("/mActionArrowRight.svg", tr("Next window"))
+        self.before = tool_button("/mActionArrowLeft.svg", tr("Window before"))
+        self.after = tool_button("/mActionArrowRight.svg", tr("Next window"))
         self.title = QLabel()
         self.title.setWordWrap(True)
         self.title.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -276,11 +277,3 @@ def _title(windows, window: DescribedWindow, compared=None, image: str = "") -> 
             escape(text.format(image=image, distance=distance, confidence=vector_confidence(distance)))
         )
     return "<br>".join(lines)
-
-
-def _step_button(icon: str, text: str) -> QToolButton:
-    button = QToolButton()
-    button.setIcon(QgsApplication.getThemeIcon(icon))
-    button.setToolTip(text)
-    button.setAccessibleName(text)
-    return button

@@ -16,6 +16,13 @@ class Messages:
     def info(self, sentence: str) -> None:
         self._bar.pushInfo(TAG, sentence)
 
+    def success(self, sentence: str) -> None:
+        self._bar.pushSuccess(TAG, sentence)
+
+    def log(self, line: str) -> None:
+        """Only for the log panel."""
+        QgsMessageLog.logMessage(line, TAG, Qgis.MessageLevel.Info, False)
+
     def warning(self, sentence: str) -> None:
         self._bar.pushWarning(TAG, sentence)
 

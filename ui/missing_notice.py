@@ -6,19 +6,20 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton
 
-from ..processing.components import OPENCV, missing
+from ..processing.components import ONNXRUNTIME, OPENCV, missing
 from ..processing.translation import tr
 
 _ICON_PX = 16
 
 
 class MissingNotice(QFrame):
-    """Shown only while something is missing; ``refresh`` looks again."""
+    """Shown only while something is missing that is needed; ``refresh`` looks again."""
 
     installAsked = pyqtSignal()
 
     def __init__(self, parent=None) -> None:
         super().__init__(parent)
+        self._photos = False
         self.setObjectName("SemRefMissing")
         self.setFrameShape(QFrame.Shape.StyledPanel)
         icon = QLabel()
@@ -33,8 +34,17 @@ class MissingNotice(QFrame):
         layout.addWidget(self.install)
         self.refresh()
 
+    def use_model(self, model: str) -> None:
+        """Tells the path of the network that photos are to be segmented with; empty for label images."""
+        if bool(model) != self._photos:
+            self._photos = bool(model)
+            self.refresh()
+
     def refresh(self) -> None:
         lacking = missing([OPENCV])
+        sentence = tr("{packages} is missing; without it nothing can be localized.")
+        if not lacking and self._photos:
+            lacking = missing([ONNXRUNTIME])
+            sentence = tr("{packages} is missing; without it the model can’t make labels of photos.")
         self.setVisible(bool(lacking))
-        names = ", ".join(package.title for package in lacking)
-        self.sentence.setText(tr("{packages} is missing; without it nothing can be localized.").format(packages=names))
+        self.sentence.setText(sentence.format(packages=", ".join(package.title for package in lacking)))

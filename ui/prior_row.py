@@ -7,6 +7,8 @@ from typing import Optional
 from qgis.core import (
     QgsApplication,
     QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
     QgsDistanceArea,
     QgsPointXY,
     QgsProject,
@@ -26,6 +28,7 @@ class PriorRow(QWidget):
         self.setObjectName("SemRefPrior")
         self._canvas = canvas
         self._middle: Optional[QgsPointXY] = None
+        self._edge: Optional[QgsPointXY] = None
         self._crs: Optional[QgsCoordinateReferenceSystem] = None
         self._radius_m = 0.0
         self.tool = PriorTool(canvas)
@@ -48,6 +51,7 @@ class PriorRow(QWidget):
         self.clear.clicked.connect(self.forget)
         self.tool.drawn.connect(self.set_circle)
         self.tool.deactivated.connect(self._stop_drawing)
+        canvas.destinationCrsChanged.connect(self._show_circle)
         self.forget()
 
     def parameters(self) -> dict:
@@ -59,24 +63,54 @@ class PriorRow(QWidget):
 
     def set_circle(self, middle: QgsPointXY, edge: QgsPointXY) -> None:
         """Both in the canvas's CRS; the radius is measured on the ground."""
-        self._middle, self._crs = middle, self._canvas.mapSettings().destinationCrs()
-        measure = QgsDistanceArea()
-        measure.setSourceCrs(self._crs, QgsProject.instance().transformContext())
-        measure.setEllipsoid(QgsProject.instance().ellipsoid() or "WGS84")
-        self._radius_m = measure.measureLine(middle, edge)
-        self.tool.show_circle(middle, edge)
-        self.text.setText(tr("Search: within {radius:.0f} m").format(radius=self._radius_m))
-        self.clear.setEnabled(True)
+        self._keep(middle, edge, self._canvas.mapSettings().destinationCrs())
         self._canvas.unsetMapTool(self.tool)
 
+    def circle(self) -> Optional[tuple]:
+        """(x, y of the middle, x, y of the edge, authid of their CRS); None without a circle."""
+        if self._middle is None:
+            return None
+        return self._middle.x(), self._middle.y(), self._edge.x(), self._edge.y(), self._crs.authid()
+
+    def restore(self, circle: Optional[tuple]) -> None:
+        """What ``circle`` told."""
+        crs = QgsCoordinateReferenceSystem() if circle is None else QgsCoordinateReferenceSystem(circle[4])
+        if crs.isValid():
+            self._keep(QgsPointXY(*circle[:2]), QgsPointXY(*circle[2:4]), crs)
+        else:
+            self.forget()
+
+    def _keep(self, middle: QgsPointXY, edge: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> None:
+        self._middle, self._edge, self._crs = middle, edge, crs
+        measure = QgsDistanceArea()
+        measure.setSourceCrs(crs, QgsProject.instance().transformContext())
+        measure.setEllipsoid(QgsProject.instance().ellipsoid() or "WGS84")
+        self._radius_m = measure.measureLine(middle, edge)
+        self._show_circle()
+        self.text.setText(tr("Search: within {radius:.0f} m").format(radius=self._radius_m))
+        self.clear.setEnabled(True)
+
     def forget(self) -> None:
-        self._middle = None
-        self.tool.show_circle(None, None)
+        self._middle = self._edge = None
+        self._show_circle()
         self.text.setText(tr("Search: the whole database"))
         self.clear.setEnabled(False)
 
+    def _show_circle(self) -> None:
+        """In the canvas's CRS, which may have changed since the circle was drawn."""
+        ends = []
+        if self._middle is not None:
+            target = self._canvas.mapSettings().destinationCrs()
+            transform = QgsCoordinateTransform(self._crs, target, QgsProject.instance())
+            try:
+                ends = [QgsPointXY(transform.transform(point)) for point in (self._middle, self._edge)]
+            except QgsCsException:
+                ends = []
+        self.tool.show_circle(*(ends or (None, None)))
+
     def shut_down(self) -> None:
         self.tool.deactivated.disconnect(self._stop_drawing)
+        self._canvas.destinationCrsChanged.disconnect(self._show_circle)
         self._canvas.unsetMapTool(self.tool)
         self.tool.remove()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import List, Optional
 
-from qgis.PyQt.QtCore import QSortFilterProxyModel, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QSize, QSortFilterProxyModel, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QAbstractItemView, QStyledItemDelegate, QTableView
 
 from ..processing.translation import tr
@@ -14,6 +14,7 @@ from .results_model import COLUMN_COUNT, CONFIDENCE, IMAGE, NUMBER_COLUMNS, SORT
 
 _IMAGE_COLUMN_MINIMUM_PX = 150
 _ROW_MARGIN_PX = 4
+_ROWS, _LEAST_ROWS = 6, 3
 
 
 class ResultsTable(QTableView):
@@ -63,6 +64,24 @@ class ResultsTable(QTableView):
     def selected(self) -> Optional[Finding]:
         rows = self.selectionModel().selectedRows()
         return self._model.finding(self._sorted.mapToSource(rows[0]).row()) if rows else None
+
+    def step(self, step: int) -> None:
+        """Selects the row so many rows on, from the last to the first."""
+        count = self.model().rowCount()
+        if count:
+            rows = self.selectionModel().selectedRows()
+            row = rows[0].row() + step if rows else 0
+            self.selectRow(row % count)
+            self.scrollTo(self.model().index(row % count, 0))
+
+    def sizeHint(self):
+        return QSize(200, self._height_of(_ROWS))
+
+    def minimumSizeHint(self):
+        return QSize(120, self._height_of(_LEAST_ROWS))
+
+    def _height_of(self, rows: int) -> int:
+        return self.horizontalHeader().sizeHint().height() + rows * self.verticalHeader().defaultSectionSize()
 
     def resizeEvent(self, event):
         super().resizeEvent(event)

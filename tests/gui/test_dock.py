@@ -282,7 +282,7 @@ def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, ifac
     assert table(dock)[1] == ["broken.tif", "", "", "", "Unreadable", "", ""]
     assert "broken.tif can't be read" in dock.results.details.toPlainText()
     assert (shown_outline(iface), shown_center(iface)) == (None, None)
-    assert not dock.results.copy_map.isEnabled()
+    assert not dock.results.copy.isEnabled()
     assert messages(iface) == []
 
 
@@ -297,14 +297,28 @@ def test_a_click_on_a_header_sorts_and_the_selection_stays_true(dock, iface, are
     assert shown_outline(iface) is not None
 
 
-def test_the_position_can_be_copied(dock, area):
-    from qgis.core import QgsApplication
+def test_the_position_can_be_copied_in_several_ways(dock, area):
+    from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject
 
+    QgsProject.instance().setCrs(QgsCoordinateReferenceSystem("EPSG:3857"))
     localize(dock, area.database, [area.image])
-    dock.results.copy_map.click()
-    assert QgsApplication.clipboard().text() == "400250.00, 5399650.00"
-    dock.results.copy_degrees.click()
+    dock.results.copy.click()
     assert QgsApplication.clipboard().text().startswith("7.6")
+    dock.results.formats.aboutToShow.emit()
+    copied = []
+    for action in dock.results.formats.actions():
+        action.trigger()
+        copied.append(QgsApplication.clipboard().text())
+        assert action.text().endswith(copied[-1])
+    assert copied[0].startswith("7.6") and copied[1].startswith("48.7") and copied[2].startswith("48°44′")
+    assert copied[3].startswith("8") and copied[4] == "400250.00, 5399650.00"
+    assert copied[5] == f"POINT ({copied[3].replace(',', '')})"
+    # The way chosen last is the button's.
+    dock.results.formats.actions()[4].trigger()
+    QgsApplication.clipboard().clear()
+    dock.results.copy.click()
+    assert QgsApplication.clipboard().text() == "400250.00, 5399650.00"
+    assert "400250.00" in dock.state.text_shown
 
 
 def test_a_file_that_is_no_database_gives_one_sentence(dock, iface, area):
@@ -595,6 +609,7 @@ def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area):
     choose_method(dock, AUTOMATIC)
     localize(dock, area.database, [area.image])
     dock.results.drape.click()
+    wait_until(QgsProject.instance().mapLayers, "the layer")
     (layer,) = QgsProject.instance().mapLayers().values()
     assert corners(layer.extent()) == pytest.approx(corners(cut_extent()), abs=1.0)
     assert layer.opacity() == pytest.approx(0.6)

@@ -1,0 +1,65 @@
+"""From layers to the files they show: of the project, or dropped from the layer tree or the browser."""
+
+from __future__ import annotations
+
+import os
+from typing import Dict, List, Tuple
+
+from qgis.core import QgsMapLayer, QgsMimeDataUtils, QgsProject, QgsProviderRegistry, QgsRasterLayer
+from qgis.PyQt.QtCore import QMimeData
+
+_DATABASE_SUFFIX = ".gpkg"
+_DATABASE_LAYERS = ("references", "windows")
+
+
+def layer_file(layer: QgsMapLayer) -> str:
+    """The file that a layer shows; empty where it shows none, as a web map does."""
+    return _file_of(layer.providerType(), layer.source())
+
+
+def raster_layers(project: QgsProject) -> List[QgsRasterLayer]:
+    """Those of one file each, in the order of their names."""
+    layers = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer)]
+    # A database's overview is a raster, too; its file holds other things.
+    found = [layer for layer in layers if layer_file(layer) and not layer_file(layer).endswith(_DATABASE_SUFFIX)]
+    return sorted(found, key=lambda layer: layer.name().lower())
+
+
+def project_databases(project: QgsProject) -> Dict[str, str]:
+    """Names of the reference databases whose layers the project has, by path: that of the group, else of the file."""
+    found: Dict[str, str] = {}
+    for node in project.layerTreeRoot().findLayers():
+        layer = node.layer()
+        path = "" if layer is None else database_file(layer)
+        if path and path not in found:
+            group = node.parent()
+            in_group = group is not None and group.parent() is not None
+            found[path] = group.name() if in_group else os.path.splitext(os.path.basename(path))[0]
+    return found
+
+
+def database_file(layer: QgsMapLayer) -> str:
+    """The reference database that a layer is of, by the names of its tables; empty for any other layer."""
+    parts = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
+    path = layer_file(layer)
+    of_one = path.endswith(_DATABASE_SUFFIX) and parts.get("layerName") in (*_DATABASE_LAYERS, "overview")
+    return path if of_one else ""
+
+
+def dropped_files(data: QMimeData) -> Tuple[List[str], List[str]]:
+    """(files and folders, names of layers that are no file) of what was dropped: layers, or files from anywhere."""
+    if not QgsMimeDataUtils.isUriList(data):
+        return [url.toLocalFile() for url in data.urls() if url.isLocalFile()], []
+    files, others = [], []
+    for uri in QgsMimeDataUtils.decodeUriList(data):
+        path = _file_of(uri.providerKey, uri.uri)
+        if path:
+            files.append(path)
+        else:
+            others.append(uri.name)
+    return files, others
+
+
+def _file_of(provider: str, source: str) -> str:
+    path = QgsProviderRegistry.instance().decodeUri(provider, source).get("path") or ""
+    return path if os.path.exists(path) else ""

@@ -1,0 +1,58 @@
+"""Numbers beside dots: what is number 7 in the image is number 7 on the map."""
+
+from __future__ import annotations
+
+from typing import Iterable, Optional, Tuple
+
+from qgis.PyQt.QtCore import QPointF, QRectF, Qt
+from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen
+
+_RIM = QColor("#ffffff")
+_INK = QColor("#000000")
+_POINTED = QColor("#ffd400")
+_AWAY_PX = 6.0
+_CELL_PX = 16.0
+
+
+def paint_numbers(painter: QPainter, font: QFont, places: Iterable[Tuple[int, QPointF]], pointed: int) -> None:
+    """Writes each number beside its place (pixels of ``painter``), the pointed one always, the others where there is
+    room: where landmarks crowd, zooming in shows more."""
+    small = QFont(font)
+    small.setPointSizeF(max(font.pointSizeF() * 0.85, 6.0))
+    metrics = QFontMetricsF(small)
+    taken = set()
+    # The pointed one first, so that it finds room.
+    for number, place in sorted(places, key=lambda entry: entry[0] != pointed):
+        text = str(number)
+        box = QRectF(place.x() + _AWAY_PX, place.y() - metrics.height(), metrics.width(text), metrics.height())
+        cells = _cells(box)
+        if number != pointed and not taken.isdisjoint(cells):
+            continue
+        taken.update(cells)
+        path = QPainterPath()
+        path.addText(QPointF(box.left(), box.bottom() - metrics.descent()), small, text)
+        painter.setPen(QPen(_POINTED if number == pointed else _RIM, 3))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPath(path)
+        painter.fillPath(path, _INK)
+
+
+def paint_ring(painter: QPainter, place: QPointF, radius: float, color: QColor) -> None:
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for pen_color, width in ((_RIM, 3.5), (color, 1.5)):
+        painter.setPen(QPen(pen_color, width))
+        painter.drawEllipse(place, radius, radius)
+
+
+def nearest_number(places: Iterable[Tuple[int, QPointF]], position: QPointF, reach: float) -> Optional[int]:
+    """The number of the place nearest to a position, None where none is within reach."""
+    away = [((place.x() - position.x()) ** 2 + (place.y() - position.y()) ** 2, number) for number, place in places]
+    squared, number = min(away, default=(float("inf"), None))
+    return number if squared <= reach**2 else None
+
+
+def _cells(box: QRectF) -> set:
+    """Of a grid, those that a box touches."""
+    columns = range(int(box.left() // _CELL_PX), int(box.right() // _CELL_PX) + 1)
+    rows = range(int(box.top() // _CELL_PX), int(box.bottom() // _CELL_PX) + 1)
+    return {(column, row) for column in columns for row in rows}

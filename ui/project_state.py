@@ -1,0 +1,94 @@
+"""What the dock keeps in the project: read when one is opened, written when it is saved."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import List, Optional
+
+from qgis.core import QgsProject
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+SCOPE = "SemRef"
+_LISTED_IMAGES = 1000
+"""A project is no place for the names of more."""
+
+
+@dataclass(frozen=True)
+class DockState:
+    """database, model, results: paths, perhaps empty; method: METHOD of semref:localizeimages; images: files and
+    folders; opacity: of the labels, percent; prior: (x, y of the middle, x, y of the edge, authid of their CRS)."""
+
+    database: str = ""
+    model: str = ""
+    method: int = 0
+    images: List[str] = field(default_factory=list)
+    opacity: int = 60
+    results: str = ""
+    prior: Optional[tuple] = None
+
+
+def write_state(project: QgsProject, state: DockState) -> None:
+    """Paths are kept as the project keeps those of its layers: relative to its file, unless it says otherwise."""
+    project.writeEntry(SCOPE, "/database", project.writePath(state.database))
+    project.writeEntry(SCOPE, "/model", project.writePath(state.model))
+    project.writeEntry(SCOPE, "/results", project.writePath(state.results))
+    project.writeEntry(SCOPE, "/images", [project.writePath(path) for path in state.images[:_LISTED_IMAGES]])
+    project.writeEntry(SCOPE, "/method", state.method)
+    project.writeEntry(SCOPE, "/opacity", state.opacity)
+    project.writeEntry(SCOPE, "/prior", [] if state.prior is None else [str(value) for value in state.prior])
+
+
+def read_state(project: QgsProject) -> Optional[DockState]:
+    """None of a project that was never saved with the dock."""
+    database, known = project.readEntry(SCOPE, "/database")
+    if not known:
+        return None
+
+    def path_of(key: str) -> str:
+        return project.readPath(project.readEntry(SCOPE, key)[0])
+
+    return DockState(
+        project.readPath(database),
+        path_of("/model"),
+        project.readNumEntry(SCOPE, "/method")[0],
+        [project.readPath(path) for path in project.readListEntry(SCOPE, "/images")[0]],
+        project.readNumEntry(SCOPE, "/opacity", 60)[0],
+        path_of("/results"),
+        _prior_of(project.readListEntry(SCOPE, "/prior")[0]),
+    )
+
+
+def _prior_of(entries: List[str]) -> Optional[tuple]:
+    try:
+        *numbers, authid = entries
+        x, y, edge_x, edge_y = map(float, numbers)
+    except ValueError:
+        # Another version's, or somebody's own.
+        return None
+    return x, y, edge_x, edge_y, authid
+
+
+class ProjectState(QObject):
+    """Follows the project: ``opened`` with the state of one that has it; asks ``state_now`` when one is saved."""
+
+    opened = pyqtSignal(object)
+
+    def __init__(self, state_now, parent: QObject) -> None:
+        super().__init__(parent)
+        self._state_now = state_now
+        project = QgsProject.instance()
+        project.readProject.connect(self._read)
+        project.writeProject.connect(self._write)
+
+    def shut_down(self) -> None:
+        project = QgsProject.instance()
+        project.readProject.disconnect(self._read)
+        project.writeProject.disconnect(self._write)
+
+    def _read(self, *_document) -> None:
+        state = read_state(QgsProject.instance())
+        if state is not None:
+            self.opened.emit(state)
+
+    def _write(self, *_document) -> None:
+        write_state(QgsProject.instance(), self._state_now())
