@@ -107,7 +107,7 @@ class HitHighlight:
         return True
 
     def _squares(self) -> List[QgsGeometry]:
-        """The runners-up in the canvas's CRS; those that it can't show are left out."""
+        """The runners-up in the canvas's CRS; none where it can't show one of them."""
         windows = self._runners_up_shown
         if windows is None:
             return []
@@ -117,12 +117,12 @@ class HitHighlight:
         for (x, y), size in zip(windows.centers.tolist(), windows.sizes.tolist()):
             half = size / 2
             square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
-            square = square.densifyByCount(_POINTS_A_SIDE)
-            try:
+            squares.append(square.densifyByCount(_POINTS_A_SIDE))
+        try:
+            for square in squares:
                 square.transform(transform)
-            except QgsCsException:
-                continue
-            squares.append(square)
+        except QgsCsException:
+            return []
         return squares
 
     def _on_canvas(self):

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import gc
 import sys
+import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -747,3 +749,375 @@ def test_a_layer_that_is_removed_while_it_is_corrected_leaves_an_empty_list(dock
     settle()
     assert dock.correct.places.rowCount() == 0
     assert rubber_bands(iface, "Polygon") == []
+
+
+# --- image and map joined ---
+
+
+def pointed_numbers(dock) -> tuple:
+    return dock.results.image.canvas._landmarks._pointed, dock._matches._item._pointed
+
+
+def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, iface, area):
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [area.image])
+    wait_until(lambda: dock._matches.pairs, "the matches")
+    pairs, marks = dock._matches.pairs, dock.results.image.canvas._landmarks.matched
+    assert f"{len(pairs)} agree with the map" in dock.results.details.toPlainText()
+    assert len(pairs) == len(marks) > 20
+    for (seen, on_map), (_, pixel) in zip(pairs, marks):
+        truth = ORIGIN[0] + CUT[0] + pixel.x(), ORIGIN[1] - CUT[1] - pixel.y()
+        assert (on_map.x(), on_map.y()) == pytest.approx(truth, abs=0.01)
+        assert (seen.x(), seen.y()) == pytest.approx(truth, abs=0.5)
+    dock.close()
+    assert dock._matches.pairs == []
+    iface.tool_bar_actions[0].trigger()
+    assert len(dock._matches.pairs) == len(marks)
+
+
+def test_the_landmark_under_the_mouse_is_stressed_on_both_sides(dock, iface, area):
+    from qgis.PyQt.QtCore import QPoint
+    from qgis.PyQt.QtTest import QTest
+
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [area.image])
+    wait_until(lambda: dock._matches.pairs, "the matches")
+    settle()
+    view = dock.results.image.canvas
+    number, pixel = view._landmarks.matched[2]
+    QTest.mouseMove(view.viewport(), view.mapFromScene(pixel))
+    wait_until(lambda: pointed_numbers(dock) == (number, number), "the stressed landmark")
+    place = iface.canvas.getCoordinateTransform().transform(dock._matches.pairs[4][1])
+    QTest.mouseMove(iface.canvas.viewport(), QPoint(round(place.x()), round(place.y())))
+    wait_until(lambda: pointed_numbers(dock) == (5, 5), "the other stressed landmark")
+    # Drawn without an error, which pytest would see.
+    dock.results.image.grab()
+    iface.canvas.grab()
+
+
+def test_the_published_methods_runners_up_are_outlined_paler(dock, iface, area):
+    localize(dock, area.database, [area.image])
+    wait_until(lambda: "next best" in dock.results.details.toPlainText(), "the runners-up")
+    bands = dock._highlight._runners_up
+    extents = [band.asGeometry().boundingBox() for band in bands]
+    assert len(extents) == 4
+    assert all(extent.width() == pytest.approx(WINDOW) for extent in extents)
+    assert all((extent.xMinimum() - ORIGIN[0]) % STRIDE == pytest.approx(0) for extent in extents)
+    assert corners(cut_extent()) not in [corners(extent) for extent in extents]
+    opacities = [band.strokeColor().alpha() for band in bands]
+    assert opacities == sorted(opacities, reverse=True) and opacities[0] < 255
+    choose_method(dock, CONSTELLATION)
+    dock.localize_button.click()
+    wait_until(lambda: not dock.run.running, "the end of the run")
+    assert all(not band.numberOfVertices() for band in bands)
+
+
+def test_a_key_goes_from_image_to_image(dock, iface, area):
+    from qgis.PyQt.QtCore import Qt
+    from qgis.PyQt.QtTest import QTest
+
+    localize(dock, area.database, [area.image, area.unreadable])
+    iface.window.activateWindow()
+    dock.results.table.setFocus()
+    wait_until(dock.results.table.hasFocus, "the focus")
+    names = []
+    for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Up):
+        QTest.keyClick(dock.results.table, key, Qt.KeyboardModifier.AltModifier)
+        names.append(dock.results.table.selected().name)
+    assert names == ["broken.tif", "on_window.tif", "broken.tif"]
+    dock.results.after.click()
+    assert dock.results.table.selected().name == "on_window.tif"
+
+
+def test_going_through_many_images_quickly_reads_the_first_and_the_last(dock, area, monkeypatch, tmp_path):
+    import shutil
+
+    from semref.ui import image_picture
+
+    images = [str(shutil.copy(area.image, tmp_path / f"{number:02d}.tif")) for number in range(30)]
+    read, read_picture, go_on = [], image_picture.read_picture, threading.Event()
+
+    def read_slowly(hit, *arguments):
+        read.append(Path(hit.image).name)
+        go_on.wait(DEADLINE_S)
+        return read_picture(hit, *arguments)
+
+    monkeypatch.setattr(image_picture, "read_picture", read_slowly)
+    localize(dock, area.database, images)
+    for _ in range(29):
+        wait_until(lambda: read, "the first reading")
+        dock.results.after.click()
+    go_on.set()
+    wait_until(lambda: dock.results.image.canvas.scene().items(), "the picture")
+    assert read == ["00.tif", "29.tif"]
+
+
+# --- layers as input, results as a file, the project ---
+
+
+def add_raster_layer(path: str, name: str):
+    from qgis.core import QgsProject, QgsRasterLayer
+
+    layer = QgsRasterLayer(path, name, "gdal")
+    QgsProject.instance().addMapLayer(layer)
+    return layer
+
+
+def dropped(widget, data) -> bool:
+    """Drags `data` over a widget and drops it; whether it was taken."""
+    from qgis.PyQt.QtCore import QPoint, QPointF, Qt
+    from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
+
+    how = Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    entering = QDragEnterEvent(QPoint(5, 5), *how)
+    widget.dragEnterEvent(entering)
+    if entering.isAccepted():
+        widget.dropEvent(QDropEvent(QPointF(5, 5), *how))
+    return entering.isAccepted()
+
+
+def from_the_layer_tree(*layers):
+    from qgis.core import QgsLayerTreeModel, QgsProject
+
+    root = QgsProject.instance().layerTreeRoot()
+    model = QgsLayerTreeModel(root)
+    return model.mimeData([model.node2index(root.findLayer(layer.id())) for layer in layers])
+
+
+def test_a_raster_layer_of_the_project_is_an_image(dock, area):
+    from qgis.core import QgsProject
+
+    dock.images.layers.aboutToShow.emit()
+    assert not dock.images.layers.actions()[0].isEnabled()
+    add_raster_layer(area.image, "aerial image")
+    dock.database.file.setFilePath(area.database)
+    dock.database.add_to_map.click()
+    dock.images.layers.aboutToShow.emit()
+    (action,) = dock.images.layers.actions()
+    assert action.text() == "aerial image"
+    QgsProject.instance().clear()
+    action.trigger()
+    assert dock.images.paths() == [area.image]
+
+
+def test_layers_dropped_on_the_list_are_images_and_others_are_said(dock, iface, area, issues):
+    layer = add_raster_layer(area.image, "aerial image")
+    assert dropped(dock.images.list, from_the_layer_tree(layer, issues))
+    assert dock.images.paths() == [area.image]
+    assert "issues: not added" in messages(iface)[0]
+
+
+def test_a_dropped_folder_is_an_entry(dock, area, tmp_path):
+    from qgis.PyQt.QtCore import QMimeData, QUrl
+
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(tmp_path))])
+    assert dropped(dock.images.list, data)
+    assert dock.images.paths() == [str(tmp_path)]
+
+
+def test_a_database_of_the_project_can_be_chosen_or_dropped(dock, area):
+    from qgis.core import QgsProject
+
+    dock.database.file.setFilePath(area.database)
+    assert not dock.database.in_project.isVisibleTo(dock)
+    dock.database.add_to_map.click()
+    settle()
+    box = dock.database.in_project
+    assert box.isVisibleTo(dock)
+    assert [box.itemText(row) for row in range(1, box.count())] == ["area"]
+    assert box.currentText() == "area"
+    dock.database.file.setFilePath("")
+    assert box.currentIndex() == 0
+    box.setCurrentIndex(1)
+    box.activated.emit(1)
+    assert dock.database.path() == area.database
+    dock.database.file.setFilePath("")
+    windows = QgsProject.instance().mapLayersByName("Windows")[0]
+    assert dropped(dock.database, from_the_layer_tree(windows))
+    assert dock.database.path() == area.database
+    QgsProject.instance().clear()
+    settle()
+    assert not box.isVisibleTo(dock)
+
+
+def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp_path, monkeypatch):
+    from qgis.core import QgsPointXY, QgsProject
+    from qgis.PyQt.QtWidgets import QFileDialog
+
+    saved = str(tmp_path / "results.gpkg")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (saved, ""))
+    localize(dock, area.database, [area.image, area.unreadable])
+    dock.results.save.trigger()
+    dock.results.image.opacity.setValue(35)
+    dock.images.model.setFilePath("")
+    dock.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
+    shown, before = table(dock), dock._state_now()
+    project = QgsProject.instance()
+    assert project.write(str(tmp_path / "project.qgs"))
+    assert "/" + Path(area.database).name in (tmp_path / "project.qgs").read_text(encoding="utf-8")
+
+    dock.prepare("", "", [])
+    project.clear()
+    assert (table(dock), dock.prior.circle()) == ([], None)
+    assert project.read(str(tmp_path / "project.qgs"))
+    assert not project.isDirty()
+    assert dock._state_now() == before
+    assert before.opacity == 35 and before.prior[:2] == (400_100, 5_399_900) and before.results == saved
+    assert table(dock) == shown
+    assert corners(shown_outline(iface)) is not None
+    assert dock.prior.text.text() == "Search: within 60 m"
+
+
+def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface, area, tmp_path, monkeypatch):
+    from qgis.core import QgsProject
+    from qgis.PyQt.QtWidgets import QFileDialog
+
+    saved = tmp_path / "results.gpkg"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(saved), ""))
+    localize(dock, area.database, [area.image])
+    dock.results.save.trigger()
+    QgsProject.instance().write(str(tmp_path / "project.qgs"))
+    QgsProject.instance().clear()
+    saved.unlink()
+    iface.bar.clearWidgets()
+    QgsProject.instance().read(str(tmp_path / "project.qgs"))
+    assert "results.gpkg holds no results" in messages(iface)[0]
+    assert table(dock) == []
+
+
+def test_a_project_without_the_dock_leaves_it_as_it_is(dock, area, tmp_path):
+    from qgis.core import QgsProject
+
+    (tmp_path / "other.qgs").write_text("<qgis version='3.22.0'/>", encoding="utf-8")
+    localize(dock, area.database, [area.image])
+    QgsProject.instance().read(str(tmp_path / "other.qgs"))
+    assert len(table(dock)) == 1
+    assert dock.database.path() == area.database
+
+
+def test_the_search_circle_follows_the_canvas_into_another_crs(dock, iface, area):
+    from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
+
+    dock.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
+    before = dock.prior.parameters()
+    iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem("EPSG:3857"))
+    (circle,) = rubber_bands(iface, "Polygon")
+    assert abs(circle.boundingBox().center().x() - 400_100) > 100_000
+    assert dock.prior.parameters() == before
+
+
+def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area):
+    from qgis.core import QgsGeometry, QgsPointXY, QgsProject
+
+    localize(dock, area.database, [area.image])
+    left, bottom, right, top = corners(cut_extent())
+    trapezoid = [(left, top), (right, top), (right - 40, bottom), (left + 40, bottom)]
+    outline = QgsGeometry.fromPolygonXY([[QgsPointXY(*corner) for corner in trapezoid]])
+    finding = dock.results.table.selected()
+    dock._drape(replace(finding, method="constellation", heading=0.0, pixel_size=1.0, outline=outline))
+    wait_until(QgsProject.instance().mapLayers, "the layer")
+    (layer,) = QgsProject.instance().mapLayers().values()
+    known = {True: 0, False: 0}
+    for x, y in ((left + 20, bottom + 5), (right - 20, bottom + 5), (left + 45, bottom + 5), (left + 2, top - 2)):
+        value, valid = layer.dataProvider().sample(QgsPointXY(x, y), 1)
+        inside = outline.contains(QgsPointXY(x, y))
+        known[inside] += 1
+        assert inside or not valid or value == 0
+    assert known == {True: 2, False: 2}
+
+
+def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_nothing(dock, iface, area, issues):
+    from qgis.core import QgsProject
+
+    dock.database.file.setFilePath(area.database)
+    dock.database.add_to_map.click()
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [area.image])
+    dock.results.keep.click()
+    dock.results.drape.click()
+    dock.inspect.show_window("150_250")
+    QgsProject.instance().removeAllMapLayers()
+    settle()
+    dock.results.after.click()
+    QgsProject.instance().clear()
+    wait_until(lambda: dock.results.image.canvas.scene().items(), "the picture")
+    settle()
+    assert len(table(dock)) == 1
+    assert [text for text in messages(iface) if "error in SemRef" in text] == []
+
+
+def test_unloading_while_pictures_are_read_leaves_nothing(plugin, dock, iface, area, monkeypatch):
+    from semref.ui import image_picture
+
+    read_picture = image_picture.read_picture
+
+    def read_slowly(*arguments):
+        time.sleep(0.3)
+        return read_picture(*arguments)
+
+    monkeypatch.setattr(image_picture, "read_picture", read_slowly)
+    localize(dock, area.database, [area.image])
+    dock.inspect.show_window("150_250")
+    bare = len(iface.canvas.scene().items())
+    plugin.unload()
+    settle()
+    assert iface.leftovers() == []
+    assert len(iface.canvas.scene().items()) < bare
+
+
+def test_photos_without_onnx_runtime_point_to_the_installer(plugin, dock, iface, area, monkeypatch, tmp_path):
+    from semref.processing import photo_labels
+    from semref.processing.components import ONNXRUNTIME
+    from semref.ui import missing_notice
+    from semref.ui.components_page import PAGE
+
+    for module in (photo_labels, missing_notice):
+        monkeypatch.setattr(module, "missing", lambda packages: [p for p in packages if p is ONNXRUNTIME])
+    assert not dock.notice.isVisible()
+    dock.images.model.setFilePath(str(tmp_path / "model.onnx"))
+    assert dock.notice.isVisible() and "ONNX Runtime is missing" in dock.notice.sentence.text()
+    dock.notice.install.click()
+    assert iface.options_pages_shown == [PAGE]
+    localize(dock, area.database, [area.image])
+    assert "Settings ▸ Options ▸ SemRef" in messages(iface)[0]
+    dock.images.model.setFilePath("")
+    assert not dock.notice.isVisible()
+
+
+def test_what_a_run_says_is_in_the_log_panel_and_a_hidden_dock_tells_the_outcome(dock, iface, area):
+    from qgis.core import QgsApplication
+
+    logged = []
+    log = QgsApplication.messageLog()
+
+    def note(*entry):
+        logged.append(entry)
+
+    log.messageReceived[str, str, "Qgis::MessageLevel"].connect(note)
+    start(dock, area.database, [area.image])
+    dock.close()
+    wait_until(lambda: not dock.run.running, "the end of the run")
+    log.messageReceived[str, str, "Qgis::MessageLevel"].disconnect(note)
+    assert any("on_window.tif: 400250.0" in text for text, tag, *_ in logged if tag == "SemRef")
+    assert messages(iface) == ["1 of 1 images have a fix."]
+
+
+def test_tab_and_sizes_are_remembered(plugin, dock, iface, area):
+    from semref.ui.dock import INSPECT, LOCALIZE
+
+    parts = dock.results.parts
+    parts.setSizes([300, 200, 100])
+    parts.splitterMoved.emit(300, 1)
+    sizes = parts.sizes()
+    dock.tabs.setCurrentIndex(INSPECT)
+    plugin.unload()
+    settle()
+    plugin.initGui()
+    iface.tool_bar_actions[0].trigger()
+    settle()
+    again = iface.docks[0]
+    assert again.tabs.currentIndex() == INSPECT
+    again.tabs.setCurrentIndex(LOCALIZE)
+    settle()
+    assert again.results.parts.sizes() == sizes
