@@ -159,8 +159,7 @@ class Heartbeat:
         self._timer.timeout.connect(self._beat)
         self._timer.start(BEAT_MS)
         if told_s:
-            main = threading.main_thread().ident
-            threading.Thread(target=self._tell, args=(main, told_s), daemon=True).start()
+            threading.Thread(target=self._tell, args=(told_s,), daemon=True).start()
 
     def _beat(self) -> None:
         now = time.perf_counter(), time.thread_time()
@@ -173,16 +172,19 @@ class Heartbeat:
         longest, self._longest = self._longest, [0.0, 0.0]
         return tuple(1000 * seconds for seconds in longest)
 
-    def _tell(self, main: int, told_s: float) -> None:
-        """In a thread of its own: one line for each stall."""
+    def _tell(self, told_s: float) -> None:
+        """In a thread of its own: where Python's threads are at each stall. Only one of them runs Python at a time, so
+        that another one's long call may be what the main thread waits for."""
         told = None
         while True:
             time.sleep(0.01)
             if time.perf_counter() - self._last[0] > told_s and self._last != told:
                 told = self._last
-                frames = traceback.extract_stack(sys._current_frames()[main])[-4:]
-                stack = " < ".join(f"{Path(f.filename).name}:{f.lineno} {f.name}" for f in reversed(frames))
-                print(f"stall: {stack}", file=sys.stderr, flush=True)
+                for frame in sys._current_frames().values():
+                    frames = traceback.extract_stack(frame)[-4:]
+                    stack = " < ".join(f"{Path(f.filename).name}:{f.lineno} {f.name}" for f in reversed(frames))
+                    print(f"stall: {stack}", file=sys.stderr)
+                print(flush=True, file=sys.stderr)
 
 
 def measure_stalls(folder: Path, count: int, told_s: float) -> None:

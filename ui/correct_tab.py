@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from typing import Dict, List, Optional, Set
+import time
+from typing import Dict, Iterator, List, Optional, Set
 
 from qgis.core import (
     QgsCoordinateTransform,
@@ -15,7 +16,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.gui import QgsMapCanvas, QgsMapLayerComboBox, QgsRubberBand
-from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QKeySequence
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
@@ -47,6 +48,9 @@ _ZOOM_MARGIN = 3.0
 _LEAST_EXTENT_SHARE = 1e-4
 """Points and lines have no extent: this share of the layer's is added."""
 
+_FILL_S = 0.03
+"""The list is filled for so long at a time."""
+
 _CLOSEST_SCALE = 500
 """Specks are shown with some ground around them: not nearer than 1:500."""
 
@@ -60,6 +64,11 @@ class CorrectTab(QWidget):
         super().__init__(parent)
         self._canvas = canvas
         self._done: Set[int] = set()
+        self._ids: Set[int] = set()
+        self._rows: Iterator[Dict] = iter(())
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self._fill_on)
         self._layer: Optional[QgsVectorLayer] = None
         self._mark = QgsRubberBand(canvas, POLYGON_GEOMETRY)
         self._mark.setStrokeColor(_LINE)
@@ -122,6 +131,8 @@ class CorrectTab(QWidget):
         QgsProject.instance().layersWillBeRemoved.connect(self._leave_removed)
 
     def shut_down(self) -> None:
+        self._soon.stop()
+        self._rows = iter(())
         QgsProject.instance().layersWillBeRemoved.disconnect(self._leave_removed)
         self._canvas.destinationCrsChanged.disconnect(self._show_place)
         self.layer.layerChanged.disconnect(self._use_layer)
@@ -144,23 +155,44 @@ class CorrectTab(QWidget):
     def _fill(self) -> None:
         fields = [None] * len(_COLUMNS) if self._layer is None else _fields(self._layer)
         self.places.setHorizontalHeaderLabels([_title(name) for name in fields])
-        rows = [] if self._layer is None else _rows(self._layer, fields)
-        self._done &= {row["id"] for row in rows}
-        self.progress.setRange(0, max(len(rows), 1))
-        self.progress.setTextVisible(bool(rows))
+        self._rows = iter(()) if self._layer is None else _rows(self._layer, fields)
+        self._ids = set()
+        self.places.setRowCount(0)
+        self.progress.setRange(0, 1 if self._layer is None else max(self._layer.featureCount(), 1))
         self._show_progress()
-        if self.open.isChecked():
-            rows = [row for row in rows if row["id"] not in self._done]
-        self.places.setRowCount(len(rows))
-        for number, row in enumerate(rows):
-            for column, text in enumerate(row["texts"]):
-                item = QTableWidgetItem(text)
-                item.setData(Qt.ItemDataRole.UserRole, row["id"])
-                self.places.setItem(number, column, item)
-            self._show_done(number)
-        self.places.resizeColumnToContents(0)
-        self.places.resizeColumnToContents(2)
+        self._fill_on()
         self._show_place()
+
+    def _fill_on(self) -> None:
+        """A check of a large annotation has tens of thousands of findings: their rows come a few at a time, so that
+        QGIS is never held up."""
+        end = time.perf_counter() + _FILL_S
+        for row in self._rows:
+            self._ids.add(row["id"])
+            if not (self.open.isChecked() and row["id"] in self._done):
+                self._add_row(row)
+            if time.perf_counter() > end:
+                self._soon.start(0)
+                break
+        else:
+            self._soon.stop()
+            self._done &= self._ids
+            self.progress.setRange(0, max(len(self._ids), 1))
+            self.progress.setTextVisible(bool(self._ids))
+            self._show_progress()
+            self.places.resizeColumnToContents(0)
+            self.places.resizeColumnToContents(2)
+            self._enable()
+
+    def _add_row(self, row: Dict) -> None:
+        number = self.places.rowCount()
+        self.places.setRowCount(number + 1)
+        for column, text in enumerate(row["texts"]):
+            item = QTableWidgetItem(text)
+            item.setData(Qt.ItemDataRole.UserRole, row["id"])
+            self.places.setItem(number, column, item)
+        if row["id"] in self._done:
+            self._show_done(number)
 
     def _id_of(self, row: int) -> int:
         return self.places.item(row, 0).data(Qt.ItemDataRole.UserRole)
@@ -210,10 +242,13 @@ class CorrectTab(QWidget):
         self.progress.setValue(len(self._done))
         self.update_button.setEnabled(bool(self._done))
 
-    def _show_place(self) -> None:
-        feature = self._selected()
+    def _enable(self) -> None:
         for button in (self.before, self.after, self.done):
             button.setEnabled(self.places.rowCount() > 0)
+
+    def _show_place(self) -> None:
+        feature = self._selected()
+        self._enable()
         self._mark.reset(POLYGON_GEOMETRY)
         if feature is None:
             self.text.setText("" if self.places.rowCount() else tr("No place to look at."))
@@ -266,5 +301,6 @@ def _texts(feature: QgsFeature, fields: List[Optional[str]]) -> List[str]:
     return ["" if is_null(v) else f"{v:.1f}" if isinstance(v, float) else str(v) for v in values]
 
 
-def _rows(layer: QgsVectorLayer, fields: List[Optional[str]]) -> List[Dict]:
-    return [{"id": feature.id(), "texts": _texts(feature, fields)} for feature in layer.getFeatures()]
+def _rows(layer: QgsVectorLayer, fields: List[Optional[str]]) -> Iterator[Dict]:
+    for feature in layer.getFeatures(QgsFeatureRequest().setFlags(QgsFeatureRequest.NoGeometry)):
+        yield {"id": feature.id(), "texts": _texts(feature, fields)}

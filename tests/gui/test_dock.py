@@ -1121,3 +1121,30 @@ def test_tab_and_sizes_are_remembered(plugin, dock, iface, area):
     again.tabs.setCurrentIndex(LOCALIZE)
     settle()
     assert again.results.parts.sizes() == sizes
+
+
+def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, issues):
+    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle
+
+    features = []
+    for number in range(20_000):
+        feature = QgsFeature(issues.fields())
+        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(number, 0, number + 1, 1)))
+        feature.setAttributes(["gap", "warning", "A gap.", 1.0])
+        features.append(feature)
+    issues.dataProvider().addFeatures(features)
+    dock.correct.layer.setLayer(None)
+    dock.correct.layer.setLayer(issues)
+    places = dock.correct.places
+    assert 0 < places.rowCount() < 20_003
+    places.selectRow(1)
+    dock.correct.done.click()
+    wait_until(lambda: places.rowCount() == 20_003, "the whole list")
+    assert (dock.correct.progress.value(), dock.correct.progress.maximum()) == (1, 20_003)
+    assert places.selectionModel().selectedRows()[0].row() == 2
+    # Removed halfway.
+    dock.correct.open.setChecked(True)
+    assert 0 < places.rowCount() < 20_003
+    QgsProject.instance().removeMapLayer(issues.id())
+    settle()
+    assert places.rowCount() == 0
