@@ -22,7 +22,7 @@ from ..processing.exchange.sample_files import (
     PRIORITY_FIELD,
 )
 from ..processing.exchange.styles import annotation_renderer
-from ..processing.provider import MODELS
+from ..processing.shipped_models import MODELS
 from ..processing.translation import tr
 from .algorithm_run import AlgorithmRun
 from .database_layers import add_database_to_map
