@@ -817,7 +817,7 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   </message>
   <message>
    <source>In the project…</source>
-   <translation>Im Projekt …</translation>
+   <translation>Im Projekt…</translation>
   </message>
   <message>
    <source>Inspect</source>
@@ -945,7 +945,7 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   </message>
   <message>
    <source>Lay image on map</source>
-   <translation>Bild auf die Karte legen</translation>
+   <translation>Auf Karte legen</translation>
   </message>
   <message>
    <source>Laying an image on the map</source>
@@ -1561,7 +1561,7 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   </message>
   <message>
    <source>Save results to a file…</source>
-   <translation>Ergebnisse in eine Datei speichern …</translation>
+   <translation>Ergebnisse in eine Datei speichern…</translation>
   </message>
   <message>
    <source>Saved; the dock shows these results again when this project is opened.</source>
@@ -2177,7 +2177,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   </message>
   <message>
    <source>Zoom to hit</source>
-   <translation>Auf Treffer zoomen</translation>
+   <translation>Zoom auf Treffer</translation>
   </message>
   <message>
    <source>add the package python3-pip with OSGeo4W’s setup</source>

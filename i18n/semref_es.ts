@@ -81,11 +81,11 @@
   </message>
   <message>
    <source>Add files…</source>
-   <translation>Añadir archivos…</translation>
+   <translation>Archivos…</translation>
   </message>
   <message>
    <source>Add folder…</source>
-   <translation>Añadir carpeta…</translation>
+   <translation>Carpeta…</translation>
   </message>
   <message>
    <source>Add images</source>
@@ -945,7 +945,7 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   </message>
   <message>
    <source>Lay image on map</source>
-   <translation>Poner la imagen sobre el mapa</translation>
+   <translation>Poner en el mapa</translation>
   </message>
   <message>
    <source>Laying an image on the map</source>
@@ -2177,7 +2177,7 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   </message>
   <message>
    <source>Zoom to hit</source>
-   <translation>Zum a la coincidencia</translation>
+   <translation>Zum al lugar</translation>
   </message>
   <message>
    <source>add the package python3-pip with OSGeo4W’s setup</source>

@@ -81,11 +81,11 @@
   </message>
   <message>
    <source>Add files…</source>
-   <translation>Ajouter des fichiers…</translation>
+   <translation>Fichiers…</translation>
   </message>
   <message>
    <source>Add folder…</source>
-   <translation>Ajouter un dossier…</translation>
+   <translation>Dossier…</translation>
   </message>
   <message>
    <source>Add images</source>
@@ -945,7 +945,7 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   </message>
   <message>
    <source>Lay image on map</source>
-   <translation>Poser l’image sur la carte</translation>
+   <translation>Poser sur la carte</translation>
   </message>
   <message>
    <source>Laying an image on the map</source>
@@ -1277,7 +1277,7 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   </message>
   <message>
    <source>Only what is open</source>
-   <translation>Seulement ce qui reste à faire</translation>
+   <translation>À faire seulement</translation>
   </message>
   <message>
    <source>Only what lies in these polygons, or along these lines, is exported; without it the whole map.</source>
@@ -2177,7 +2177,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   </message>
   <message>
    <source>Zoom to hit</source>
-   <translation>Zoomer sur la correspondance</translation>
+   <translation>Zoom sur le lieu</translation>
   </message>
   <message>
    <source>add the package python3-pip with OSGeo4W’s setup</source>
