@@ -25,7 +25,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QCoreApplication, QPoint, QRect, Qt, QTimer
-from qgis.PyQt.QtGui import QGuiApplication
+from qgis.PyQt.QtGui import QColor, QGuiApplication
 from qgis.PyQt.QtWidgets import QApplication, QDockWidget, QToolBar, QTreeView
 
 LOCALIZE, INSPECT, CORRECT = range(3)
@@ -191,6 +191,8 @@ def correct(session: Session) -> None:
     issues = checked_with_mistakes(session)
     # What the priority decides is information, and there is much of it.
     issues.setName("Issues")
+    # QGIS draws a color by lot.
+    issues.renderer().symbol().setColor(QColor("#ffd92f"))
     issues.setSubsetString("\"severity\" <> 'information'")
     QgsProject.instance().addMapLayer(issues, False)
     QgsProject.instance().layerTreeRoot().insertLayer(0, issues)
