@@ -1,10 +1,12 @@
 """Measure checking and repairing annotations on real layers and print Markdown.
 
     python tools/measure_annotation.py [--only liechtenstein,berlin,belgrade,christchurch] [--polygons 200000]
+                                       [--scale-runs check,repair]
 
 Reads ../shared/data (or SEMREF_DATA). Each run is a process of its own; times are its processor times, so that other
 programs don't count, and memory is its peak, QGIS with it. Independent checks: QGIS's own validity check of each
-feature, and pairwise intersections of QGIS's geometries of 500 polygons.
+feature, and pairwise intersections of GDAL's geometries of 500 polygons. QGIS is never loaded in this process: shapely,
+which tiles the large layer, would then run on QGIS's GEOS, which can't write what this shapely asks of it.
 """
 
 from __future__ import annotations
@@ -28,6 +30,7 @@ for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
 
 ROOT = Path(__file__).resolve().parent.parent
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
+VALIDITY = "validity"
 PAIRWISE = 500
 SMALLEST_OVERLAP_M2 = 0.01
 CLASSES = (
@@ -68,7 +71,7 @@ def main() -> int:
                 continue
             measure(name, layer, Path(folder) / name.replace(", ", "_").replace(" ", "_"))
         if options.polygons:
-            measure_scale(options.polygons, Path(folder) / "scale")
+            measure_scale(options.polygons, Path(folder) / "scale", options.scale_runs.split(","))
     return 0
 
 
@@ -77,6 +80,7 @@ def parse() -> argparse.Namespace:
     parser.add_argument("--only", default=",".join(name for name in LAYERS if "," not in name))
     parser.add_argument("--no-priority", action="store_true", help="Liechtenstein without its priority field, too")
     parser.add_argument("--polygons", type=int, default=200_000, help="size of the tiled layer; 0 leaves it out")
+    parser.add_argument("--scale-runs", default="check,repair", help="of the tiled layer")
     parser.add_argument("--job", nargs=2, help=argparse.SUPPRESS)
     options = parser.parse_args()
     options.only = [name for name in options.only.split(",") if name]
@@ -112,7 +116,7 @@ def measure(name: str, layer: Layer, folder: Path) -> None:
         found = parameters.get("ISSUES") or parameters["CHANGES"]
         print(f"| {title} | {counted(found)} | {told['seconds']:.1f} | {told['megabytes']:.0f} |", flush=True)
     print(f"\n- repaired twice: {'the same' if same_layer(repaired, twice) else 'DIFFERENT'}")
-    print(f"- {compare_validity(source, issues)}")
+    print(f"- {compare_validity(in_process(VALIDITY, {'source': source}), issues)}")
     print(f"- {compare_overlaps(folder, source, layer, common)}")
     print(f"- {compare_label_maps(folder, source, repaired, issues, layer, common)}", flush=True)
 
@@ -125,6 +129,9 @@ def in_process(algorithm: str, parameters: dict) -> dict:
 
 def run_job(algorithm: str, parameters: str) -> int:
     run = start_qgis()
+    if algorithm == VALIDITY:
+        print(json.dumps(invalid_in_qgis(**json.loads(parameters))), flush=True)
+        os._exit(0)
     started = time.process_time()
     run(f"semref:{algorithm}", json.loads(parameters))
     seconds = time.process_time() - started
@@ -178,26 +185,36 @@ def same_layer(one: str, other: str) -> bool:
     return content(one) == content(other)
 
 
-def compare_validity(source: str, issues: str) -> str:
+def invalid_in_qgis(source: str) -> dict:
+    """How many features and parts QGIS finds, and the ids of the invalid features with the number of invalid parts."""
     from qgis.core import QgsVectorLayer
 
-    invalid, parts = set(), 0
-    for feature in QgsVectorLayer(source).getFeatures():
+    layer = QgsVectorLayer(source, "source", "ogr")
+    if not layer.isValid():
+        sys.exit(f"{source} can't be read.")
+    features, invalid, parts = 0, [], 0
+    for feature in layer.getFeatures():
         geometry = feature.geometry()
-        if not geometry.isNull() and not geometry.isGeosValid():
-            invalid.add(feature.id())
-        if not geometry.isNull():
-            parts += sum(not part.isGeosValid() for part in geometry.asGeometryCollection())
+        features += 1
+        if geometry.isNull():
+            continue
+        if not geometry.isGeosValid():
+            invalid.append(feature.id())
+        parts += sum(not part.isGeosValid() for part in geometry.asGeometryCollection())
+    return {"features": features, "invalid": invalid, "parts": parts}
+
+
+def compare_validity(qgis: dict, issues: str) -> str:
     told = [row["feature_id"] for row, _ in rows_of(issues) if row["kind"] == "invalid"]
     return (
-        f"invalid: {len(set(told))} features and {len(told)} findings; QGIS: {len(invalid)} features, {parts} parts"
-        f"{'' if set(told) == invalid else ' – OTHERS'}"
+        f"invalid: {len(set(told))} features and {len(told)} findings; QGIS: {len(qgis['invalid'])} of "
+        f"{qgis['features']} features, {qgis['parts']} parts{'' if set(told) == set(qgis['invalid']) else ' – OTHERS'}"
     )
 
 
 def compare_overlaps(folder: Path, source: str, layer: Layer, common: dict) -> str:
     """Overlap areas of the first 500 polygons against plain pairwise intersections."""
-    from osgeo import ogr
+    from osgeo import gdal, ogr
 
     subset = str(folder / "subset.gpkg")
     command = ["ogr2ogr", subset, source, "-limit", str(PAIRWISE), "-nlt", "MULTIPOLYGON", "-nln", "subset"]
@@ -209,6 +226,8 @@ def compare_overlaps(folder: Path, source: str, layer: Layer, common: dict) -> s
         if row["kind"] == "overlap":
             found[frozenset((row["feature_id"], row["other_id"]))] += row["area"]
     opened = ogr.Open(subset)
+    # Intersections may be lines, of which GDAL would say at each that they have no area.
+    gdal.PushErrorHandler("CPLQuietErrorHandler")
     shapes = [(f.GetFID(), f[layer.class_field], f.GetGeometryRef().Clone()) for f in opened[0]]
     shapes = [(fid, value, shape if shape.IsValid() else shape.MakeValid()) for fid, value, shape in shapes]
     plain = {}
@@ -217,6 +236,7 @@ def compare_overlaps(folder: Path, source: str, layer: Layer, common: dict) -> s
             area = first.Intersection(second).Area()
             if area > SMALLEST_OVERLAP_M2:
                 plain[frozenset((one, other))] = area
+    gdal.PopErrorHandler()
     found = {pair: area for pair, area in found.items() if area > SMALLEST_OVERLAP_M2}
     farthest = max((abs(found.get(p, 0) - plain.get(p, 0)) for p in {*found, *plain}), default=0)
     return (
@@ -259,7 +279,7 @@ def compare_label_maps(folder: Path, source: str, repaired: str, issues: str, la
     )
 
 
-def measure_scale(polygons: int, folder: Path) -> None:
+def measure_scale(polygons: int, folder: Path, runs: list) -> None:
     """Liechtenstein side by side with itself."""
     from osgeo import ogr
 
@@ -286,7 +306,7 @@ def measure_scale(polygons: int, folder: Path) -> None:
             made = ogr.Feature(target.GetLayerDefn())
             made.SetFrom(feature)
             made.SetFID(-1)
-            made.SetGeometry(ogr.CreateGeometryFromWkb(shapely.to_wkb(shape)))
+            made.SetGeometry(ogr.CreateGeometryFromWkb(shapely.to_wkb(shape, output_dimension=3)))
             target.CreateFeature(made)
     count = target.GetFeatureCount()
     target.CommitTransaction()
@@ -298,8 +318,10 @@ def measure_scale(polygons: int, folder: Path) -> None:
     print(f"\n### {count} polygons: Liechtenstein {copies} times\n\n| run | s | peak MB |\n|---|---|---|")
     for title, algorithm, outputs in (
         ("check", "checkannotation", {"ISSUES": str(folder / "issues.gpkg")}),
-        ("repair", "repairannotation", {"OUTPUT": str(folder / "repaired.gpkg")}),
+        ("repair", "repairannotation", {"OUTPUT": str(folder / "repaired.gpkg"), "CHANGES": str(folder / "c.gpkg")}),
     ):
+        if title not in runs:
+            continue
         told = in_process(algorithm, {**common, **outputs})
         print(f"| {title} | {told['seconds']:.1f} | {told['megabytes']:.0f} |", flush=True)
 

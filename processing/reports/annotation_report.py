@@ -67,7 +67,7 @@ class AnnotationReport:
             own = [finding for finding in self.findings if finding.kind == kind]
             counts = Counter(finding.severity for finding in own)
             cells = [_count(counts[severity], severity) for severity in SEVERITIES]
-            rows.append([str(n), kind, *cells, page.number(sum(f.area or 0.0 for f in own), "m²", 6)])
+            rows.append([str(n), kind, *cells, f"{sum(f.area or 0.0 for f in own):,.2f}{page.NO_BREAK}m²"])
         header = ["", tr("kind"), *(severity_title(severity) for severity in SEVERITIES), tr("area")]
         return page.table(header, rows, numbers=(0, 2, 3, 4, 5))
 

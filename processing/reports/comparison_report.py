@@ -6,7 +6,8 @@ import os
 
 from ...core.label_comparison import ClassMatch, LabelComparison
 from ..translation import tr
-from . import charts, page
+from . import page
+from .confusion_matrix import confusion_matrix
 
 
 def comparison_html(comparison: LabelComparison, match: ClassMatch, reference: str, predicted: str) -> str:
@@ -37,12 +38,11 @@ def comparison_html(comparison: LabelComparison, match: ClassMatch, reference: s
 
 def _matrix(comparison: LabelComparison, match: ClassMatch) -> str:
     columns = list(comparison.values)
-    # The chart counts rows from the bottom.
-    rows = [value for value in columns if comparison.annotated[value]][::-1]
+    rows = [value for value in columns if comparison.annotated[value]]
     shares = [[float(comparison.counts[row, c] / comparison.annotated[row]) for c in columns] for row in rows]
     texts = [[page.percent(share, 0) for share in line] for line in shares]
     names = ([match.name(value) for value in values] for values in (rows, columns))
-    return charts.heat_map(shares, texts, *names, tr("annotated"), tr("predicted"), tr("Confusion matrix"))
+    return confusion_matrix(shares, texts, *names, tr("annotated"), tr("predicted"), tr("Confusion matrix"))
 
 
 def _classes(comparison: LabelComparison, match: ClassMatch) -> str:

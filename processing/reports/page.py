@@ -40,6 +40,7 @@ svg { display: block; width: 100%; height: auto; }
 svg text { font: 12px system-ui, "Segoe UI", "Noto Sans", sans-serif; fill: var(--text); }
 svg .soft { fill: var(--soft); }
 .columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(420px, 1fr)); gap: 24px; align-items: start; }
+.columns > div { min-width: 0; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(190px, 1fr)); gap: 12px; margin: 18px 0; }
 .figures div { background: var(--panel); border: 1px solid var(--line); border-radius: 6px; padding: 10px 14px; }
 .figures b { display: block; font-size: 26px; line-height: 1.2; font-weight: 600; }

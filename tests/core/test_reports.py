@@ -8,6 +8,7 @@ import pytest
 from semref.core.rates import Rate
 from semref.processing.reports import charts, page
 from semref.processing.reports.charts import Series
+from semref.processing.reports.confusion_matrix import confusion_matrix
 
 HOSTILE = 'a <b> & "c"</script>'
 SVG = "{http://www.w3.org/2000/svg}"
@@ -114,3 +115,23 @@ def test_numbers_are_told_with_unit_and_what_is_unknown_with_a_dash():
     assert (page.percent(0.125), page.percent(None)) == ("12.5\u00a0%", "–")
     assert page.rate_text(Rate(95, 100)) == f"95.0\u00a0% (88.8{page.DASH}97.8\u00a0%, 95/100)"
     assert page.rate_text(Rate(0, 0)) == "–"
+
+
+@pytest.mark.parametrize("longest", ["a", "a name much longer than any cell is wide", "一个很长的类别名称"])
+def test_a_confusion_matrix_has_room_for_the_names_of_its_classes(longest):
+    names = ["water", longest, "building"]
+    shares = [[0.0, 0.5, 1.0]] * 3
+    svg = confusion_matrix(shares, [["0 %", "50 %", "100 %"]] * 3, names, names, "annotated", "predicted", "matrix")
+    width = float(svg.split('viewBox="0 0 ')[1].split()[0])
+    texts = re.findall(r'<text x="([\d.]+)" y="[\d.]+" text-anchor="(\w+)" class="soft"[^>]*>([^<]*)<', svg)
+    assert len(texts) == 6
+    for x, anchor, text in texts:
+        room = float(x) if anchor == "end" else width - float(x)
+        size = 6.5 * sum(2 if ord(character) > 0x2E80 else 1 for character in text)
+        assert len(text) <= 24 and room >= (size if anchor == "end" else 0.71 * size)
+
+
+def test_the_first_row_of_a_confusion_matrix_lies_at_the_top():
+    svg = confusion_matrix([[0.9, 0.1], [0.2, 0.8]], [["a", "b"], ["c", "d"]], ["1", "2"], ["1", "2"], "y", "x", "map")
+    heights = {text: float(y) for y, text in re.findall(r'y="([\d.]+)" text-anchor="middle" style=[^>]*>(\w)<', svg)}
+    assert heights["a"] == heights["b"] < heights["c"] == heights["d"]
