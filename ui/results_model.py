@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import List, Optional, Sequence
 
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QAbstractTableModel, QModelIndex, Qt
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QStandardItem, QStandardItemModel
 
 from ..processing.translation import tr
 from .findings import FIX, Finding, status_text
@@ -21,47 +22,44 @@ _ICONS = {FIX: "/mIconSuccess.svg", "error": "/mIconCritical.svg"}
 _OTHER_ICON = "/mIconWarning.svg"
 
 
-class ResultsModel(QAbstractTableModel):
-    """One row a finding."""
+class ResultsModel(QStandardItemModel):
+    """One row a finding. Qt's own model: one in Python would be asked a dozen times for each cell that is painted, and
+    wait each time for the threads that segment images meanwhile."""
 
     def __init__(self, parent=None) -> None:
-        super().__init__(parent)
+        super().__init__(0, COLUMN_COUNT, parent)
         self._findings: List[Finding] = []
+        self._show_headers()
 
     def show(self, findings: Sequence[Finding]) -> None:
-        self.beginResetModel()
+        self.clear()
+        self.setColumnCount(COLUMN_COUNT)
+        self._show_headers()
         self._findings = list(findings)
-        self.endResetModel()
+        icons = {name: QgsApplication.getThemeIcon(name) for name in {_icon(finding) for finding in findings}}
+        for finding in self._findings:
+            row = [_item(finding, column) for column in range(COLUMN_COUNT)]
+            row[IMAGE].setIcon(icons[_icon(finding)])
+            self.appendRow(row)
 
     def finding(self, row: int) -> Finding:
         return self._findings[row]
 
-    def rowCount(self, parent=QModelIndex()):  # noqa: B008 - Qt's own signature; the index is never changed
-        return 0 if parent.isValid() else len(self._findings)
+    def _show_headers(self) -> None:
+        for column, (title, help_text) in enumerate(zip(_headers(), _header_help())):
+            self.setHeaderData(column, Qt.Orientation.Horizontal, title)
+            self.setHeaderData(column, Qt.Orientation.Horizontal, help_text, Qt.ItemDataRole.ToolTipRole)
 
-    def columnCount(self, parent=QModelIndex()):  # noqa: B008
-        return 0 if parent.isValid() else COLUMN_COUNT
 
-    def headerData(self, section, orientation, role=Qt.ItemDataRole.DisplayRole):
-        if orientation != Qt.Orientation.Horizontal:
-            return None
-        if role == Qt.ItemDataRole.DisplayRole:
-            return _headers()[section]
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return _header_help()[section]
-        return None
-
-    def data(self, index, role=Qt.ItemDataRole.DisplayRole):
-        finding, column = self._findings[index.row()], index.column()
-        if role == Qt.ItemDataRole.DisplayRole:
-            return _text(finding, column)
-        if role == SORT_ROLE:
-            return _sort_value(finding, column)
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return "\n".join(filter(None, (finding.image, status_text(finding), finding.reason)))
-        if role == Qt.ItemDataRole.DecorationRole and column == IMAGE:
-            return QgsApplication.getThemeIcon(_icon(finding))
-        return None
+def _item(finding: Finding, column: int) -> QStandardItem:
+    item = QStandardItem(_text(finding, column))
+    item.setEditable(False)
+    item.setData(_sort_value(finding, column), SORT_ROLE)
+    item.setToolTip("\n".join(filter(None, (finding.image, status_text(finding), finding.reason))))
+    if column in NUMBER_COLUMNS:
+        # Figures end at the same place.
+        item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    return item
 
 
 def _icon(finding: Finding) -> str:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import List, Optional
 
 from qgis.PyQt.QtCore import QSize, QSortFilterProxyModel, Qt, pyqtSignal
-from qgis.PyQt.QtWidgets import QAbstractItemView, QStyledItemDelegate, QTableView
+from qgis.PyQt.QtWidgets import QAbstractItemView, QTableView
 
 from ..processing.translation import tr
 from .findings import Finding
 from .placeholder import paint_placeholder
-from .results_model import COLUMN_COUNT, CONFIDENCE, IMAGE, NUMBER_COLUMNS, SORT_ROLE, ResultsModel
+from .results_model import COLUMN_COUNT, CONFIDENCE, IMAGE, SORT_ROLE, ResultsModel
 
 _IMAGE_COLUMN_MINIMUM_PX = 150
 _ROW_MARGIN_PX = 4
@@ -45,9 +45,6 @@ class ResultsTable(QTableView):
         self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 2 * _ROW_MARGIN_PX)
         self.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self.horizontalHeader().setHighlightSections(False)
-        self._numbers = _NumberDelegate(self)
-        for column in NUMBER_COLUMNS:
-            self.setItemDelegateForColumn(column, self._numbers)
         self._fit_columns()
         self.selectionModel().selectionChanged.connect(self._tell_selected)
 
@@ -107,11 +104,3 @@ class ResultsTable(QTableView):
         if width - others < _IMAGE_COLUMN_MINIMUM_PX:
             others = self.columnWidth(CONFIDENCE)
         self.setColumnWidth(IMAGE, max(width - others, _IMAGE_COLUMN_MINIMUM_PX))
-
-
-class _NumberDelegate(QStyledItemDelegate):
-    """Figures end at the same place. Here, because alignment does not pass from Python to Qt 5 and Qt 6 alike."""
-
-    def initStyleOption(self, option, index):
-        super().initStyleOption(option, index)
-        option.displayAlignment = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
