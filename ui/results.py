@@ -11,7 +11,6 @@ from qgis.gui import QgsCollapsibleGroupBox
 from qgis.PyQt.QtCore import QByteArray, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QKeySequence, QTextOption
 from qgis.PyQt.QtWidgets import (
-    QCheckBox,
     QFrame,
     QHBoxLayout,
     QMenu,
@@ -54,7 +53,9 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.table = ResultsTable()
         self.image = ImageView()
         self.details = _Details()
-        self.zoom = QCheckBox(tr("Zoom to hit"))
+        # A picture only: in French its name is as wide as the rest of the row.
+        self.zoom = tool_button("/mActionZoomToSelected.svg", tr("Zoom to hit"))
+        self.zoom.setCheckable(True)
         self.zoom.setChecked(QgsSettings().value(_ZOOM_SETTING, True, type=bool))
         self._make_buttons()
         self._lay_out()
@@ -103,7 +104,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
         layout.addWidget(self.parts, 1)
-        steps = _row(self.before, self.after, self.copy, self.zoom)
+        steps = _row(self.before, self.after, self.zoom, self.copy)
         steps.setStretchFactor(self.copy, 1)
         layout.addLayout(steps)
         layout.addLayout(_row(self.drape, self.keep))
