@@ -12,7 +12,7 @@ ESTIMATED, INVALID = 6, 0
 
 
 def record(result: Localization) -> Dict[str, Any]:
-    """Columns of *Localize images* by name, as docs/file_formats.md tells them; None where a method doesn't tell."""
+    """Columns of *Localize images* by name, as docs/file-formats.md tells them; None where a method doesn't tell."""
     x, y = result.position or (None, None)
     found = {
         "status": result.status,

@@ -1,4 +1,4 @@
-"""THE onboard file: a reference database as one small ``.npz``, for a computer without QGIS (docs/file_formats.md).
+"""THE onboard file: a reference database as one small ``.npz``, for a computer without QGIS (docs/file-formats.md).
 
 A zip of arrays in numpy's own format (.npy, version 1.0), none of them pickled. A reader never executes what a file
 holds and never allocates more than its size justifies: sizes are checked in the zip's directory, shapes and types in

@@ -52,8 +52,10 @@ LINE_GEOMETRY = Qgis.GeometryType.Line if Qgis.QGIS_VERSION_INT >= 33000 else Qg
 if Qgis.QGIS_VERSION_INT >= 33600:
     SOURCE_POLYGON = Qgis.ProcessingSourceType.VectorPolygon
     SOURCE_POINT = Qgis.ProcessingSourceType.VectorPoint
+    SOURCE_LINE = Qgis.ProcessingSourceType.VectorLine
     SOURCE_FILE = Qgis.ProcessingSourceType.File
 else:
     SOURCE_POLYGON = QgsProcessing.TypeVectorPolygon
     SOURCE_POINT = QgsProcessing.TypeVectorPoint
+    SOURCE_LINE = QgsProcessing.TypeVectorLine
     SOURCE_FILE = QgsProcessing.TypeFile

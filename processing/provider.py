@@ -5,6 +5,8 @@ from __future__ import annotations
 from qgis.core import QgsApplication, QgsProcessingProvider, QgsProcessingRegistry
 from qgis.PyQt.QtGui import QIcon
 
+from .assess_database import AssessDatabase
+from .assess_route import AssessRoute
 from .base import ICON_PATH
 from .build_database import BuildDatabase
 from .check_annotation import CheckAnnotation
@@ -37,6 +39,8 @@ ALGORITHMS = (
     DescribeImage,
     LocalizeImages,
     EvaluateLocalization,
+    AssessDatabase,
+    AssessRoute,
 )
 
 

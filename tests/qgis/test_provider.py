@@ -63,6 +63,18 @@ PARAMETERS = {
         "OUTPUT [REPORT] [JSON]",
         "OUTPUT REPORT JSON SUCCESS_RATE MEDIAN_ERROR FALSE_ACCEPT_RATE",
     ),
+    "assessdatabase": (
+        "localization",
+        "DATABASE [FOOTPRINT] [SPACING] TRIALS THRESHOLD MAP_CORRELATION MISSED INVENTED MISNAMED RAGGED SEED "
+        "OUTPUT [REPORT]",
+        "OUTPUT REPORT LOCALIZABLE_FRACTION",
+    ),
+    "assessroute": (
+        "localization",
+        "DATABASE ROUTE [SPACING] [FOOTPRINT] [SPEED] [SHIFT] TRIALS THRESHOLD MAP_CORRELATION MISSED INVENTED "
+        "MISNAMED RAGGED SEED OUTPUT [REPORT]",
+        "OUTPUT REPORT LONGEST_GAP LONGEST_GAP_SECONDS",
+    ),
 }
 """Group, parameters (optional ones in brackets) and outputs of each algorithm."""
 

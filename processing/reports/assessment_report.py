@@ -1,0 +1,219 @@
+"""The report of an assessment: the map, success by footprint, why it fails, landmarks, and what was assumed."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from typing import Dict, List, Sequence, Tuple
+
+import numpy as np
+
+from ...core.assessment import Estimates
+from ...core.assessment_cells import Cells
+from ...core.assessment_images import AssessmentNoise, SimulatedFix
+from ...core.assessment_model import SuccessModel
+from ...core.assessment_summary import brier_score, calibration, success_by_landmarks
+from ...core.database import ReferenceDatabase
+from ...core.rates import rate_of
+from ..exchange.assessment_styles import success_classes
+from ..translation import tr
+from . import charts, page
+from .assessment_map import cell_map, legend
+from .charts import Series
+
+
+@dataclass(frozen=True)
+class AssessedFootprint:
+    """A footprint's estimates, and the trials that they come from; correlated: fixes of map correlation by trial."""
+
+    footprint: float
+    estimates: Estimates
+    fixes: Sequence[SimulatedFix]
+    correlated: Dict[int, SimulatedFix]
+    model: SuccessModel
+
+    def title(self) -> str:
+        return tr("Footprint {footprint:g}").format(footprint=self.footprint)
+
+
+@dataclass(frozen=True)
+class AssessmentReport:
+    """What the report is made from; settings: (what, value) as they are shown."""
+
+    database: ReferenceDatabase
+    cells: Cells
+    results: Sequence[AssessedFootprint]
+    noise: AssessmentNoise
+    threshold: float
+    correlation: bool
+    settings: Sequence[Tuple[str, str]]
+
+    def html(self, name: str) -> str:
+        """The whole page; ``name``: the database's."""
+        return page.page(
+            tr("Assessment of a reference database"),
+            name,
+            self._key_figures(self.results[0]),
+            page.paragraph(assumed(self.noise, self.correlation)),
+            page.section(tr("Where it will localize"), *self._maps()),
+            page.section(tr("By footprint"), self._footprints(), self._landmarks_chart()),
+            page.section(tr("Why it fails"), self._reasons()),
+            page.section(tr("Landmarks"), self._landmarks()),
+            page.section(tr("How far this can be trusted"), *trust(self.results)),
+            page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], self.settings)),
+        )
+
+    def _key_figures(self, first: AssessedFootprint) -> str:
+        success = first.estimates.success
+        wrong = rate_of(fix.is_fix and not fix.right for fix in first.fixes)
+        at_least = tr("{threshold} or more expected").format(threshold=page.percent(self.threshold, 0))
+        return page.key_figures(
+            [
+                (page.percent(float((success >= self.threshold).mean())), tr("of the ground localizable"), at_least),
+                (page.percent(float(success.mean())), tr("expected success"), tr("mean over the ground")),
+                (page.number(_median(first.estimates.error), "m"), tr("expected error"), tr("of right fixes, median")),
+                (page.percent(wrong.share), tr("wrong fixes simulated"), page.interval_text(wrong)),
+            ]
+        ) + (page.paragraph(first.title() + ".") if len(self.results) > 1 else "")
+
+    def _maps(self) -> List[str]:
+        classes = success_classes(self.threshold)
+        maps = [
+            page.figure(
+                cell_map(self.cells.columns, self.cells.rows, r.estimates.success, classes, r.title()),
+                tr("{footprint}: expected success. A square is {size:g} map units wide; north is up.").format(
+                    footprint=r.title(), size=self.cells.size
+                ),
+            )
+            for r in self.results
+        ]
+        return [legend(classes), *maps]
+
+    def _footprints(self) -> str:
+        header = [
+            tr("Footprint"), tr("localizable"), tr("expected success"), tr("expected error"),
+            tr("landmarks in view"), tr("simulated: right"), tr("simulated: wrong"),
+        ]  # fmt: skip
+        rows = [
+            [
+                f"{r.footprint:g}",
+                page.percent(float((r.estimates.success >= self.threshold).mean())),
+                page.percent(float(r.estimates.success.mean())),
+                page.number(_median(r.estimates.error), "m"),
+                f"{np.median(r.estimates.objects):.0f} ({np.percentile(r.estimates.objects, 10):.0f}{page.DASH}"
+                f"{np.percentile(r.estimates.objects, 90):.0f})",
+                page.rate_text(rate_of(fix.right for fix in r.fixes)),
+                page.rate_text(rate_of(fix.is_fix and not fix.right for fix in r.fixes)),
+            ]
+            for r in self.results
+        ]
+        note = tr("Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.")
+        return page.table(header, rows) + page.paragraph(note)
+
+    def _landmarks_chart(self) -> str:
+        found = {r.title(): success_by_landmarks(r.fixes) for r in self.results}
+        bins = sorted({(one.low, one.high) for rates in found.values() for one in rates})
+        groups = [f"{low:.0f}–{high - 1:.0f}" if np.isfinite(high) else f"≥ {low:.0f}" for low, high in bins]
+        series = [
+            series_of(title, rates, [bins.index((one.low, one.high)) for one in rates])
+            for title, rates in found.items()
+        ]
+        y_axis = charts.percent_axis(tr("right fixes"))
+        chart = charts.bar_chart(groups, series, tr("landmarks in view"), y_axis, tr("Success by landmarks"))
+        return page.figure(
+            chart, tr("Simulated images by the landmarks that the map has whole in them; lines: 95 % intervals.")
+        )
+
+    def _reasons(self) -> str:
+        titles = reason_titles()
+        rows = []
+        for r in self.results:
+            poor = np.flatnonzero(r.estimates.success < self.threshold)
+            counts = Counter(r.estimates.reasons[n] for n in poor.tolist())
+            rows += [
+                [r.title(), titles.get(reason, page.NOTHING), page.percent(count / len(r.estimates.success))]
+                for reason, count in counts.most_common()
+            ]
+        text = tr("What keeps most images from a fix where expected success is below {threshold}:")
+        if not rows:
+            return page.paragraph(tr("Expected success is good enough everywhere."))
+        return page.paragraph(text.format(threshold=page.percent(self.threshold, 0))) + page.table(
+            [tr("Footprint"), tr("Reason"), tr("share of the ground")], rows, [2]
+        )
+
+    def _landmarks(self) -> str:
+        references = self.database.references
+        rows = []
+        for one in self.database.class_table.references:
+            areas = references.areas_m2[references.classes == one.value]
+            rows.append(
+                [
+                    one.name,
+                    f"{len(areas):,}",
+                    page.percent(len(areas) / len(references)),
+                    page.number(float(np.median(areas)) if len(areas) else None, "m²"),
+                ]
+            )
+        return page.table([tr("Class"), tr("landmarks"), tr("share"), tr("median area")], rows, [1, 2, 3])
+
+
+def trust(results: Sequence[AssessedFootprint]) -> List[str]:
+    """Predicted against simulated success, each image predicted from all others."""
+    series, scores = [], []
+    for r in results:
+        right = r.model.successes > 0
+        series.append(series_of(r.title(), calibration(r.model.left_out, right)))
+        scores.append(page.number(brier_score(r.model.left_out, right)))
+    chart = charts.reliability_diagram(
+        series, tr("expected success"), tr("right fixes"), tr("Expected against simulated success")
+    )
+    text = tr(
+        "Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the "
+        "expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This "
+        "tests the expectation against simulated images, not the noise that you stated against your own."
+    )
+    return [page.figure(chart, text.format(scores="; ".join(scores)))]
+
+
+def assumed(noise: AssessmentNoise, correlation: bool) -> str:
+    """The sentence of what was assumed."""
+    text = tr(
+        "Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} "
+        "misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in "
+        "the database. A fix counts as right within 2 % of the footprint. Method: {method}."
+    )
+    method = tr("constellation, then map correlation") if correlation else tr("constellation alone")
+    return text.format(
+        missed=page.percent(noise.missed, 0),
+        invented=page.percent(noise.invented, 0),
+        misnamed=page.percent(noise.misnamed, 0),
+        ragged=noise.ragged,
+        method=method,
+    )
+
+
+def reason_titles() -> Dict[str, str]:
+    """By status."""
+    return {
+        "too_few_references": tr("too few landmarks"),
+        "ambiguous": tr("look-alikes"),
+        "no_match": tr("too little evidence"),
+        "wrong_fix": tr("wrong fixes"),
+    }
+
+
+def series_of(title: str, rates, x: Sequence[float] = ()) -> Series:
+    """Rates with their intervals."""
+    return Series(
+        title,
+        x or [one.at for one in rates],
+        [one.rate.share for one in rates],
+        [one.rate.interval[0] for one in rates],
+        [one.rate.interval[1] for one in rates],
+    )
+
+
+def _median(errors: np.ndarray):
+    """Of those that are known; None without any."""
+    known = errors[np.isfinite(errors)]
+    return float(np.median(known)) if len(known) else None

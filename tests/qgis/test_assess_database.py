@@ -1,0 +1,179 @@
+"""semref:assessdatabase: a map of expected success that its layer, report and number agree about."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from osgeo import gdal
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsProject,
+    QgsVectorLayer,
+)
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import scattered_objects, write_raster
+
+ASSESS = "semref:assessdatabase"
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+LABELS = scattered_objects(500, 800, 260, seed=11)
+LABELS[:, 500:] = 4
+"""No landmark in the east."""
+
+
+@pytest.fixture(scope="module")
+def database(run_algorithm, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("area")
+    parameters = {
+        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
+        "REFERENCE_CLASSES": "building;water;bare_land",
+        "WINDOW_SIZE": 250,
+        "STRIDE": 125,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+
+
+@pytest.fixture(scope="module")
+def assessed(run_algorithm, database, tmp_path_factory):
+    """Results and rows of an assessment with two footprints."""
+    folder = tmp_path_factory.mktemp("assessed")
+    parameters = {
+        "DATABASE": database,
+        "FOOTPRINT": "250; 160",
+        "SPACING": 100,
+        "TRIALS": 80,
+        "OUTPUT": str(folder / "map.gpkg"),
+        "REPORT": str(folder / "report.html"),
+    }
+    results = run_algorithm(ASSESS, parameters)
+    return results, rows_of(results["OUTPUT"])
+
+
+def rows_of(path):
+    dataset = gdal.OpenEx(str(path))
+    return [feature.items() for feature in dataset.GetLayer(0)]
+
+
+def test_every_square_has_a_row_for_every_footprint(assessed):
+    rows = assessed[1]
+    assert [sum(row["footprint"] == size for row in rows) for size in (250, 160)] == [40, 40]
+    assert all(0 <= row["success_low"] <= row["success"] <= row["success_high"] <= 1 for row in rows)
+
+
+def test_success_is_expected_where_landmarks_are(assessed):
+    results, rows = assessed
+    large = [row for row in rows if row["footprint"] == 250]
+    west, east = [row for row in large if row["objects"] > 20], [row for row in large if row["objects"] == 0]
+    assert len(west) > 5 and len(east) > 5
+    assert min(row["success"] for row in west) > 0.85
+    assert all(row["success"] < 0.15 and row["verdict"] == "hardly_ever" for row in east)
+    assert all(row["reason"].startswith("Too few landmarks") for row in east)
+    assert all(not row["reason"] for row in large if row["success"] >= 0.9)
+
+
+def test_the_fraction_is_that_of_the_first_footprint(assessed):
+    results, rows = assessed
+    good = [row["success"] >= 0.9 for row in rows if row["footprint"] == 250]
+    assert results["LOCALIZABLE_FRACTION"] == pytest.approx(sum(good) / len(good))
+
+
+def test_the_layer_brings_its_style(assessed):
+    layer = QgsVectorLayer(assessed[0]["OUTPUT"], "map", "ogr")
+    renderer = layer.renderer()
+    assert renderer.type() == "graduatedSymbol"
+    labels = [one.label() for one in renderer.ranges()]
+    assert labels[0] == "very reliably (95–100 %)" and labels[-1] == "hardly ever (0–30 %)"
+    # Squares of the other footprints are not drawn over the first one's.
+    assert '"footprint" = 250' in renderer.classAttribute()
+    assert not [path for path in Path(assessed[0]["OUTPUT"]).parent.iterdir() if path.suffix in (".gpkg-wal", "-shm")]
+
+
+def test_a_layer_that_is_loaded_gets_the_style(database, qgis_app):
+    context, project = QgsProcessingContext(), QgsProject()
+    context.setProject(project)
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById(ASSESS)
+    from qgis.core import QgsProcessingOutputLayerDefinition
+
+    output = QgsProcessingOutputLayerDefinition("memory:", project)
+    parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": output}
+    feedback = QgsProcessingFeedback(False)
+    results, succeeded = algorithm.run(parameters, context, feedback, {}, False)
+    assert succeeded, feedback.textLog()
+    details = context.layerToLoadOnCompletionDetails(results["OUTPUT"])
+    layer = context.getMapLayer(results["OUTPUT"])
+    details.postProcessor().postProcessLayer(layer, context, feedback)
+    assert layer.renderer().classAttribute() == "success"
+
+
+def test_the_report_says_what_was_assumed(assessed):
+    text = Path(assessed[0]["REPORT"]).read_text(encoding="utf-8")
+    for part in ("<svg", "Footprint 160", "Assumed: a level camera", "too few landmarks", "Brier score", "building"):
+        assert part in text
+
+
+def test_the_same_seed_gives_the_same_map(run_algorithm, database, tmp_path):
+    parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "SEED": 4}
+    one, two = (
+        rows_of(run_algorithm(ASSESS, {**parameters, "OUTPUT": str(tmp_path / name)})["OUTPUT"])
+        for name in ("a.gpkg", "b.gpkg")
+    )
+    assert one == two
+
+
+def test_map_correlation_is_tried_where_landmarks_fail(run_algorithm, database, tmp_path, feedback):
+    parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": str(tmp_path / "map.gpkg")}
+    results = run_algorithm(ASSESS, {**parameters, "MAP_CORRELATION": True}, feedback)
+    assert 0 <= results["LOCALIZABLE_FRACTION"] <= 1
+    assert "simulated in" in feedback.textLog()
+
+
+def test_a_footprint_beyond_what_is_searched_is_warned_of(run_algorithm, database, tmp_path, feedback):
+    parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": str(tmp_path / "map.gpkg")}
+    run_algorithm(ASSESS, {**parameters, "FOOTPRINT": "700"}, feedback)
+    assert "not looked for without a known pixel size" in feedback.textLog()
+
+
+@pytest.mark.parametrize(
+    "parameters, said",
+    [
+        ({"FOOTPRINT": "wide"}, "FOOTPRINT is wide"),
+        ({"FOOTPRINT": "250;-3"}, "FOOTPRINT is 250;-3"),
+        ({"SPACING": 0}, "SPACING is 0"),
+        ({"SPACING": 0.01}, "or more"),
+        ({"DATABASE": "/nowhere/at/all.gpkg"}, "There is no database"),
+    ],
+)
+def test_what_cannot_be_assessed_is_refused_in_one_sentence(run_algorithm, database, tmp_path, parameters, said):
+    target = tmp_path / "map.gpkg"
+    with pytest.raises(QgsProcessingException, match=said):
+        run_algorithm(ASSESS, {"DATABASE": database, "TRIALS": 20, "OUTPUT": str(target), **parameters})
+    assert not target.exists()
+
+
+class CancelAt(QgsProcessingFeedback):
+    def __init__(self, percent):
+        super().__init__(False)
+        self.at = None
+        self.progressChanged.connect(lambda progress: progress >= percent and self._stop())
+
+    def _stop(self):
+        self.at = self.at or time.monotonic()
+        self.cancel()
+
+
+def test_cancel_takes_effect_at_once_and_leaves_nothing(database, tmp_path):
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById(ASSESS)
+    parameters = {"DATABASE": database, "OUTPUT": str(tmp_path / "map.gpkg"), "REPORT": str(tmp_path / "report.html")}
+    feedback = CancelAt(20)
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        algorithm.run(parameters, QgsProcessingContext(), feedback, {}, False)
+    assert time.monotonic() - feedback.at < 1.0
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,264 @@
+"""semref:assessroute: expectations along a route, its gaps, and the files that planners have."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCoordinateTransformContext,
+    QgsPointXY,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsVectorLayer,
+)
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import NORTH, WEST, scattered_objects, write_layer, write_raster
+
+ASSESS = "semref:assessroute"
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+LABELS = scattered_objects(500, 800, 260, seed=11)
+LABELS[:, 500:] = 4
+"""No landmark in the east."""
+TURNS = ((150.0, 250.0), (700.0, 250.0))
+"""Column, row of the route below: from the landmarks into the empty east."""
+
+
+@pytest.fixture(scope="module")
+def database(run_algorithm, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("area")
+    parameters = {
+        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
+        "REFERENCE_CLASSES": "building;water;bare_land",
+        "WINDOW_SIZE": 250,
+        "STRIDE": 125,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+
+
+def lon_lat(turns):
+    transform = QgsCoordinateTransform(
+        QgsCoordinateReferenceSystem("EPSG:32632"),
+        QgsCoordinateReferenceSystem("EPSG:4326"),
+        QgsCoordinateTransformContext(),
+    )
+    points = [transform.transform(QgsPointXY(WEST + x, NORTH - y)) for x, y in turns]
+    return [(point.x(), point.y()) for point in points]
+
+
+def line(turns) -> str:
+    return "LINESTRING (" + ", ".join(f"{WEST + x} {NORTH - y}" for x, y in turns) + ")"
+
+
+def gpx(turns, kind="rte", point="rtept"):
+    places = lon_lat(turns)
+    points = "".join(f'<{point} lat="{y!r}" lon="{x!r}"></{point}>' for x, y in places)
+    body = f"<{kind}>{points}</{kind}>" if kind else points
+    if kind == "trk":
+        body = f"<trk><trkseg>{points}</trkseg></trk>"
+    return f'<?xml version="1.0"?><gpx version="1.1" xmlns="http://www.topografix.com/GPX/1/1">{body}</gpx>'
+
+
+def kml(turns):
+    places = " ".join(f"{x!r},{y!r},0" for x, y in lon_lat(turns))
+    return (
+        '<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document><Placemark><LineString>'
+        f"<coordinates>{places}</coordinates></LineString></Placemark></Document></kml>"
+    )
+
+
+def plan(items) -> str:
+    return json.dumps({"fileType": "Plan", "version": 1, "mission": {"version": 2, "items": items}})
+
+
+def simple(x, y, command=16):
+    return {"type": "SimpleItem", "command": command, "frame": 3, "params": [0, 0, 0, None, y, x, 50]}
+
+
+def simple_plan(turns):
+    (x, y), *others = lon_lat(turns)
+    take_off = {"type": "SimpleItem", "command": 22, "params": [0, 0, 0, None, 0, 0, 50]}
+    back = {"type": "SimpleItem", "command": 20, "params": [0, 0, 0, 0, 0, 0, 0]}
+    return plan([take_off, simple(x, y), *(simple(*place, 82) for place in others), back])
+
+
+def survey_plan(turns):
+    transects = {"VisualTransectPoints": [[y, x] for x, y in lon_lat(turns)]}
+    item = {"type": "ComplexItem", "complexItemType": "survey", "TransectStyleComplexItem": transects}
+    return plan([item])
+
+
+def waypoints(turns):
+    rows = ["QGC WPL 110", "0\t1\t0\t16\t0\t0\t0\t0\t1.0\t2.0\t0\t1"]
+    rows += [f"{n}\t0\t3\t16\t0\t0\t0\t0\t{y!r}\t{x!r}\t50\t1" for n, (x, y) in enumerate(lon_lat(turns), 1)]
+    return "\n".join(rows)
+
+
+FILES = {
+    "route.gpx": gpx,
+    "track.gpx": lambda turns: gpx(turns, "trk", "trkpt"),
+    "points.gpx": lambda turns: gpx(turns, "", "wpt"),
+    "route.kml": kml,
+    "mission.plan": simple_plan,
+    "survey.plan": survey_plan,
+    "list.waypoints": waypoints,
+}
+
+
+@pytest.mark.parametrize("name", list(FILES))
+def test_waypoint_files_have_the_same_route(qgis_app, tmp_path, name):
+    from semref.processing.exchange.routes import is_waypoint_file, lines_in, read_route
+
+    path = tmp_path / name
+    path.write_text(FILES[name](TURNS), encoding="utf-8")
+    assert is_waypoint_file(str(path))
+    found = lines_in(read_route(str(path)), QgsCoordinateReferenceSystem("EPSG:32632"), QgsCoordinateTransformContext())
+    assert len(found) == 1
+    assert np.abs(found[0] - [(WEST + x, NORTH - y) for x, y in TURNS]).max() < 0.01
+
+
+@pytest.mark.parametrize(
+    "name, text, said",
+    [
+        ("a.plan", "no json", "is no JSON"),
+        ("a.plan", "[]", "has no mission"),
+        ("a.plan", '{"mission": {"items": 3}}', "has no mission"),
+        ("a.plan", plan([]), "has no route"),
+        ("a.plan", plan([simple(9, 47)]), "fewer than two waypoints"),
+        ("a.plan", plan([simple(9, 470), simple(9, 47)]), "is no latitude, longitude"),
+        ("a.plan", plan([simple("x", "y"), simple(9, 47)]), "is no latitude, longitude"),
+        ("a.plan", plan([{"type": "ComplexItem", "TransectStyleComplexItem": {"VisualTransectPoints": 4}}]), "route"),
+        ("a.plan", "[" * 100_000, "is no JSON"),
+        ("a.waypoints", "1 2 3", "is no waypoint list"),
+        ("a.waypoints", "QGC WPL 110\nhome\n1 0 3 x 0 0 0 0 9 47 50 1", "is no waypoint"),
+        ("a.gpx", "<gpx", "can't be read as a route"),
+        ("a.gpx", '<gpx version="1.1" xmlns="http://www.topografix.com/GPX/1/1"></gpx>', "no route"),
+        ("a.kml", "", "can't be read as a route"),
+    ],
+)
+def test_a_bad_route_file_gets_one_sentence(qgis_app, tmp_path, name, text, said):
+    from semref.core.errors import ParameterError
+    from semref.processing.exchange.routes import read_route
+
+    path = tmp_path / name
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ParameterError, match=said) as refused:
+        read_route(str(path))
+    assert str(path) in str(refused.value)
+
+
+def test_a_route_file_that_is_not_there_or_no_text_is_refused(qgis_app, tmp_path):
+    from semref.core.errors import ParameterError
+    from semref.processing.exchange.routes import read_route
+
+    with pytest.raises(ParameterError, match="There is no file"):
+        read_route(str(tmp_path / "none.plan"))
+    (tmp_path / "binary.plan").write_bytes(b"\xff\xfe\x00\x80" * 50)
+    with pytest.raises(ParameterError, match="is no text"):
+        read_route(str(tmp_path / "binary.plan"))
+
+
+@pytest.fixture(scope="module")
+def assessed(run_algorithm, database, tmp_path_factory):
+    """Results, rows and folder of a route that is given as a file."""
+    folder = tmp_path_factory.mktemp("assessed")
+    path = folder / "mission.plan"
+    path.write_text(simple_plan(TURNS), encoding="utf-8")
+    parameters = {
+        "DATABASE": database,
+        "ROUTE": str(path),
+        "SPACING": 50,
+        "SPEED": 10,
+        "TRIALS": 4,
+        "OUTPUT": str(folder / "points.gpkg"),
+        "REPORT": str(folder / "report.html"),
+    }
+    results = run_algorithm(ASSESS, parameters)
+    dataset = gdal.OpenEx(results["OUTPUT"])
+    return results, [feature.items() for feature in dataset.GetLayer(0)]
+
+
+def test_points_lie_along_the_route_and_tell_what_to_expect(assessed):
+    rows = assessed[1]
+    assert [row["along"] for row in rows] == pytest.approx(np.arange(0, 551, 50).tolist(), abs=0.1)
+    assert all(row["heading"] == pytest.approx(90, abs=0.1) for row in rows)
+    assert all(row["success"] > 0.85 for row in rows[:3])
+    assert all(row["success"] < 0.2 and row["reason"].startswith("Too few") for row in rows[-2:])
+
+
+def test_the_longest_gap_ends_the_route_and_is_told_in_seconds_too(assessed):
+    results, rows = assessed
+    assert 100 < results["LONGEST_GAP"] < 400
+    assert results["LONGEST_GAP_SECONDS"] == pytest.approx(results["LONGEST_GAP"] / 10)
+    assert rows[0]["gap"] == 0
+    assert rows[-1]["gap"] == pytest.approx(results["LONGEST_GAP"])
+    assert rows[-1]["gap_seconds"] == pytest.approx(results["LONGEST_GAP"] / 10)
+
+
+def test_the_report_has_profile_gaps_and_assumptions(assessed):
+    text = Path(assessed[0]["REPORT"]).read_text(encoding="utf-8")
+    for part in ("<svg", "Stretches without an expected fix", "Assumed: a level camera", "s at 10 m/s"):
+        assert part in text
+
+
+def test_the_layer_brings_its_style(assessed):
+    assert QgsVectorLayer(assessed[0]["OUTPUT"], "points", "ogr").renderer().type() == "graduatedSymbol"
+
+
+def test_a_stretch_beside_landmarks_is_hinted_there(run_algorithm, database, tmp_path, feedback):
+    # Northwards along the empty east: the landmarks lie to the left.
+    layer = write_layer(tmp_path / "route.gpkg", [(line([(640, 400), (640, 100)]), "a")])
+    parameters = {
+        "DATABASE": database, "ROUTE": str(layer), "SPACING": 100, "TRIALS": 4, "SHIFT": 300,
+        "OUTPUT": str(tmp_path / "points.gpkg"),
+    }  # fmt: skip
+    results = run_algorithm(ASSESS, parameters, feedback)
+    dataset = gdal.OpenEx(results["OUTPUT"])
+    rows = [feature.items() for feature in dataset.GetLayer(0)]
+    assert results["LONGEST_GAP"] == pytest.approx(300)
+    assert "LONGEST_GAP_SECONDS" not in results
+    assert all(row["shift"] == -300 and row["shift_success"] > 0.7 for row in rows)
+    assert "300 m to the left" in feedback.textLog()
+
+
+@pytest.mark.parametrize(
+    "parameters, said",
+    [
+        ({"ROUTE": "nowhere.plan"}, "There is no file nowhere.plan"),
+        ({"SPACING": 1e-6}, "or more"),
+        ({"FOOTPRINT": 0}, "SPACING is 0|FOOTPRINT is 0"),
+    ],
+)
+def test_what_cannot_be_assessed_is_refused_in_one_sentence(run_algorithm, database, tmp_path, parameters, said):
+    layer = write_layer(tmp_path / "route.gpkg", [(line(TURNS), "a")])
+    target = tmp_path / "points.gpkg"
+    defaults = {"DATABASE": database, "ROUTE": str(layer), "TRIALS": 2, "OUTPUT": str(target)}
+    with pytest.raises(QgsProcessingException, match=said):
+        run_algorithm(ASSESS, {**defaults, **parameters})
+    assert not target.exists()
+
+
+def test_a_route_outside_the_map_is_refused(run_algorithm, database, tmp_path):
+    layer = write_layer(tmp_path / "route.gpkg", [(line([(5000, 5000), (6000, 6000)]), "a")])
+    with pytest.raises(QgsProcessingException, match="lies outside the database’s map"):
+        run_algorithm(ASSESS, {"DATABASE": database, "ROUTE": str(layer), "OUTPUT": str(tmp_path / "points.gpkg")})
+
+
+def test_a_waypoint_file_passes_the_check_of_parameters_and_other_text_does_not(qgis_app, database, tmp_path):
+    path = tmp_path / "mission.plan"
+    path.write_text(simple_plan(TURNS), encoding="utf-8")
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById(ASSESS)
+    context = QgsProcessingContext()
+    given = {"DATABASE": database, "OUTPUT": "memory:"}
+    assert algorithm.checkParameterValues({**given, "ROUTE": str(path)}, context)[0]
+    assert not algorithm.checkParameterValues({**given, "ROUTE": "no layer"}, context)[0]
