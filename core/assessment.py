@@ -34,6 +34,9 @@ TEXTURE_STEPS = 16
 ERROR_STRENGTH = 2.0
 """Right fixes nearby that the median error of all is worth in a place's expected error."""
 
+MOST_PARTS = 45_000
+"""Squares are looked at in 3 × 3 parts, as landmarks may lie on one side only; in fewer when there are many squares."""
+
 LOCAL_FIXES = 0.5
 """Weight of right fixes nearby below which no error is told."""
 
@@ -136,30 +139,34 @@ class Assessment:
         trials: Sequence[PlannedTrial],
         fixes: Sequence[SimulatedFix],
         correlated: Optional[Dict[int, SimulatedFix]] = None,
+        spread: float = 0.0,
     ) -> Estimates:
-        """What to expect at places (P, 2) after trials with these fixes; correlated: those of map correlation by their
-        number in ``trials``."""
+        """What to expect at places (P, 2), or on average in squares of edge ``spread`` around them, after trials with
+        these fixes; correlated: those of map correlation by their number in ``trials``."""
         centers = np.array([(trial.x, trial.y) for trial in trials]).reshape(-1, 2)
-        features, objects, classes = self.features(places)
+        parts, count = _parts(places, spread)
+        features, objects, classes = self.features(parts)
         trial_features = self.features(centers)[0]
         right = np.array([fix.right for fix in fixes], bool)
         self.model = fit_success(trial_features, centers, right, self.footprint)
-        chances = self.model.chances(places, features)
+        chances = self.model.chances(parts, features)
         if correlated:
-            chances = chances.either(self._correlation_chances(places, features, trial_features, centers, correlated))
+            chances = chances.either(self._correlation_chances(parts, features, trial_features, centers, correlated))
+        chances = chances.averaged(count)
         low, high = chances.interval()
+        reach = max(2 * self.model.reach, spread / 2)
         causes = np.array([[_cause(fix) == reason for reason in REASONS] for fix in fixes], float)
-        counts, sums = local_sums(places, centers, 2 * self.model.reach, causes)
+        counts, sums = local_sums(places, centers, reach, causes)
         shares = sums / np.maximum(counts, 1e-9)[:, None]
         reasons = tuple(REASONS[row.argmax()] if row.max() > 0 else "" for row in shares)
         return Estimates(
             chances.means,
             low,
             high,
-            self._errors(places, centers, [*fixes, *(correlated or {}).values()], correlated or {}),
+            self._errors(places, centers, [*fixes, *(correlated or {}).values()], correlated or {}, reach),
             np.bincount([trial.place for trial in trials], minlength=len(places))[:len(places)],
-            objects,
-            classes,
+            objects.reshape(-1, count).mean(axis=1),
+            classes.reshape(-1, count).max(axis=1),
             shares[:, REASONS.index(AMBIGUOUS)],
             shares[:, REASONS.index(WRONG)],
             reasons,
@@ -207,6 +214,7 @@ class Assessment:
         centers: np.ndarray,
         fixes: Sequence[SimulatedFix],
         correlated: Dict[int, SimulatedFix],
+        reach: float,
     ) -> np.ndarray:
         """(P,) expected errors: the mean logarithm of right fixes nearby, drawn to that of all."""
         where = np.concatenate([np.arange(len(centers)), np.array(list(correlated), int)])
@@ -214,9 +222,17 @@ class Assessment:
         if not right.any():
             return np.full(len(places), np.nan)
         logs = np.log([max(fix.error, 1e-6) for fix in fixes if fix.right])
-        counts, sums = local_sums(places, centers[where[right]], 2 * self.model.reach, logs)
+        counts, sums = local_sums(places, centers[where[right]], reach, logs)
         expected = np.exp((sums + ERROR_STRENGTH * np.median(logs)) / (counts + ERROR_STRENGTH))
         return np.where(counts >= LOCAL_FIXES, expected, np.nan)
+
+
+def _parts(places: np.ndarray, spread: float) -> Tuple[np.ndarray, int]:
+    """(P · n, 2) middles of the n parts of squares of edge ``spread`` around places (P, 2), and n."""
+    edge = next(k for k in (3, 2, 1) if k == 1 or spread > 0 and k * k * len(places) <= MOST_PARTS)
+    steps = ((np.arange(edge) + 0.5) / edge - 0.5) * spread
+    offsets = np.stack(np.meshgrid(steps, steps), axis=-1).reshape(1, -1, 2)
+    return (places[:, None] + offsets).reshape(-1, 2), edge * edge
 
 
 def _cause(fix: SimulatedFix) -> str:

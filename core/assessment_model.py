@@ -57,6 +57,10 @@ class Chances:
         weights = np.maximum(failure * (1 - failure) / variance - 1, 1.0)
         return Chances(1 - failure, weights)
 
+    def averaged(self, count: int) -> "Chances":
+        """Of each ``count`` places that follow each other their mean."""
+        return Chances(self.means.reshape(-1, count).mean(axis=1), self.weights.reshape(-1, count).mean(axis=1))
+
     def _variances(self) -> np.ndarray:
         return self.means * (1 - self.means) / (self.weights + 1)
 

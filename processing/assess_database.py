@@ -134,7 +134,7 @@ class AssessDatabase(AssessAlgorithm):
         trials = assessment.plan(cells.centers, cells.size, count)
         fixes, correlated = self.simulate(assessment, trials, feedback, *share)
         estimates = cancelable(
-            assessment.estimate, cells.centers, trials, fixes, correlated, feedback=feedback
+            assessment.estimate, cells.centers, trials, fixes, correlated, cells.size, feedback=feedback
         )
         return AssessedFootprint(footprint, estimates, fixes, correlated, assessment.model)
 

@@ -138,7 +138,8 @@ class AssessAlgorithm(SemRefAlgorithm):
         started, fixes, correlated = time.monotonic(), [], {}
         for trial in trials:
             check_canceled(feedback)
-            fixes.append(cancelable(assessment.run, trial, feedback=feedback))
+            # Milliseconds each, so that a thread for every one would cost more than it helps.
+            fixes.append(assessment.run(trial))
             feedback.setProgress(first + (middle - first) * len(fixes) / len(trials))
         if assessment.correlation:
             chosen = assessment.to_correlate(trials, fixes, max(len(trials) // CORRELATED_SHARE, 1))

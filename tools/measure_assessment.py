@@ -27,7 +27,9 @@ SPACING, FOOTPRINT = 640.0, 1280.0
 NOISE = {"MISSED": 20, "INVENTED": 20, "MISNAMED": 5, "RAGGED": 1}
 PREDICTED_SEED, FRESH_SEED = 1, 2
 LARGEST_IMAGE_PX = 2000
-ROUTE = ((9.4905, 47.0660), (9.5010, 47.1150), (9.5180, 47.1560), (9.5320, 47.2150), (9.5720, 47.1750),
+MAP_PX = 760, 960
+"""Size of the map's picture, with its legend."""
+ROUTE = ((9.5060, 47.0680), (9.5250, 47.1030), (9.5180, 47.1420), (9.5320, 47.2150), (9.5720, 47.1750),
          (9.6050, 47.1150), (9.5620, 47.0720))  # fmt: skip
 """Longitude, latitude: Balzers, Triesen, Vaduz, Bendern; over the mountains Drei Schwestern, Malbun, Mittagspitz."""
 
@@ -227,7 +229,7 @@ def assess_route(work: Path, database: Path) -> None:
     target, feedback = work / "route.gpkg", QgsProcessingFeedback(False)
     if not target.exists():
         parameters = {
-            "DATABASE": str(database), "ROUTE": str(route), "SPEED": 20, "SPACING": 320, "TRIALS": 5,
+            "DATABASE": str(database), "ROUTE": str(route), "SPEED": 20, "SPACING": 640, "TRIALS": 5,
             "OUTPUT": str(target), "REPORT": str(work / "route.html"), **NOISE,
         }  # fmt: skip
         processing.run("semref:assessroute", parameters, feedback=feedback)
@@ -244,61 +246,42 @@ def assess_route(work: Path, database: Path) -> None:
 
 
 def map_picture(work: Path, database: Path, folder: Path) -> None:
-    """The assessment in its own style over the landmarks of the database, with its legend."""
-    from qgis.core import QgsVectorLayer
+    """The assessment in its own style, the route upon it, with the legend of the style."""
+    from qgis.core import QgsMapRendererParallelJob, QgsMapSettings, QgsVectorLayer
+    from qgis.PyQt.QtCore import QRectF, QSize, Qt
+    from qgis.PyQt.QtGui import QColor, QFont, QPainter
 
     source = next(iter(sorted(work.glob("assessment_constellation_*.gpkg"))))
-    squares = QgsVectorLayer(str(source), "Expected success of images that show 1,280 m", "ogr")
-    route = QgsVectorLayer(str(work / "route.gpkg"), "Points along a route", "ogr")
-    landmarks = QgsVectorLayer(f"{database}|layername=references", "landmarks", "ogr")
-    landmarks.setOpacity(0.35)
-    print_layout([route, landmarks, squares], squares, folder / "assessment_liechtenstein.png")
-
-
-def print_layout(layers: list, legend_layer, path: Path) -> None:
-    from qgis.core import (
-        QgsLayoutExporter,
-        QgsLayoutItemLegend,
-        QgsLayoutItemMap,
-        QgsLayoutItemScaleBar,
-        QgsLayoutPoint,
-        QgsLayoutSize,
-        QgsPrintLayout,
-        QgsProject,
-    )
-
-    project = QgsProject()
-    project.addMapLayers(layers)
-    layout = QgsPrintLayout(project)
-    layout.initializeDefaults()
-    layout.pageCollection().page(0).setPageSize(QgsLayoutSize(150, 170))
-    shown = QgsLayoutItemMap(layout)
-    layout.addLayoutItem(shown)
-    shown.attemptMove(QgsLayoutPoint(2, 2))
-    shown.attemptResize(QgsLayoutSize(96, 166))
-    shown.setCrs(legend_layer.crs())
-    shown.setLayers(layers)
-    extent = legend_layer.extent()
-    extent.scale(1.02)
-    shown.zoomToExtent(extent)
-    legend = QgsLayoutItemLegend(layout)
-    layout.addLayoutItem(legend)
-    legend.setAutoUpdateModel(False)
-    tree = legend.model().rootGroup()
-    tree.removeAllChildren()
-    for layer in layers[::2][::-1]:
-        tree.addLayer(layer)
-    legend.setWrapString("|")
-    legend.attemptMove(QgsLayoutPoint(100, 4))
-    bar = QgsLayoutItemScaleBar(layout)
-    layout.addLayoutItem(bar)
-    bar.setLinkedMap(shown)
-    bar.applyDefaultSize()
-    bar.attemptMove(QgsLayoutPoint(100, 150))
-    settings = QgsLayoutExporter.ImageExportSettings()
-    settings.dpi = 150
-    QgsLayoutExporter(layout).exportToImage(str(path), settings)
-    project.clear()
+    squares = QgsVectorLayer(str(source), "expected success", "ogr")
+    route = QgsVectorLayer(str(work / "route.gpkg"), "points along a route", "ogr")
+    settings = QgsMapSettings()
+    settings.setLayers([route, squares])
+    settings.setDestinationCrs(squares.crs())
+    extent = squares.extent()
+    extent.grow(SPACING)
+    height = MAP_PX[1]
+    width = round(height * extent.width() / extent.height())
+    settings.setExtent(extent)
+    settings.setOutputSize(QSize(width, height))
+    settings.setOutputDpi(110)
+    settings.setBackgroundColor(QColor("#ffffff"))
+    job = QgsMapRendererParallelJob(settings)
+    job.start()
+    job.waitForFinished()
+    picture = job.renderedImage().copy(0, 0, MAP_PX[0], height)
+    painter = QPainter(picture)
+    painter.fillRect(QRectF(width, 0, MAP_PX[0] - width, height), QColor("#ffffff"))
+    texts = ["Expected success of images", "that show 1,280 m; circles:", "points along a route", ""]
+    ranges = [(one.label(), one.symbol().color()) for one in squares.renderer().ranges()]
+    painter.setFont(QFont("sans-serif", 9))
+    for row, text in enumerate(texts + [label for label, _ in ranges]):
+        color = ranges[row - len(texts)][1] if row >= len(texts) else None
+        if color:
+            painter.fillRect(QRectF(width + 14, 30 + 24 * row, 24, 16), color)
+        left = width + (46 if color else 14)
+        painter.drawText(QRectF(left, 26 + 24 * row, MAP_PX[0] - left, 24), Qt.AlignmentFlag.AlignVCenter, text)
+    painter.end()
+    picture.save(str(folder / "assessment_liechtenstein.png"))
 
 
 def route_picture(work: Path, folder: Path) -> None:

@@ -75,7 +75,7 @@ def assessed(database, localizer):
     cells = ground_cells(database, 100.0)
     trials = assessment.plan(cells.centers, cells.size, 100)
     fixes = [assessment.run(trial) for trial in trials]
-    return cells, trials, fixes, assessment.estimate(cells.centers, trials, fixes), assessment
+    return cells, trials, fixes, assessment.estimate(cells.centers, trials, fixes, None, cells.size), assessment
 
 
 # --- simulated images ---
@@ -191,7 +191,7 @@ def test_map_correlation_adds_where_landmarks_fail(assessed):
     chosen = assessment.to_correlate(trials, fixes, 30)
     assert len(chosen) == 30 and not any(fixes[n].is_fix for n in chosen)
     found = {n: SimulatedFix("fix", 0, True, 1.0, "map correlation") for n in chosen}
-    both = assessment.estimate(cells.centers, trials, fixes, found)
+    both = assessment.estimate(cells.centers, trials, fixes, found, cells.size)
     assert (both.success >= alone.success - 1e-9).all()
     assert both.success.min() > 0.7
 
@@ -204,6 +204,16 @@ def test_map_correlation_is_tried_on_the_overview():
     trials = assessment.plan(np.array([[600400.0, 5199700.0]]), 0.0, 1)
     fix = assessment.run_correlation(trials[0])
     assert fix.right and fix.method == "map correlation"
+
+
+def test_a_square_with_landmarks_on_one_side_has_the_mean_of_its_parts(assessed):
+    cells, trials, fixes, _, assessment = assessed
+    # The landmarks end in the middle of this square.
+    place = np.array([[600000.0 + BUILT, 5199700.0]])
+    square = assessment.estimate(place, trials, fixes, None, 300.0)
+    parts = assessment.estimate(place + [[-100, 0], [0, 0], [100, 0]], trials, fixes)
+    assert parts.success[0] > parts.success[2] + 0.3
+    assert parts.success[2] < square.success[0] < parts.success[0]
 
 
 # --- ground ---

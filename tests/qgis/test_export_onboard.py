@@ -291,3 +291,63 @@ def test_nodata_of_a_tiff_is_unlabeled_as_with_gdal(database, tmp_path):
 
     path = str(write_raster(tmp_path / "nodata.tif", np.where(LABELS == 4, 255, LABELS), nodata=255))
     np.testing.assert_array_equal(read_label_image(path, whole(database).class_table), np.where(LABELS == 4, 0, LABELS))
+
+
+# --- GeoPackages that are none, or no longer whole ---
+
+
+def refusal(path) -> str:
+    from semref.core.errors import DatabaseError
+
+    with pytest.raises(DatabaseError) as refused:
+        whole(str(path))
+    return str(refused.value)
+
+
+@pytest.mark.parametrize("share", np.linspace(0, 0.999, 20).tolist())
+def test_a_truncated_database_is_refused(database, tmp_path, share):
+    content = Path(database).read_bytes()
+    cut = tmp_path / "cut.gpkg"
+    cut.write_bytes(content[: int(share * len(content))])
+    assert "cut.gpkg" in refusal(cut)
+
+
+FOREIGN = {
+    "empty": b"",
+    "text": b"value,name\n",
+    "only the name": b"SQLite format 3\0",
+    "no pages": b"SQLite format 3\0" + bytes(500),
+    "zip": b"PK\x05\x06" + bytes(18),
+    "png": b"\x89PNG\r\n\x1a\n" + bytes(200),
+    "tiff": b"II*\x00\x08\x00\x00\x00" + bytes(200),
+    "json": b"{}",
+    "zeros": bytes(5000),
+    "old name": b"SQLite format 2\0" + bytes(5000),
+    **{f"noise {n}": np.random.default_rng(n).bytes(5000) for n in range(5)},
+    **{f"name and noise {n}": b"SQLite format 3\0" + np.random.default_rng(n).bytes(5000) for n in range(5)},
+}
+
+
+@pytest.mark.parametrize("name", list(FOREIGN))
+def test_a_foreign_file_is_no_database(qgis_app, tmp_path, name):
+    path = tmp_path / "foreign.gpkg"
+    path.write_bytes(FOREIGN[name])
+    assert "foreign.gpkg" in refusal(path)
+
+
+def test_a_flipped_bit_of_a_database_never_ends_in_another_error(database, tmp_path):
+    """A GeoPackage has no checksums: a bit of a coordinate can't be told from another coordinate."""
+    from semref.core.errors import SemRefError
+
+    content, refused = Path(database).read_bytes(), 0
+    random = np.random.default_rng(8)
+    flipped = tmp_path / "flipped.gpkg"
+    for place in random.integers(0, len(content), 40).tolist() + list(range(100, 120)):
+        changed = bytearray(content)
+        changed[place] ^= 1 << int(random.integers(8))
+        flipped.write_bytes(changed)
+        try:
+            whole(str(flipped))
+        except SemRefError:
+            refused += 1
+    assert refused > 0
