@@ -32,6 +32,10 @@
    <translation>Eine Lücke von {area:.2f} m² ging an {other_name}.</translation>
   </message>
   <message>
+   <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
+   <translation>Ein Linienlayer oder der Pfad einer GPX-, KML-, .plan- oder .waypoints-Datei. Jede Linie ist eine eigene Route.</translation>
+  </message>
+  <message>
    <source>A new or empty folder; one of an earlier export is replaced.</source>
    <translation>Ein neuer oder leerer Ordner; der eines früheren Exports wird ersetzt.</translation>
   </message>
@@ -188,6 +192,26 @@
    <translation>Arrays im Format von numpy, gezippt; die Dokumentation beschreibt es für Leser in anderen Programmiersprachen.</translation>
   </message>
   <message>
+   <source>Assess reference database</source>
+   <translation>Referenzdatenbank beurteilen</translation>
+  </message>
+  <message>
+   <source>Assess route</source>
+   <translation>Route beurteilen</translation>
+  </message>
+  <message>
+   <source>Assessment of a reference database</source>
+   <translation>Beurteilung einer Referenzdatenbank</translation>
+  </message>
+  <message>
+   <source>Assessment of a route</source>
+   <translation>Beurteilung einer Route</translation>
+  </message>
+  <message>
+   <source>Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in the database. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
+   <translation>Angenommen: waagerechte Kamera; beliebige Richtung; {missed} der Landmarken übersehen, {invented} erfunden, {misnamed} falsch benannt; Kanten um {ragged:g} Karteneinheiten verschoben (Standardabweichung); keine ungefähre Position; das Gelände wie in der Datenbank. Ein Fix gilt als richtig innerhalb von 2 % der Bodenabdeckung. Verfahren: {method}.</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>Automatisch</translation>
   </message>
@@ -234,6 +258,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>Rastert Landbedeckungspolygone in eine Klassenkarte: ein einkanaliges GeoTIFF, dessen Pixel Klassenwerte enthalten, 0 wo kein Polygon liegt.
 
 Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil des Layers, sonst aus den Werten des Klassenfelds. Ungültige Polygone werden repariert, leere übersprungen; wie viele, steht im Protokoll.</translation>
+  </message>
+  <message>
+   <source>By footprint</source>
+   <translation>Nach Bodenabdeckung</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -488,6 +516,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Abstand darum (Karteneinheiten)</translation>
   </message>
   <message>
+   <source>Distance between the points; a quarter of the footprint if left out.</source>
+   <translation>Abstand der Punkte; ohne Angabe ein Viertel der Bodenabdeckung.</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>Abstand von der Mitte, geteilt durch den größten</translation>
   </message>
@@ -524,6 +556,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Zeichnet den Vektor des in den Ergebnissen ausgewählten Bildes über den des Fensters</translation>
   </message>
   <message>
+   <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
+   <translation>Jedes simulierte Bild wurde aus allen anderen nach den Landmarken vorhergesagt, die es zeigt: Auf der Diagonale hält die Erwartung, was sie sagt. Brier-Wert (0 ist perfekt; immer ein Halb zu sagen hat 0,25): {scores}. Das prüft die Erwartung an simulierten Bildern, nicht das angegebene Rauschen an Ihrem eigenen.</translation>
+  </message>
+  <message>
    <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
    <translation>Kantenlänge eines Pixels in Metern. Die kleinste Landmarke sollte etwa 50 Pixel bedecken.</translation>
   </message>
@@ -534,6 +570,18 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Edge of a tile; a multiple of 32 suits networks.</source>
    <translation>Kantenlänge einer Kachel; für Netze passt ein Vielfaches von 32.</translation>
+  </message>
+  <message>
+   <source>Edge of the ground that an image shows; several separated by “;” for several heights. The window size if left out.</source>
+   <translation>Kantenlänge des Geländes, das ein Bild zeigt; mehrere, durch „;“ getrennt, für mehrere Flughöhen. Ohne Angabe die Fenstergröße.</translation>
+  </message>
+  <message>
+   <source>Edge of the ground that an image shows; the window size if left out.</source>
+   <translation>Kantenlänge des Geländes, das ein Bild zeigt; ohne Angabe die Fenstergröße.</translation>
+  </message>
+  <message>
+   <source>Edge of the squares; half the smallest footprint if left out.</source>
+   <translation>Kantenlänge der Quadrate; ohne Angabe die halbe kleinste Bodenabdeckung.</translation>
   </message>
   <message>
    <source>Error (m)</source>
@@ -558,6 +606,22 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Alles: Klassenkarten, Datenbanken, Lokalisierung</translation>
+  </message>
+  <message>
+   <source>Expected against simulated success</source>
+   <translation>Erwarteter gegen simulierten Erfolg</translation>
+  </message>
+  <message>
+   <source>Expected success</source>
+   <translation>Erwarteter Erfolg</translation>
+  </message>
+  <message>
+   <source>Expected success from which a place counts as one where localization works.</source>
+   <translation>Erwarteter Erfolg, ab dem ein Ort als einer gilt, an dem die Lokalisierung funktioniert.</translation>
+  </message>
+  <message>
+   <source>Expected success is good enough everywhere.</source>
+   <translation>Der erwartete Erfolg ist überall gut genug.</translation>
   </message>
   <message>
    <source>Export for onboard use</source>
@@ -708,12 +772,36 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Ordner für die Kacheln</translation>
   </message>
   <message>
+   <source>Footprint</source>
+   <translation>Bodenabdeckung</translation>
+  </message>
+  <message>
+   <source>Footprint (map units)</source>
+   <translation>Bodenabdeckung (Karteneinheiten)</translation>
+  </message>
+  <message>
+   <source>Footprint {footprint:g}</source>
+   <translation>Bodenabdeckung {footprint:g}</translation>
+  </message>
+  <message>
+   <source>Footprint {footprint:g}: {share:.1%} of the ground with an expected success of {threshold:.0%} or more; on average {mean:.1%}.</source>
+   <translation>Bodenabdeckung {footprint:g}: {share:.1%} des Geländes mit einem erwarteten Erfolg von {threshold:.0%} oder mehr; im Mittel {mean:.1%}.</translation>
+  </message>
+  <message>
    <source>Footprints</source>
    <translation>Bildausschnitte</translation>
   </message>
   <message>
+   <source>Footprints (map units)</source>
+   <translation>Bodenabdeckungen (Karteneinheiten)</translation>
+  </message>
+  <message>
    <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
    <translation>Bei mehrdeutigen Bildern: das Gelände jedes Ortes, der passt, der beste zuerst.</translation>
+  </message>
+  <message>
+   <source>For each footprint, spread evenly over the ground. More make the intervals narrower.</source>
+   <translation>Für jede Bodenabdeckung, gleichmäßig über das Gelände verteilt. Mehr machen die Intervalle schmaler.</translation>
   </message>
   <message>
    <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
@@ -730,6 +818,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
    <translation>Von Polygonen der Landbedeckung in einem Lauf zu einer Referenzdatenbank: „Annotation rastern“, dann „Referenzdatenbank erstellen“. Geben Sie eine Klassentabelle an oder nennen Sie die Referenzklassen.</translation>
+  </message>
+  <message>
+   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
+   <translation>Von {start:.0f} bis {end:.0f} m: {shift:.0f} m weiter links wäre der Erfolg {after:.0%} statt {before:.0%}.</translation>
+  </message>
+  <message>
+   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
+   <translation>Von {start:.0f} bis {end:.0f} m: {shift:.0f} m weiter rechts wäre der Erfolg {after:.0%} statt {before:.0%}.</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -750,6 +846,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0.</source>
    <translation>GeoTIFF, 8 Bit je Pixel, mit den Klassen des Modells; Pixel ohne Daten sind 0.</translation>
+  </message>
+  <message>
+   <source>Good enough from (%)</source>
+   <translation>Gut genug ab (%)</translation>
   </message>
   <message>
    <source>Ground that an image shows, as a multiple of the window size.</source>
@@ -788,8 +888,16 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Wie weit ein Fix daneben liegen darf, um als richtig zu gelten. Ohne Angabe 2 % der Kante des Geländes, das das Bild zeigt. Der Topologievektor ist richtig, wenn er das nächste Fenster nennt.</translation>
   </message>
   <message>
+   <source>How far stretches without an expected fix may be shifted to either side; half of it is tried, too. The footprint if left out, 0 for none.</source>
+   <translation>Wie weit Abschnitte ohne erwarteten Fix nach beiden Seiten verschoben werden dürfen; die Hälfte davon wird ebenfalls versucht. Ohne Angabe die Bodenabdeckung, 0 für keine Verschiebung.</translation>
+  </message>
+  <message>
    <source>How far the compared image’s vector differs here</source>
    <translation>Wie weit der Vektor des verglichenen Bildes hier abweicht</translation>
+  </message>
+  <message>
+   <source>How far this can be trusted</source>
+   <translation>Wie weit man dem trauen kann</translation>
   </message>
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
@@ -814,6 +922,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Images</source>
    <translation>Bilder</translation>
+  </message>
+  <message>
+   <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
+   <translation>Bilder, die {footprint:g} Karteneinheiten zeigen, werden ohne bekannte Pixelgröße nicht gesucht: zu weit von der Fenstergröße {window:g} entfernt.</translation>
   </message>
   <message>
    <source>In the project…</source>
@@ -912,6 +1024,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Landmarken im Fenster</translation>
   </message>
   <message>
+   <source>Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.</source>
+   <translation>Landmarken im Blick: Median und, in Klammern, Bereich der mittleren 80 % des Geländes.</translation>
+  </message>
+  <message>
    <source>Landmarks invented (%)</source>
    <translation>Erfundene Landmarken (%)</translation>
   </message>
@@ -938,6 +1054,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Largest scale</source>
    <translation>Größter Maßstab</translation>
+  </message>
+  <message>
+   <source>Largest shift (map units)</source>
+   <translation>Größte Verschiebung (Karteneinheiten)</translation>
   </message>
   <message>
    <source>Latitude, longitude (WGS 84)</source>
@@ -968,6 +1088,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Das Modell wird geladen</translation>
   </message>
   <message>
+   <source>Localizable fraction</source>
+   <translation>Lokalisierbarer Anteil</translation>
+  </message>
+  <message>
    <source>Localization</source>
    <translation>Lokalisierung</translation>
   </message>
@@ -986,6 +1110,26 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Localizing images</source>
    <translation>Bilder werden lokalisiert</translation>
+  </message>
+  <message>
+   <source>Localizing simulated images</source>
+   <translation>Simulierte Bilder werden lokalisiert</translation>
+  </message>
+  <message>
+   <source>Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean expected success of the stretch if it is flown parallel, to the left or right of the direction of flight.</source>
+   <translation>Die längsten zuerst. Ein Abschnitt reicht vom letzten Punkt, der gut genug ist, bis zum nächsten. Hinweise nennen den mittleren erwarteten Erfolg des Abschnitts, wenn er parallel geflogen wird, links oder rechts der Flugrichtung.</translation>
+  </message>
+  <message>
+   <source>Longest gap</source>
+   <translation>Längste Lücke</translation>
+  </message>
+  <message>
+   <source>Longest gap in seconds</source>
+   <translation>Längste Lücke in Sekunden</translation>
+  </message>
+  <message>
+   <source>Longest stretch without an expected fix: {length:.0f} m.</source>
+   <translation>Längster Abschnitt ohne erwarteten Fix: {length:.0f} m.</translation>
   </message>
   <message>
    <source>Longitude, latitude (WGS 84)</source>
@@ -1010,6 +1154,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>Das Python von QGIS wird gesucht…</translation>
+  </message>
+  <message>
+   <source>Looking for better lines beside {count} gaps.</source>
+   <translation>Neben {count} Lücken werden bessere Linien gesucht.</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -1062,6 +1210,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Map correlation</source>
    <translation>Kartenkorrelation</translation>
+  </message>
+  <message>
+   <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
+   <translation>Karte, Erfolg nach Bodenabdeckung, Landmarken und Annahmen in einer Datei zum Lesen und Drucken.</translation>
   </message>
   <message>
    <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
@@ -1128,6 +1280,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Modell, für Fotos</translation>
   </message>
   <message>
+   <source>More make the intervals narrower; points near each other learn from each other.</source>
+   <translation>Mehr machen die Intervalle schmaler; nahe Punkte lernen voneinander.</translation>
+  </message>
+  <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
    <translation>Faktoren für Fenstergröße und Schrittweite, getrennt durch „;“: 1;2 ergänzt doppelt so große Fenster für doppelt so hohe Flüge.</translation>
   </message>
@@ -1174,6 +1330,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>No window of the database lies there.</source>
    <translation>Dort liegt kein Fenster der Datenbank.</translation>
+  </message>
+  <message>
+   <source>None: a fix is expected everywhere.</source>
+   <translation>Keine: Überall wird ein Fix erwartet.</translation>
   </message>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
@@ -1316,6 +1476,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Abweichungen werden umrissen</translation>
   </message>
   <message>
+   <source>Over ground; gaps are then told in seconds, too.</source>
+   <translation>Über Grund; Lücken werden dann auch in Sekunden angegeben.</translation>
+  </message>
+  <message>
    <source>Overall accuracy</source>
    <translation>Gesamtgenauigkeit</translation>
   </message>
@@ -1360,6 +1524,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Vorige Stelle</translation>
   </message>
   <message>
+   <source>Points along the route</source>
+   <translation>Punkte entlang der Route</translation>
+  </message>
+  <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>Punkte mit Klasse, Fläche und Pixelposition; ohne Georeferenzierung in Pixeln (y nach oben, negativ).</translation>
   </message>
@@ -1396,6 +1564,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Vorhergesagte Klassenkarte</translation>
   </message>
   <message>
+   <source>Preparing the landmarks</source>
+   <translation>Landmarken werden vorbereitet</translation>
+  </message>
+  <message>
    <source>Press “Localize” in the dock to find where the photos were taken.</source>
    <translation>Drücken Sie im Bedienfeld „Lokalisieren“, um zu finden, wo die Fotos entstanden sind.</translation>
   </message>
@@ -1406,6 +1578,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
    <translation>Wahrscheinlichkeit, dass die Position stimmt; beim veröffentlichten Verfahren, wie nahe sich die Vektoren sind</translation>
+  </message>
+  <message>
+   <source>Profile</source>
+   <translation>Profil</translation>
+  </message>
+  <message>
+   <source>Profile of expected success along the route, and its gaps, in one file to read and print.</source>
+   <translation>Profil des erwarteten Erfolgs entlang der Route und ihre Lücken in einer Datei zum Lesen und Drucken.</translation>
   </message>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
@@ -1462,6 +1642,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Ready to localize.</source>
    <translation>Bereit zum Lokalisieren.</translation>
+  </message>
+  <message>
+   <source>Reason</source>
+   <translation>Grund</translation>
   </message>
   <message>
    <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
@@ -1554,6 +1738,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Rotation (°)</source>
    <translation>Drehung (°)</translation>
+  </message>
+  <message>
+   <source>Route</source>
+   <translation>Route</translation>
+  </message>
+  <message>
+   <source>Route {number}</source>
+   <translation>Route {number}</translation>
   </message>
   <message>
    <source>Save results</source>
@@ -1672,6 +1864,34 @@ The image is described in its largest centered square, exactly as the windows of
 Beschrieben wird das größte mittige Quadrat des Bildes, genau wie die Fenster einer Datenbank. Mit einer Datenbank gelten deren Klassen, Mindestfläche und Vektorlänge; ohne sind sie hier anzugeben.</translation>
   </message>
   <message>
+   <source>Shows what to expect along a planned route: success, error and number of landmarks at every point, the longest stretch without an expected fix, and which stretches do better when they are shifted to a side.
+
+The route is a line layer, or the path of a file that planners have: GPX (routes, else tracks, else waypoints), KML, a plan of QGroundControl (.plan, surveys included) or a waypoint list (.waypoints). Longitude and latitude are transformed to the database’s CRS. Images are simulated as “Assess reference database” does, under the noise that you state.</source>
+   <translation>Zeigt, was entlang einer geplanten Route zu erwarten ist: Erfolg, Fehler und Anzahl der Landmarken an jedem Punkt, den längsten Abschnitt ohne erwarteten Fix und welche Abschnitte besser wären, wenn man sie zur Seite verschiebt.
+
+Die Route ist ein Linienlayer oder der Pfad einer Datei, wie sie Planer haben: GPX (Routen, sonst Tracks, sonst Wegpunkte), KML, ein Plan von QGroundControl (.plan, auch mit Vermessungsflügen) oder eine Wegpunktliste (.waypoints). Länge und Breite werden ins KBS der Datenbank transformiert. Bilder werden wie bei „Referenzdatenbank beurteilen“ simuliert, mit dem angegebenen Rauschen.</translation>
+  </message>
+  <message>
+   <source>Shows where images will be localized with a reference database, and where not: expected success and error of each square of ground under the noise that you state, number of landmarks, look-alikes, and the reason where it fails.
+
+Images of the database’s own landmarks are simulated, spoiled and localized by the localizer itself; a regression carries what they teach to squares with few trials. Nothing but the database is needed. It is an expectation: noise that you understate, and changes on the ground, make it too good. “Evaluate localization” tests a database with a label map of another date.</source>
+   <translation>Zeigt, wo Bilder mit einer Referenzdatenbank lokalisiert werden und wo nicht: erwarteter Erfolg und Fehler jedes Geländequadrats unter dem angegebenen Rauschen, Anzahl der Landmarken, Doppelgänger und der Grund, wo es misslingt.
+
+Bilder der Landmarken der Datenbank werden simuliert, verdorben und vom Lokalisierer selbst lokalisiert; eine Regression überträgt, was sie lehren, auf Quadrate mit wenigen Versuchen. Außer der Datenbank wird nichts gebraucht. Es ist eine Erwartung: Zu gering angegebenes Rauschen und Veränderungen im Gelände machen sie zu gut. „Lokalisierung bewerten“ prüft eine Datenbank mit einer Klassenkarte anderen Datums.</translation>
+  </message>
+  <message>
+   <source>Simulated images</source>
+   <translation>Simulierte Bilder</translation>
+  </message>
+  <message>
+   <source>Simulated images a point</source>
+   <translation>Simulierte Bilder je Punkt</translation>
+  </message>
+  <message>
+   <source>Simulated images by the landmarks that the map has whole in them; lines: 95 % intervals.</source>
+   <translation>Simulierte Bilder nach den Landmarken, die die Karte ganz in ihnen hat; Striche: 95-%-Intervalle.</translation>
+  </message>
+  <message>
    <source>Single-band class values, or colors decoded by the class table. It needs no georeference.</source>
    <translation>Klassenwerte in einem Kanal oder Farben, die mit der Klassentabelle dekodiert werden. Eine Georeferenzierung ist nicht nötig.</translation>
   </message>
@@ -1720,6 +1940,18 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Kleinster Maßstab</translation>
   </message>
   <message>
+   <source>Spacing (map units)</source>
+   <translation>Abstand (Karteneinheiten)</translation>
+  </message>
+  <message>
+   <source>Speed (m/s)</source>
+   <translation>Geschwindigkeit (m/s)</translation>
+  </message>
+  <message>
+   <source>Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.</source>
+   <translation>Geländequadrate; bei mehreren Bodenabdeckungen je eines, gezeichnet werden die der ersten.</translation>
+  </message>
+  <message>
    <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
    <translation>Standardabweichung der Verschiebung von Kanten, gleichartig über acht Pixel.</translation>
   </message>
@@ -1742,6 +1974,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
    <translation>Auf 8 Bit gestreckt von {limits}.</translation>
+  </message>
+  <message>
+   <source>Stretches without an expected fix</source>
+   <translation>Abschnitte ohne erwarteten Fix</translation>
   </message>
   <message>
    <source>Stride (map units)</source>
@@ -1786,6 +2022,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
    <translation>Der Verarbeitungsanbieter SemRef ist ausgeschaltet; er lässt sich in den Optionen einschalten.</translation>
+  </message>
+  <message>
+   <source>The database has no overview; where its ground ends is taken from its extent.</source>
+   <translation>Die Datenbank hat keine Übersicht; wo ihr Gelände endet, wird ihrer Ausdehnung entnommen.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
@@ -2068,8 +2308,16 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Was als wahr gilt: Klassenwerte in einem Kanal, zum Beispiel aus „Annotation rastern“.</translation>
   </message>
   <message>
+   <source>What keeps most images from a fix where expected success is below {threshold}:</source>
+   <translation>Was die meisten Bilder an einem Fix hindert, wo der erwartete Erfolg unter {threshold} liegt:</translation>
+  </message>
+  <message>
    <source>What the confidence is worth</source>
    <translation>Was die Konfidenz wert ist</translation>
+  </message>
+  <message>
+   <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
+   <translation>Was an jedem Punkt zu erwarten ist; „gap“ ist die Länge des Abschnitts ohne erwarteten Fix, in dem er liegt.</translation>
   </message>
   <message>
    <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
@@ -2078,6 +2326,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Where it succeeds</source>
    <translation>Wo es gelingt</translation>
+  </message>
+  <message>
+   <source>Where it will localize</source>
+   <translation>Wo lokalisiert wird</translation>
   </message>
   <message>
    <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
@@ -2098,6 +2350,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Whether a position was found</source>
    <translation>Ob ein Standort gefunden wurde</translation>
+  </message>
+  <message>
+   <source>Why it fails</source>
+   <translation>Warum es misslingt</translation>
   </message>
   <message>
    <source>Window</source>
@@ -2132,6 +2388,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Fenster, vom 2- bis zum 0,5-Fachen ihrer Größe gesehen, ohne Störungen. Das Verfahren des Aufsatzes vergleicht Vektoren: Ein Abstand über 2 ist kein Treffer.</translation>
   </message>
   <message>
+   <source>With map correlation (slow)</source>
+   <translation>Mit Kartenkorrelation (langsam)</translation>
+  </message>
+  <message>
    <source>With the overview</source>
    <translation>Mit der Übersicht</translation>
   </message>
@@ -2150,6 +2410,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Ohne Datenbank: die Klassen. Ohne Angabe die, die das Klassenbild selbst mitbringt.</translation>
+  </message>
+  <message>
+   <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>
+   <translation>Ohne sie wird allein die Konstellation der Landmarken beurteilt. Mit ihr wie beim Verfahren Automatisch: Wo Landmarken keinen Fix geben, wird Kartenkorrelation an Bildern versucht, die aus der Übersicht der Datenbank geschnitten sind. Das dauert auf einer großen Karte Sekunden je Bild und wird daher an höchstens einem Fünftel der Bilder versucht.</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
@@ -2184,6 +2448,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>fügen Sie das Paket python3-pip mit dem Setup von OSGeo4W hinzu</translation>
   </message>
   <message>
+   <source>along the route, km</source>
+   <translation>entlang der Route, km</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>annotiert</translation>
   </message>
@@ -2212,6 +2480,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Konfidenz {value:.2f}</translation>
   </message>
   <message>
+   <source>constellation alone</source>
+   <translation>nur Konstellation</translation>
+  </message>
+  <message>
+   <source>constellation, then map correlation</source>
+   <translation>Konstellation, dann Kartenkorrelation</translation>
+  </message>
+  <message>
    <source>distance</source>
    <translation>Abstand</translation>
   </message>
@@ -2236,6 +2512,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Fehler</translation>
   </message>
   <message>
+   <source>expected error</source>
+   <translation>erwarteter Fehler</translation>
+  </message>
+  <message>
+   <source>expected success</source>
+   <translation>erwarteter Erfolg</translation>
+  </message>
+  <message>
    <source>false accepts</source>
    <translation>falsch angenommen</translation>
   </message>
@@ -2248,12 +2532,24 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>gefunden</translation>
   </message>
   <message>
+   <source>from (m)</source>
+   <translation>von (m)</translation>
+  </message>
+  <message>
+   <source>hardly ever</source>
+   <translation>kaum je</translation>
+  </message>
+  <message>
    <source>heading</source>
    <translation>Ausrichtung</translation>
   </message>
   <message>
    <source>heading {value:.1f}°</source>
    <translation>Ausrichtung {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>hint</source>
+   <translation>Hinweis</translation>
   </message>
   <message>
    <source>images with a fix</source>
@@ -2284,8 +2580,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Art, siehe Tabelle</translation>
   </message>
   <message>
+   <source>landmarks</source>
+   <translation>Landmarken</translation>
+  </message>
+  <message>
    <source>landmarks in the window</source>
    <translation>Landmarken im Fenster</translation>
+  </message>
+  <message>
+   <source>landmarks in view</source>
+   <translation>Landmarken im Blick</translation>
   </message>
   <message>
    <source>landmarks invented</source>
@@ -2296,8 +2600,36 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>übersehene Landmarken</translation>
   </message>
   <message>
+   <source>length</source>
+   <translation>Länge</translation>
+  </message>
+  <message>
+   <source>length (m)</source>
+   <translation>Länge (m)</translation>
+  </message>
+  <message>
+   <source>localizable</source>
+   <translation>lokalisierbar</translation>
+  </message>
+  <message>
+   <source>longest stretch</source>
+   <translation>längster Abschnitt</translation>
+  </message>
+  <message>
+   <source>look-alikes</source>
+   <translation>Doppelgänger</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>mittlere IoU</translation>
+  </message>
+  <message>
+   <source>mean over the ground</source>
+   <translation>Mittel über das Gelände</translation>
+  </message>
+  <message>
+   <source>median area</source>
+   <translation>mittlere Fläche (Median)</translation>
   </message>
   <message>
    <source>median error</source>
@@ -2308,6 +2640,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>nächstbeste: {windows}</translation>
   </message>
   <message>
+   <source>no better line found beside it</source>
+   <translation>daneben keine bessere Linie gefunden</translation>
+  </message>
+  <message>
    <source>no class</source>
    <translation>keine Klasse</translation>
   </message>
@@ -2316,12 +2652,32 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>der richtigen Fixe</translation>
   </message>
   <message>
+   <source>of right fixes, median</source>
+   <translation>richtiger Fixe, Median</translation>
+  </message>
+  <message>
    <source>of the classes that are annotated</source>
    <translation>der annotierten Klassen</translation>
   </message>
   <message>
+   <source>of the ground localizable</source>
+   <translation>des Geländes lokalisierbar</translation>
+  </message>
+  <message>
+   <source>of the points good enough</source>
+   <translation>der Punkte gut genug</translation>
+  </message>
+  <message>
    <source>offset from the nearest window, share of the stride</source>
    <translation>Versatz zum nächsten Fenster, Anteil der Schrittweite</translation>
+  </message>
+  <message>
+   <source>often</source>
+   <translation>oft</translation>
+  </message>
+  <message>
+   <source>outside the map</source>
+   <translation>außerhalb der Karte</translation>
   </message>
   <message>
    <source>overall accuracy</source>
@@ -2344,6 +2700,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>vorhergesagt</translation>
   </message>
   <message>
+   <source>reason</source>
+   <translation>Grund</translation>
+  </message>
+  <message>
+   <source>reliably</source>
+   <translation>zuverlässig</translation>
+  </message>
+  <message>
    <source>right among the fixes</source>
    <translation>richtig unter den Fixen</translation>
   </message>
@@ -2360,8 +2724,48 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Maßstab</translation>
   </message>
   <message>
+   <source>seconds</source>
+   <translation>Sekunden</translation>
+  </message>
+  <message>
+   <source>share</source>
+   <translation>Anteil</translation>
+  </message>
+  <message>
+   <source>share of the ground</source>
+   <translation>Anteil am Gelände</translation>
+  </message>
+  <message>
+   <source>simulated: right</source>
+   <translation>simuliert: richtig</translation>
+  </message>
+  <message>
+   <source>simulated: wrong</source>
+   <translation>simuliert: falsch</translation>
+  </message>
+  <message>
+   <source>sometimes</source>
+   <translation>manchmal</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>Ausgabe</translation>
+  </message>
+  <message>
+   <source>to (m)</source>
+   <translation>bis (m)</translation>
+  </message>
+  <message>
+   <source>too few landmarks</source>
+   <translation>zu wenige Landmarken</translation>
+  </message>
+  <message>
+   <source>too little evidence</source>
+   <translation>zu wenig Belege</translation>
+  </message>
+  <message>
+   <source>very reliably</source>
+   <translation>sehr zuverlässig</translation>
   </message>
   <message>
    <source>warnings</source>
@@ -2376,8 +2780,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>auf {value:.2f} m genau (95 %)</translation>
   </message>
   <message>
+   <source>without an expected fix</source>
+   <translation>ohne erwarteten Fix</translation>
+  </message>
+  <message>
    <source>wrong fixes</source>
    <translation>falsche Fixe</translation>
+  </message>
+  <message>
+   <source>wrong fixes simulated</source>
+   <translation>falsche Fixe simuliert</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -2398,6 +2810,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
    <translation>{bytes} Byte. Gerundet: Positionen um höchstens {position:g} Karteneinheiten, Flächen um {area:.3%}, Vektoren um {vector:.4f} je Element.</translation>
+  </message>
+  <message>
+   <source>{count} images simulated in {seconds:.0f} s.</source>
+   <translation>{count} Bilder in {seconds:.0f} s simuliert.</translation>
   </message>
   <message>
    <source>{count} images to localize.</source>
@@ -2424,6 +2840,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{count} Stellen weichen ab.</translation>
   </message>
   <message>
+   <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
+   <translation>{count} Punkte; {share:.0%} davon mit einem erwarteten Erfolg von {threshold:.0%} oder mehr.</translation>
+  </message>
+  <message>
    <source>{database}, images cut from {labels}</source>
    <translation>{database}, Bilder geschnitten aus {labels}</translation>
   </message>
@@ -2438,6 +2858,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{folder} has no wheel of {package} for Python {python} on this system.</source>
    <translation>{folder} enthält kein Wheel von {package} für Python {python} auf diesem System.</translation>
+  </message>
+  <message>
+   <source>{footprint}: expected success. A square is {size:g} map units wide; north is up.</source>
+   <translation>{footprint}: erwarteter Erfolg. Ein Quadrat ist {size:g} Karteneinheiten breit; Norden ist oben.</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -2560,12 +2984,28 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{python}, das Python von QGIS, hat kein pip; {how_to_get_pip} oder verwenden Sie stattdessen „{command}“.</translation>
   </message>
   <message>
+   <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough.</source>
+   <translation>{route}: erwarteter Erfolg mit seinem 95-%-Intervall (linke Achse) und Landmarken im Blick (gestrichelt, rechte Achse) über {length:.1f} km. Schattiert: Abschnitte ohne erwarteten Fix; gepunktete Linie: gut genug.</translation>
+  </message>
+  <message>
+   <source>{seconds:.0f} s at {speed:g} m/s</source>
+   <translation>{seconds:.0f} s bei {speed:g} m/s</translation>
+  </message>
+  <message>
    <source>{seconds:.0f} s.</source>
    <translation>{seconds:.0f} s.</translation>
   </message>
   <message>
    <source>{share:.1%} of the pixels match no class.</source>
    <translation>{share:.1%} der Pixel passen zu keiner Klasse.</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the left: {after} instead of {before}</source>
+   <translation>{shift:.0f} m nach links: {after} statt {before}</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the right: {after} instead of {before}</source>
+   <translation>{shift:.0f} m nach rechts: {after} statt {before}</translation>
   </message>
   <message>
    <source>{source} does not measure in meters; the label map is made in {target}.</source>
@@ -2578,6 +3018,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} nennt keine Brennweite; das Bild wird genommen, wie es ist.</translation>
+  </message>
+  <message>
+   <source>{threshold} or more expected</source>
+   <translation>{threshold} oder mehr erwartet</translation>
   </message>
   <message>
    <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>

@@ -32,6 +32,10 @@
    <translation>Un hueco de {area:.2f} m² se asignó a {other_name}.</translation>
   </message>
   <message>
+   <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
+   <translation>Una capa de líneas, o la ruta de un archivo GPX, KML, .plan o .waypoints. Cada línea es una ruta propia.</translation>
+  </message>
+  <message>
    <source>A new or empty folder; one of an earlier export is replaced.</source>
    <translation>Una carpeta nueva o vacía; la de una exportación anterior se reemplaza.</translation>
   </message>
@@ -188,6 +192,26 @@
    <translation>Matrices en el formato de numpy, comprimidas en zip; la documentación lo describe para lectores en otros lenguajes.</translation>
   </message>
   <message>
+   <source>Assess reference database</source>
+   <translation>Valorar base de datos de referencia</translation>
+  </message>
+  <message>
+   <source>Assess route</source>
+   <translation>Valorar ruta</translation>
+  </message>
+  <message>
+   <source>Assessment of a reference database</source>
+   <translation>Valoración de una base de datos de referencia</translation>
+  </message>
+  <message>
+   <source>Assessment of a route</source>
+   <translation>Valoración de una ruta</translation>
+  </message>
+  <message>
+   <source>Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in the database. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
+   <translation>Se supone: cámara nivelada; cualquier rumbo; {missed} de los hitos omitidos, {invented} inventados, {misnamed} mal nombrados; bordes desplazados {ragged:g} unidades del mapa (desviación típica); sin posición previa; el terreno tal como está en la base de datos. Una posición cuenta como correcta dentro del 2 % de la huella. Método: {method}.</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>Automático</translation>
   </message>
@@ -234,6 +258,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>Rasteriza polígonos de cobertura del suelo en un mapa de etiquetas: un GeoTIFF de una sola banda cuyos píxeles contienen valores de clase, 0 donde no hay ningún polígono.
 
 Las clases vienen de la tabla de clases; si no, del estilo categorizado de la capa; si no, de los valores del campo de clase. Los polígonos no válidos se reparan y los vacíos se omiten; el registro dice cuántos.</translation>
+  </message>
+  <message>
+   <source>By footprint</source>
+   <translation>Por huella</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -488,6 +516,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Distancia alrededor (unidades del mapa)</translation>
   </message>
   <message>
+   <source>Distance between the points; a quarter of the footprint if left out.</source>
+   <translation>Distancia entre los puntos; un cuarto de la huella si se omite.</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>Distancia al centro, dividida por la distancia mayor</translation>
   </message>
@@ -524,6 +556,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Dibuja el vector de la imagen seleccionada en los resultados sobre el de la ventana</translation>
   </message>
   <message>
+   <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
+   <translation>Cada imagen simulada se predijo a partir de todas las demás según los hitos que muestra: en la diagonal la expectativa significa lo que dice. Puntuación de Brier (0 es perfecta; decir siempre un medio da 0,25): {scores}. Esto contrasta la expectativa con imágenes simuladas, no el ruido indicado con el suyo propio.</translation>
+  </message>
+  <message>
    <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
    <translation>Lado de un píxel en metros. El hito más pequeño debería cubrir unos 50 píxeles.</translation>
   </message>
@@ -534,6 +570,18 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Edge of a tile; a multiple of 32 suits networks.</source>
    <translation>Lado de una tesela; un múltiplo de 32 conviene a las redes.</translation>
+  </message>
+  <message>
+   <source>Edge of the ground that an image shows; several separated by “;” for several heights. The window size if left out.</source>
+   <translation>Lado del terreno que muestra una imagen; varios separados por «;» para varias alturas. El tamaño de ventana si se omite.</translation>
+  </message>
+  <message>
+   <source>Edge of the ground that an image shows; the window size if left out.</source>
+   <translation>Lado del terreno que muestra una imagen; el tamaño de ventana si se omite.</translation>
+  </message>
+  <message>
+   <source>Edge of the squares; half the smallest footprint if left out.</source>
+   <translation>Lado de los cuadrados; la mitad de la huella más pequeña si se omite.</translation>
   </message>
   <message>
    <source>Error (m)</source>
@@ -558,6 +606,22 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Todo: mapas de etiquetas, bases de datos, localización</translation>
+  </message>
+  <message>
+   <source>Expected against simulated success</source>
+   <translation>Acierto esperado frente al simulado</translation>
+  </message>
+  <message>
+   <source>Expected success</source>
+   <translation>Acierto esperado</translation>
+  </message>
+  <message>
+   <source>Expected success from which a place counts as one where localization works.</source>
+   <translation>Acierto esperado a partir del cual un lugar cuenta como lugar donde la localización funciona.</translation>
+  </message>
+  <message>
+   <source>Expected success is good enough everywhere.</source>
+   <translation>El acierto esperado es suficiente en todas partes.</translation>
   </message>
   <message>
    <source>Export for onboard use</source>
@@ -708,12 +772,36 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Carpeta para las teselas</translation>
   </message>
   <message>
+   <source>Footprint</source>
+   <translation>Huella</translation>
+  </message>
+  <message>
+   <source>Footprint (map units)</source>
+   <translation>Huella (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Footprint {footprint:g}</source>
+   <translation>Huella {footprint:g}</translation>
+  </message>
+  <message>
+   <source>Footprint {footprint:g}: {share:.1%} of the ground with an expected success of {threshold:.0%} or more; on average {mean:.1%}.</source>
+   <translation>Huella {footprint:g}: {share:.1%} del terreno con un acierto esperado del {threshold:.0%} o más; de media {mean:.1%}.</translation>
+  </message>
+  <message>
    <source>Footprints</source>
    <translation>Huellas</translation>
   </message>
   <message>
+   <source>Footprints (map units)</source>
+   <translation>Huellas (unidades del mapa)</translation>
+  </message>
+  <message>
    <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
    <translation>Para imágenes ambiguas: el terreno de cada lugar que encaja, el mejor primero.</translation>
+  </message>
+  <message>
+   <source>For each footprint, spread evenly over the ground. More make the intervals narrower.</source>
+   <translation>Para cada huella, repartidas por igual sobre el terreno. Más imágenes estrechan los intervalos.</translation>
   </message>
   <message>
    <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
@@ -730,6 +818,14 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
    <translation>De polígonos de cobertura del suelo a una base de datos de referencia en una sola ejecución: «Rasterizar anotación» y después «Crear base de datos de referencia». Indique una tabla de clases o nombre las clases de referencia.</translation>
+  </message>
+  <message>
+   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
+   <translation>De {start:.0f} a {end:.0f} m: {shift:.0f} m a la izquierda el acierto sería del {after:.0%} en lugar del {before:.0%}.</translation>
+  </message>
+  <message>
+   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
+   <translation>De {start:.0f} a {end:.0f} m: {shift:.0f} m a la derecha el acierto sería del {after:.0%} en lugar del {before:.0%}.</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -750,6 +846,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0.</source>
    <translation>GeoTIFF, 8 bits por píxel, con las clases del modelo; los píxeles sin datos son 0.</translation>
+  </message>
+  <message>
+   <source>Good enough from (%)</source>
+   <translation>Suficiente desde (%)</translation>
   </message>
   <message>
    <source>Ground that an image shows, as a multiple of the window size.</source>
@@ -788,8 +888,16 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Qué error puede tener una posición encontrada para contar como correcta. Si se omite, el 2 % del lado del terreno que muestra la imagen. El vector topológico es correcto cuando nombra la ventana más cercana.</translation>
   </message>
   <message>
+   <source>How far stretches without an expected fix may be shifted to either side; half of it is tried, too. The footprint if left out, 0 for none.</source>
+   <translation>Cuánto pueden desplazarse a cada lado los tramos sin posición esperada; también se prueba la mitad. La huella si se omite, 0 para ninguno.</translation>
+  </message>
+  <message>
    <source>How far the compared image’s vector differs here</source>
    <translation>Cuánto difiere aquí el vector de la imagen comparada</translation>
+  </message>
+  <message>
+   <source>How far this can be trusted</source>
+   <translation>Hasta qué punto es fiable</translation>
   </message>
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
@@ -814,6 +922,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Images</source>
    <translation>Imágenes</translation>
+  </message>
+  <message>
+   <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
+   <translation>Las imágenes que muestran {footprint:g} unidades del mapa no se buscan sin un tamaño de píxel conocido: demasiado lejos del tamaño de ventana {window:g}.</translation>
   </message>
   <message>
    <source>In the project…</source>
@@ -912,6 +1024,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Hitos en la ventana</translation>
   </message>
   <message>
+   <source>Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.</source>
+   <translation>Hitos a la vista: mediana y, entre paréntesis, intervalo del 80 % central del terreno.</translation>
+  </message>
+  <message>
    <source>Landmarks invented (%)</source>
    <translation>Hitos inventados (%)</translation>
   </message>
@@ -938,6 +1054,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Largest scale</source>
    <translation>Escala mayor</translation>
+  </message>
+  <message>
+   <source>Largest shift (map units)</source>
+   <translation>Desplazamiento máximo (unidades del mapa)</translation>
   </message>
   <message>
    <source>Latitude, longitude (WGS 84)</source>
@@ -968,6 +1088,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Cargando el modelo</translation>
   </message>
   <message>
+   <source>Localizable fraction</source>
+   <translation>Fracción localizable</translation>
+  </message>
+  <message>
    <source>Localization</source>
    <translation>Localización</translation>
   </message>
@@ -986,6 +1110,26 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Localizing images</source>
    <translation>Localizando imágenes</translation>
+  </message>
+  <message>
+   <source>Localizing simulated images</source>
+   <translation>Localizando imágenes simuladas</translation>
+  </message>
+  <message>
+   <source>Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean expected success of the stretch if it is flown parallel, to the left or right of the direction of flight.</source>
+   <translation>Los más largos primero. Un tramo va del último punto suficiente al siguiente. Las sugerencias indican el acierto esperado medio del tramo si se vuela en paralelo, a la izquierda o a la derecha del sentido de vuelo.</translation>
+  </message>
+  <message>
+   <source>Longest gap</source>
+   <translation>Hueco más largo</translation>
+  </message>
+  <message>
+   <source>Longest gap in seconds</source>
+   <translation>Hueco más largo en segundos</translation>
+  </message>
+  <message>
+   <source>Longest stretch without an expected fix: {length:.0f} m.</source>
+   <translation>Tramo más largo sin posición esperada: {length:.0f} m.</translation>
   </message>
   <message>
    <source>Longitude, latitude (WGS 84)</source>
@@ -1010,6 +1154,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>Buscando el Python de QGIS…</translation>
+  </message>
+  <message>
+   <source>Looking for better lines beside {count} gaps.</source>
+   <translation>Buscando líneas mejores junto a {count} huecos.</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -1062,6 +1210,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Map correlation</source>
    <translation>Correlación de mapas</translation>
+  </message>
+  <message>
+   <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
+   <translation>Mapa, acierto por huella, hitos y supuestos, en un solo archivo para leer e imprimir.</translation>
   </message>
   <message>
    <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
@@ -1128,6 +1280,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Modelo, para fotos</translation>
   </message>
   <message>
+   <source>More make the intervals narrower; points near each other learn from each other.</source>
+   <translation>Más imágenes estrechan los intervalos; los puntos cercanos aprenden unos de otros.</translation>
+  </message>
+  <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
    <translation>Multiplicadores del tamaño de ventana y del paso, separados por «;»: 1;2 añade ventanas el doble de grandes para vuelos al doble de altura.</translation>
   </message>
@@ -1174,6 +1330,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>No window of the database lies there.</source>
    <translation>Ahí no hay ninguna ventana de la base de datos.</translation>
+  </message>
+  <message>
+   <source>None: a fix is expected everywhere.</source>
+   <translation>Ninguno: se espera una posición en todas partes.</translation>
   </message>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
@@ -1316,6 +1476,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Trazando el contorno de las discrepancias</translation>
   </message>
   <message>
+   <source>Over ground; gaps are then told in seconds, too.</source>
+   <translation>Respecto al suelo; los huecos se indican entonces también en segundos.</translation>
+  </message>
+  <message>
    <source>Overall accuracy</source>
    <translation>Exactitud global</translation>
   </message>
@@ -1360,6 +1524,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Lugar anterior</translation>
   </message>
   <message>
+   <source>Points along the route</source>
+   <translation>Puntos a lo largo de la ruta</translation>
+  </message>
+  <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>Puntos con clase, área y posición en píxeles; en píxeles (y hacia arriba, negativa) sin georreferencia.</translation>
   </message>
@@ -1396,6 +1564,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Mapa de etiquetas predicho</translation>
   </message>
   <message>
+   <source>Preparing the landmarks</source>
+   <translation>Preparando los hitos</translation>
+  </message>
+  <message>
    <source>Press “Localize” in the dock to find where the photos were taken.</source>
    <translation>Pulse «Localizar» en el panel para averiguar dónde se tomaron las fotos.</translation>
   </message>
@@ -1406,6 +1578,14 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
    <translation>Probabilidad de que la posición sea correcta; en el método publicado, lo cerca que están los vectores</translation>
+  </message>
+  <message>
+   <source>Profile</source>
+   <translation>Perfil</translation>
+  </message>
+  <message>
+   <source>Profile of expected success along the route, and its gaps, in one file to read and print.</source>
+   <translation>Perfil del acierto esperado a lo largo de la ruta, y sus huecos, en un solo archivo para leer e imprimir.</translation>
   </message>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
@@ -1462,6 +1642,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Ready to localize.</source>
    <translation>Listo para localizar.</translation>
+  </message>
+  <message>
+   <source>Reason</source>
+   <translation>Motivo</translation>
   </message>
   <message>
    <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
@@ -1554,6 +1738,14 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Rotation (°)</source>
    <translation>Rotación (°)</translation>
+  </message>
+  <message>
+   <source>Route</source>
+   <translation>Ruta</translation>
+  </message>
+  <message>
+   <source>Route {number}</source>
+   <translation>Ruta {number}</translation>
   </message>
   <message>
    <source>Save results</source>
@@ -1672,6 +1864,34 @@ The image is described in its largest centered square, exactly as the windows of
 La imagen se describe en su mayor cuadrado centrado, exactamente como las ventanas de una base de datos. Con una base de datos se usan sus clases, su área mínima y su longitud de vector; sin ella, indíquelos aquí.</translation>
   </message>
   <message>
+   <source>Shows what to expect along a planned route: success, error and number of landmarks at every point, the longest stretch without an expected fix, and which stretches do better when they are shifted to a side.
+
+The route is a line layer, or the path of a file that planners have: GPX (routes, else tracks, else waypoints), KML, a plan of QGroundControl (.plan, surveys included) or a waypoint list (.waypoints). Longitude and latitude are transformed to the database’s CRS. Images are simulated as “Assess reference database” does, under the noise that you state.</source>
+   <translation>Muestra qué cabe esperar a lo largo de una ruta planificada: acierto, error y número de hitos en cada punto, el tramo más largo sin posición esperada y qué tramos mejoran si se desplazan a un lado.
+
+La ruta es una capa de líneas o la ruta de un archivo de planificación: GPX (rutas, si no trazas, si no puntos), KML, un plan de QGroundControl (.plan, incluidos levantamientos) o una lista de puntos (.waypoints). La longitud y la latitud se transforman al SRC de la base de datos. Las imágenes se simulan como en «Valorar base de datos de referencia», con el ruido indicado.</translation>
+  </message>
+  <message>
+   <source>Shows where images will be localized with a reference database, and where not: expected success and error of each square of ground under the noise that you state, number of landmarks, look-alikes, and the reason where it fails.
+
+Images of the database’s own landmarks are simulated, spoiled and localized by the localizer itself; a regression carries what they teach to squares with few trials. Nothing but the database is needed. It is an expectation: noise that you understate, and changes on the ground, make it too good. “Evaluate localization” tests a database with a label map of another date.</source>
+   <translation>Muestra dónde se localizarán imágenes con una base de datos de referencia y dónde no: acierto y error esperados de cada cuadrado de terreno con el ruido indicado, número de hitos, parecidos y el motivo donde falla.
+
+Se simulan imágenes de los propios hitos de la base de datos, se degradan y las localiza el mismo localizador; una regresión lleva lo aprendido a los cuadrados con pocos ensayos. No se necesita más que la base de datos. Es una expectativa: un ruido subestimado y los cambios del terreno la hacen demasiado buena. «Evaluar la localización» prueba una base de datos con un mapa de etiquetas de otra fecha.</translation>
+  </message>
+  <message>
+   <source>Simulated images</source>
+   <translation>Imágenes simuladas</translation>
+  </message>
+  <message>
+   <source>Simulated images a point</source>
+   <translation>Imágenes simuladas por punto</translation>
+  </message>
+  <message>
+   <source>Simulated images by the landmarks that the map has whole in them; lines: 95 % intervals.</source>
+   <translation>Imágenes simuladas según los hitos que el mapa tiene enteros en ellas; líneas: intervalos del 95 %.</translation>
+  </message>
+  <message>
    <source>Single-band class values, or colors decoded by the class table. It needs no georeference.</source>
    <translation>Valores de clase en una sola banda, o colores que se decodifican con la tabla de clases. No necesita georreferencia.</translation>
   </message>
@@ -1720,6 +1940,18 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Escala menor</translation>
   </message>
   <message>
+   <source>Spacing (map units)</source>
+   <translation>Espaciado (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Speed (m/s)</source>
+   <translation>Velocidad (m/s)</translation>
+  </message>
+  <message>
+   <source>Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.</source>
+   <translation>Cuadrados de terreno; con varias huellas uno de cada una, y se dibujan los de la primera.</translation>
+  </message>
+  <message>
    <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
    <translation>Desviación estándar de cuánto se mueven los bordes, de modo similar a lo largo de ocho píxeles.</translation>
   </message>
@@ -1742,6 +1974,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
    <translation>Estirada a 8 bits desde {limits}.</translation>
+  </message>
+  <message>
+   <source>Stretches without an expected fix</source>
+   <translation>Tramos sin posición esperada</translation>
   </message>
   <message>
    <source>Stride (map units)</source>
@@ -1786,6 +2022,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
    <translation>El proveedor de procesos SemRef está desactivado; actívelo en las opciones.</translation>
+  </message>
+  <message>
+   <source>The database has no overview; where its ground ends is taken from its extent.</source>
+   <translation>La base de datos no tiene vista general; dónde acaba su terreno se toma de su extensión.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
@@ -2068,8 +2308,16 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Lo que se da por verdadero: valores de clase en una sola banda, por ejemplo de «Rasterizar anotación».</translation>
   </message>
   <message>
+   <source>What keeps most images from a fix where expected success is below {threshold}:</source>
+   <translation>Lo que impide una posición a la mayoría de las imágenes donde el acierto esperado es inferior al {threshold}:</translation>
+  </message>
+  <message>
    <source>What the confidence is worth</source>
    <translation>Lo que vale la confianza</translation>
+  </message>
+  <message>
+   <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
+   <translation>Qué esperar en cada punto; «gap» es la longitud del tramo sin posición esperada en que se encuentra.</translation>
   </message>
   <message>
    <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
@@ -2078,6 +2326,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Where it succeeds</source>
    <translation>Dónde acierta</translation>
+  </message>
+  <message>
+   <source>Where it will localize</source>
+   <translation>Dónde localizará</translation>
   </message>
   <message>
    <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
@@ -2098,6 +2350,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Whether a position was found</source>
    <translation>Si se encontró una posición</translation>
+  </message>
+  <message>
+   <source>Why it fails</source>
+   <translation>Por qué falla</translation>
   </message>
   <message>
    <source>Window</source>
@@ -2132,6 +2388,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Ventanas vistas de 2 a 0,5 veces su tamaño, sin ruido. El método del artículo compara vectores: una distancia mayor que 2 no es una coincidencia.</translation>
   </message>
   <message>
+   <source>With map correlation (slow)</source>
+   <translation>Con correlación de mapas (lento)</translation>
+  </message>
+  <message>
    <source>With the overview</source>
    <translation>Con la vista general</translation>
   </message>
@@ -2150,6 +2410,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Sin base de datos: las clases. Si se omite, las que lleva la propia imagen de etiquetas.</translation>
+  </message>
+  <message>
+   <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>
+   <translation>Sin ella se valora solo la constelación de hitos. Con ella, como el método Automático: donde los hitos no dan posición, se prueba la correlación de mapas con imágenes recortadas de la vista general de la base de datos. Eso tarda segundos por imagen en un mapa grande, así que se prueba como mucho en un quinto de las imágenes.</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
@@ -2184,6 +2448,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>añada el paquete python3-pip con el instalador de OSGeo4W</translation>
   </message>
   <message>
+   <source>along the route, km</source>
+   <translation>a lo largo de la ruta, km</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>anotado</translation>
   </message>
@@ -2212,6 +2480,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>confianza {value:.2f}</translation>
   </message>
   <message>
+   <source>constellation alone</source>
+   <translation>solo constelación</translation>
+  </message>
+  <message>
+   <source>constellation, then map correlation</source>
+   <translation>constelación y después correlación de mapas</translation>
+  </message>
+  <message>
    <source>distance</source>
    <translation>distancia</translation>
   </message>
@@ -2236,6 +2512,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>errores</translation>
   </message>
   <message>
+   <source>expected error</source>
+   <translation>error esperado</translation>
+  </message>
+  <message>
+   <source>expected success</source>
+   <translation>acierto esperado</translation>
+  </message>
+  <message>
    <source>false accepts</source>
    <translation>falsas aceptaciones</translation>
   </message>
@@ -2248,12 +2532,24 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>encontrado</translation>
   </message>
   <message>
+   <source>from (m)</source>
+   <translation>desde (m)</translation>
+  </message>
+  <message>
+   <source>hardly ever</source>
+   <translation>casi nunca</translation>
+  </message>
+  <message>
    <source>heading</source>
    <translation>rumbo</translation>
   </message>
   <message>
    <source>heading {value:.1f}°</source>
    <translation>rumbo {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>hint</source>
+   <translation>sugerencia</translation>
   </message>
   <message>
    <source>images with a fix</source>
@@ -2284,8 +2580,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>tipo, véase la tabla</translation>
   </message>
   <message>
+   <source>landmarks</source>
+   <translation>hitos</translation>
+  </message>
+  <message>
    <source>landmarks in the window</source>
    <translation>hitos en la ventana</translation>
+  </message>
+  <message>
+   <source>landmarks in view</source>
+   <translation>hitos a la vista</translation>
   </message>
   <message>
    <source>landmarks invented</source>
@@ -2296,8 +2600,36 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>hitos omitidos</translation>
   </message>
   <message>
+   <source>length</source>
+   <translation>longitud</translation>
+  </message>
+  <message>
+   <source>length (m)</source>
+   <translation>longitud (m)</translation>
+  </message>
+  <message>
+   <source>localizable</source>
+   <translation>localizable</translation>
+  </message>
+  <message>
+   <source>longest stretch</source>
+   <translation>tramo más largo</translation>
+  </message>
+  <message>
+   <source>look-alikes</source>
+   <translation>parecidos</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>IoU medio</translation>
+  </message>
+  <message>
+   <source>mean over the ground</source>
+   <translation>media sobre el terreno</translation>
+  </message>
+  <message>
+   <source>median area</source>
+   <translation>área mediana</translation>
   </message>
   <message>
    <source>median error</source>
@@ -2308,6 +2640,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>siguientes: {windows}</translation>
   </message>
   <message>
+   <source>no better line found beside it</source>
+   <translation>no se halló una línea mejor al lado</translation>
+  </message>
+  <message>
    <source>no class</source>
    <translation>sin clase</translation>
   </message>
@@ -2316,12 +2652,32 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>de las posiciones correctas</translation>
   </message>
   <message>
+   <source>of right fixes, median</source>
+   <translation>de posiciones correctas, mediana</translation>
+  </message>
+  <message>
    <source>of the classes that are annotated</source>
    <translation>de las clases anotadas</translation>
   </message>
   <message>
+   <source>of the ground localizable</source>
+   <translation>del terreno localizable</translation>
+  </message>
+  <message>
+   <source>of the points good enough</source>
+   <translation>de los puntos suficientes</translation>
+  </message>
+  <message>
    <source>offset from the nearest window, share of the stride</source>
    <translation>desplazamiento respecto a la ventana más cercana, parte del paso</translation>
+  </message>
+  <message>
+   <source>often</source>
+   <translation>a menudo</translation>
+  </message>
+  <message>
+   <source>outside the map</source>
+   <translation>fuera del mapa</translation>
   </message>
   <message>
    <source>overall accuracy</source>
@@ -2344,6 +2700,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>predicho</translation>
   </message>
   <message>
+   <source>reason</source>
+   <translation>motivo</translation>
+  </message>
+  <message>
+   <source>reliably</source>
+   <translation>con fiabilidad</translation>
+  </message>
+  <message>
    <source>right among the fixes</source>
    <translation>correctas entre las posiciones encontradas</translation>
   </message>
@@ -2360,8 +2724,48 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>escala</translation>
   </message>
   <message>
+   <source>seconds</source>
+   <translation>segundos</translation>
+  </message>
+  <message>
+   <source>share</source>
+   <translation>proporción</translation>
+  </message>
+  <message>
+   <source>share of the ground</source>
+   <translation>proporción del terreno</translation>
+  </message>
+  <message>
+   <source>simulated: right</source>
+   <translation>simulado: correcto</translation>
+  </message>
+  <message>
+   <source>simulated: wrong</source>
+   <translation>simulado: erróneo</translation>
+  </message>
+  <message>
+   <source>sometimes</source>
+   <translation>a veces</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>la salida</translation>
+  </message>
+  <message>
+   <source>to (m)</source>
+   <translation>hasta (m)</translation>
+  </message>
+  <message>
+   <source>too few landmarks</source>
+   <translation>demasiado pocos hitos</translation>
+  </message>
+  <message>
+   <source>too little evidence</source>
+   <translation>muy poca evidencia</translation>
+  </message>
+  <message>
+   <source>very reliably</source>
+   <translation>con mucha fiabilidad</translation>
   </message>
   <message>
    <source>warnings</source>
@@ -2376,8 +2780,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>con un error máximo de {value:.2f} m (95 %)</translation>
   </message>
   <message>
+   <source>without an expected fix</source>
+   <translation>sin posición esperada</translation>
+  </message>
+  <message>
    <source>wrong fixes</source>
    <translation>posiciones erróneas</translation>
+  </message>
+  <message>
+   <source>wrong fixes simulated</source>
+   <translation>posiciones erróneas simuladas</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -2398,6 +2810,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
    <translation>{bytes} bytes. Redondeo: posiciones en {position:g} unidades del mapa como máximo, áreas en {area:.3%}, vectores en {vector:.4f} por elemento.</translation>
+  </message>
+  <message>
+   <source>{count} images simulated in {seconds:.0f} s.</source>
+   <translation>{count} imágenes simuladas en {seconds:.0f} s.</translation>
   </message>
   <message>
    <source>{count} images to localize.</source>
@@ -2424,6 +2840,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{count} lugares discrepan.</translation>
   </message>
   <message>
+   <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
+   <translation>{count} puntos; {share:.0%} de ellos con un acierto esperado del {threshold:.0%} o más.</translation>
+  </message>
+  <message>
    <source>{database}, images cut from {labels}</source>
    <translation>{database}, imágenes cortadas de {labels}</translation>
   </message>
@@ -2438,6 +2858,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{folder} has no wheel of {package} for Python {python} on this system.</source>
    <translation>{folder} no tiene ningún wheel de {package} para Python {python} en este sistema.</translation>
+  </message>
+  <message>
+   <source>{footprint}: expected success. A square is {size:g} map units wide; north is up.</source>
+   <translation>{footprint}: acierto esperado. Un cuadrado mide {size:g} unidades del mapa de ancho; el norte está arriba.</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -2560,12 +2984,28 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{python}, el Python de QGIS, no tiene pip; {how_to_get_pip}, o use en su lugar «{command}».</translation>
   </message>
   <message>
+   <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough.</source>
+   <translation>{route}: acierto esperado con su intervalo del 95 % (eje izquierdo) e hitos a la vista (discontinua, eje derecho) a lo largo de {length:.1f} km. Sombreado: tramos sin posición esperada; línea punteada: suficiente.</translation>
+  </message>
+  <message>
+   <source>{seconds:.0f} s at {speed:g} m/s</source>
+   <translation>{seconds:.0f} s a {speed:g} m/s</translation>
+  </message>
+  <message>
    <source>{seconds:.0f} s.</source>
    <translation>{seconds:.0f} s.</translation>
   </message>
   <message>
    <source>{share:.1%} of the pixels match no class.</source>
    <translation>{share:.1%} de los píxeles no coinciden con ninguna clase.</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the left: {after} instead of {before}</source>
+   <translation>{shift:.0f} m a la izquierda: {after} en lugar de {before}</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the right: {after} instead of {before}</source>
+   <translation>{shift:.0f} m a la derecha: {after} en lugar de {before}</translation>
   </message>
   <message>
    <source>{source} does not measure in meters; the label map is made in {target}.</source>
@@ -2578,6 +3018,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} no indica ninguna distancia focal, así que la imagen se toma tal cual.</translation>
+  </message>
+  <message>
+   <source>{threshold} or more expected</source>
+   <translation>{threshold} o más esperado</translation>
   </message>
   <message>
    <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>

@@ -32,6 +32,10 @@
    <translation>Une lacune de {area:.2f} m² a été attribuée à {other_name}.</translation>
   </message>
   <message>
+   <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
+   <translation>Une couche de lignes, ou le chemin d’un fichier GPX, KML, .plan ou .waypoints. Chaque ligne est une route à part.</translation>
+  </message>
+  <message>
    <source>A new or empty folder; one of an earlier export is replaced.</source>
    <translation>Un dossier nouveau ou vide ; celui d’une exportation précédente est remplacé.</translation>
   </message>
@@ -188,6 +192,26 @@
    <translation>Des tableaux au format de numpy, compressés en zip ; la documentation le décrit pour qui écrit un lecteur dans un autre langage.</translation>
   </message>
   <message>
+   <source>Assess reference database</source>
+   <translation>Apprécier une base de données de référence</translation>
+  </message>
+  <message>
+   <source>Assess route</source>
+   <translation>Apprécier une route</translation>
+  </message>
+  <message>
+   <source>Assessment of a reference database</source>
+   <translation>Appréciation d’une base de données de référence</translation>
+  </message>
+  <message>
+   <source>Assessment of a route</source>
+   <translation>Appréciation d’une route</translation>
+  </message>
+  <message>
+   <source>Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in the database. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
+   <translation>Hypothèses : caméra à l’horizontale ; cap quelconque ; {missed} des repères visuels manqués, {invented} inventés, {misnamed} mal nommés ; bords décalés de {ragged:g} unités de carte (écart type) ; aucune position approximative ; le terrain tel que dans la base. Une position compte comme correcte à moins de 2 % de l’emprise. Méthode : {method}.</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>Automatique</translation>
   </message>
@@ -234,6 +258,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>Rastérise des polygones d’occupation du sol en une carte d’étiquettes : un GeoTIFF à une seule bande dont les pixels contiennent des valeurs de classe, 0 là où il n’y a pas de polygone.
 
 Les classes viennent de la table des classes, sinon du style catégorisé de la couche, sinon des valeurs du champ de classe. Les polygones invalides sont réparés, les polygones vides ignorés ; le journal dit combien.</translation>
+  </message>
+  <message>
+   <source>By footprint</source>
+   <translation>Par emprise</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -488,6 +516,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Distance autour (unités de carte)</translation>
   </message>
   <message>
+   <source>Distance between the points; a quarter of the footprint if left out.</source>
+   <translation>Distance entre les points ; un quart de l’emprise si omise.</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>Distance au centre, rapportée à la plus grande distance</translation>
   </message>
@@ -524,6 +556,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Dessine le vecteur de l’image sélectionnée dans les résultats par-dessus celui de la fenêtre</translation>
   </message>
   <message>
+   <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
+   <translation>Chaque image simulée a été prédite à partir de toutes les autres d’après les repères visuels qu’elle montre : sur la diagonale, l’attente tient ce qu’elle dit. Score de Brier (0 est parfait ; dire toujours un demi donne 0,25) : {scores}. Cela confronte l’attente à des images simulées, non le bruit indiqué à celui que vous avez.</translation>
+  </message>
+  <message>
    <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
    <translation>Côté d’un pixel en mètres. Le plus petit repère visuel devrait couvrir une cinquantaine de pixels.</translation>
   </message>
@@ -534,6 +570,18 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Edge of a tile; a multiple of 32 suits networks.</source>
    <translation>Côté d’une tuile ; un multiple de 32 convient aux réseaux.</translation>
+  </message>
+  <message>
+   <source>Edge of the ground that an image shows; several separated by “;” for several heights. The window size if left out.</source>
+   <translation>Côté du terrain que montre une image ; plusieurs, séparés par « ; », pour plusieurs hauteurs. La taille de fenêtre si omis.</translation>
+  </message>
+  <message>
+   <source>Edge of the ground that an image shows; the window size if left out.</source>
+   <translation>Côté du terrain que montre une image ; la taille de fenêtre si omis.</translation>
+  </message>
+  <message>
+   <source>Edge of the squares; half the smallest footprint if left out.</source>
+   <translation>Côté des carrés ; la moitié de la plus petite emprise si omis.</translation>
   </message>
   <message>
    <source>Error (m)</source>
@@ -558,6 +606,22 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Tout : cartes d’étiquettes, bases de données, localisation</translation>
+  </message>
+  <message>
+   <source>Expected against simulated success</source>
+   <translation>Réussite attendue et simulée</translation>
+  </message>
+  <message>
+   <source>Expected success</source>
+   <translation>Réussite attendue</translation>
+  </message>
+  <message>
+   <source>Expected success from which a place counts as one where localization works.</source>
+   <translation>Réussite attendue à partir de laquelle un lieu compte comme un lieu où la localisation fonctionne.</translation>
+  </message>
+  <message>
+   <source>Expected success is good enough everywhere.</source>
+   <translation>La réussite attendue est suffisante partout.</translation>
   </message>
   <message>
    <source>Export for onboard use</source>
@@ -708,12 +772,36 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Dossier des tuiles</translation>
   </message>
   <message>
+   <source>Footprint</source>
+   <translation>Emprise</translation>
+  </message>
+  <message>
+   <source>Footprint (map units)</source>
+   <translation>Emprise (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Footprint {footprint:g}</source>
+   <translation>Emprise {footprint:g}</translation>
+  </message>
+  <message>
+   <source>Footprint {footprint:g}: {share:.1%} of the ground with an expected success of {threshold:.0%} or more; on average {mean:.1%}.</source>
+   <translation>Emprise {footprint:g} : {share:.1%} du terrain avec une réussite attendue de {threshold:.0%} ou plus ; en moyenne {mean:.1%}.</translation>
+  </message>
+  <message>
    <source>Footprints</source>
    <translation>Emprises au sol</translation>
   </message>
   <message>
+   <source>Footprints (map units)</source>
+   <translation>Emprises (unités de carte)</translation>
+  </message>
+  <message>
    <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
    <translation>Pour les images ambiguës : le terrain de chaque lieu qui convient, le meilleur en premier.</translation>
+  </message>
+  <message>
+   <source>For each footprint, spread evenly over the ground. More make the intervals narrower.</source>
+   <translation>Pour chaque emprise, réparties uniformément sur le terrain. Davantage d’images resserrent les intervalles.</translation>
   </message>
   <message>
    <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
@@ -730,6 +818,14 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
    <translation>Des polygones d’occupation du sol à une base de données de référence en une seule exécution : « Rastériser l’annotation », puis « Créer une base de données de référence ». Indiquez une table de classes ou nommez les classes de référence.</translation>
+  </message>
+  <message>
+   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
+   <translation>De {start:.0f} à {end:.0f} m : {shift:.0f} m plus à gauche, la réussite serait de {after:.0%} au lieu de {before:.0%}.</translation>
+  </message>
+  <message>
+   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
+   <translation>De {start:.0f} à {end:.0f} m : {shift:.0f} m plus à droite, la réussite serait de {after:.0%} au lieu de {before:.0%}.</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -750,6 +846,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0.</source>
    <translation>GeoTIFF, 8 bits par pixel, avec les classes du modèle ; les pixels sans données valent 0.</translation>
+  </message>
+  <message>
+   <source>Good enough from (%)</source>
+   <translation>Suffisant à partir de (%)</translation>
   </message>
   <message>
    <source>Ground that an image shows, as a multiple of the window size.</source>
@@ -788,8 +888,16 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>L’écart qu’une position trouvée peut avoir pour compter comme correcte. En cas d’omission, 2 % du côté du terrain que montre l’image. Le vecteur topologique est correct quand il nomme la fenêtre la plus proche.</translation>
   </message>
   <message>
+   <source>How far stretches without an expected fix may be shifted to either side; half of it is tried, too. The footprint if left out, 0 for none.</source>
+   <translation>De combien les tronçons sans position attendue peuvent être décalés de chaque côté ; la moitié est essayée aussi. L’emprise si omis, 0 pour aucun décalage.</translation>
+  </message>
+  <message>
    <source>How far the compared image’s vector differs here</source>
    <translation>De combien le vecteur de l’image comparée diffère ici</translation>
+  </message>
+  <message>
+   <source>How far this can be trusted</source>
+   <translation>Jusqu’où s’y fier</translation>
   </message>
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
@@ -814,6 +922,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Images</source>
    <translation>Images</translation>
+  </message>
+  <message>
+   <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
+   <translation>Les images montrant {footprint:g} unités de carte ne sont pas cherchées sans taille de pixel connue : trop loin de la taille de fenêtre {window:g}.</translation>
   </message>
   <message>
    <source>In the project…</source>
@@ -912,6 +1024,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Repères visuels dans la fenêtre</translation>
   </message>
   <message>
+   <source>Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.</source>
+   <translation>Repères visuels en vue : médiane et, entre parenthèses, étendue des 80 % centraux du terrain.</translation>
+  </message>
+  <message>
    <source>Landmarks invented (%)</source>
    <translation>Repères visuels inventés (%)</translation>
   </message>
@@ -938,6 +1054,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Largest scale</source>
    <translation>Plus grande échelle</translation>
+  </message>
+  <message>
+   <source>Largest shift (map units)</source>
+   <translation>Décalage maximal (unités de carte)</translation>
   </message>
   <message>
    <source>Latitude, longitude (WGS 84)</source>
@@ -968,6 +1088,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Chargement du modèle</translation>
   </message>
   <message>
+   <source>Localizable fraction</source>
+   <translation>Part localisable</translation>
+  </message>
+  <message>
    <source>Localization</source>
    <translation>Localisation</translation>
   </message>
@@ -986,6 +1110,26 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Localizing images</source>
    <translation>Localisation des images</translation>
+  </message>
+  <message>
+   <source>Localizing simulated images</source>
+   <translation>Localisation d’images simulées</translation>
+  </message>
+  <message>
+   <source>Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean expected success of the stretch if it is flown parallel, to the left or right of the direction of flight.</source>
+   <translation>Les plus longs d’abord. Un tronçon va du dernier point suffisant au suivant. Les conseils donnent la réussite attendue moyenne du tronçon s’il est volé en parallèle, à gauche ou à droite du sens de vol.</translation>
+  </message>
+  <message>
+   <source>Longest gap</source>
+   <translation>Plus longue lacune</translation>
+  </message>
+  <message>
+   <source>Longest gap in seconds</source>
+   <translation>Plus longue lacune en secondes</translation>
+  </message>
+  <message>
+   <source>Longest stretch without an expected fix: {length:.0f} m.</source>
+   <translation>Plus long tronçon sans position attendue : {length:.0f} m.</translation>
   </message>
   <message>
    <source>Longitude, latitude (WGS 84)</source>
@@ -1010,6 +1154,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>Recherche du Python de QGIS…</translation>
+  </message>
+  <message>
+   <source>Looking for better lines beside {count} gaps.</source>
+   <translation>Recherche de meilleures lignes à côté de {count} lacunes.</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -1062,6 +1210,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Map correlation</source>
    <translation>Corrélation de cartes</translation>
+  </message>
+  <message>
+   <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
+   <translation>Carte, réussite par emprise, repères visuels et hypothèses, dans un seul fichier à lire et à imprimer.</translation>
   </message>
   <message>
    <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
@@ -1128,6 +1280,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Modèle, pour les photos</translation>
   </message>
   <message>
+   <source>More make the intervals narrower; points near each other learn from each other.</source>
+   <translation>Davantage d’images resserrent les intervalles ; les points voisins apprennent les uns des autres.</translation>
+  </message>
+  <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
    <translation>Multiplicateurs de la taille de fenêtre et du pas, séparés par « ; » : 1;2 ajoute des fenêtres deux fois plus grandes pour des vols deux fois plus hauts.</translation>
   </message>
@@ -1174,6 +1330,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>No window of the database lies there.</source>
    <translation>Il n’y a là aucune fenêtre de la base de données.</translation>
+  </message>
+  <message>
+   <source>None: a fix is expected everywhere.</source>
+   <translation>Aucun : une position est attendue partout.</translation>
   </message>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
@@ -1316,6 +1476,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Tracé du contour des divergences</translation>
   </message>
   <message>
+   <source>Over ground; gaps are then told in seconds, too.</source>
+   <translation>Par rapport au sol ; les lacunes sont alors aussi données en secondes.</translation>
+  </message>
+  <message>
    <source>Overall accuracy</source>
    <translation>Exactitude globale</translation>
   </message>
@@ -1360,6 +1524,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Endroit précédent</translation>
   </message>
   <message>
+   <source>Points along the route</source>
+   <translation>Points le long de la route</translation>
+  </message>
+  <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>Points avec classe, surface et position en pixels ; en pixels (y vers le haut, négatif) sans géoréférence.</translation>
   </message>
@@ -1396,6 +1564,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Carte d’étiquettes prédite</translation>
   </message>
   <message>
+   <source>Preparing the landmarks</source>
+   <translation>Préparation des repères visuels</translation>
+  </message>
+  <message>
    <source>Press “Localize” in the dock to find where the photos were taken.</source>
    <translation>Appuyez sur « Localiser » dans le panneau pour trouver où les photos ont été prises.</translation>
   </message>
@@ -1406,6 +1578,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
    <translation>Probabilité que la position soit correcte ; pour la méthode publiée, la proximité des vecteurs</translation>
+  </message>
+  <message>
+   <source>Profile</source>
+   <translation>Profil</translation>
+  </message>
+  <message>
+   <source>Profile of expected success along the route, and its gaps, in one file to read and print.</source>
+   <translation>Profil de la réussite attendue le long de la route, et ses lacunes, dans un seul fichier à lire et à imprimer.</translation>
   </message>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
@@ -1462,6 +1642,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Ready to localize.</source>
    <translation>Prêt à localiser.</translation>
+  </message>
+  <message>
+   <source>Reason</source>
+   <translation>Raison</translation>
   </message>
   <message>
    <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
@@ -1554,6 +1738,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Rotation (°)</source>
    <translation>Rotation (°)</translation>
+  </message>
+  <message>
+   <source>Route</source>
+   <translation>Route</translation>
+  </message>
+  <message>
+   <source>Route {number}</source>
+   <translation>Route {number}</translation>
   </message>
   <message>
    <source>Save results</source>
@@ -1672,6 +1864,34 @@ The image is described in its largest centered square, exactly as the windows of
 L’image est décrite dans son plus grand carré centré, exactement comme le sont les fenêtres d’une base de données. Avec une base de données, ce sont ses classes, sa surface minimale et sa longueur de vecteur qui sont utilisées ; sans base, donnez-les ici.</translation>
   </message>
   <message>
+   <source>Shows what to expect along a planned route: success, error and number of landmarks at every point, the longest stretch without an expected fix, and which stretches do better when they are shifted to a side.
+
+The route is a line layer, or the path of a file that planners have: GPX (routes, else tracks, else waypoints), KML, a plan of QGroundControl (.plan, surveys included) or a waypoint list (.waypoints). Longitude and latitude are transformed to the database’s CRS. Images are simulated as “Assess reference database” does, under the noise that you state.</source>
+   <translation>Montre à quoi s’attendre le long d’une route planifiée : réussite, erreur et nombre de repères visuels en chaque point, le plus long tronçon sans position attendue, et quels tronçons gagnent à être décalés d’un côté.
+
+La route est une couche de lignes, ou le chemin d’un fichier de planification : GPX (routes, sinon traces, sinon points), KML, un plan de QGroundControl (.plan, levés compris) ou une liste de points (.waypoints). Longitude et latitude sont transformées dans le SCR de la base. Les images sont simulées comme par « Apprécier une base de données de référence », avec le bruit indiqué.</translation>
+  </message>
+  <message>
+   <source>Shows where images will be localized with a reference database, and where not: expected success and error of each square of ground under the noise that you state, number of landmarks, look-alikes, and the reason where it fails.
+
+Images of the database’s own landmarks are simulated, spoiled and localized by the localizer itself; a regression carries what they teach to squares with few trials. Nothing but the database is needed. It is an expectation: noise that you understate, and changes on the ground, make it too good. “Evaluate localization” tests a database with a label map of another date.</source>
+   <translation>Montre où des images seront localisées avec une base de données de référence, et où non : réussite et erreur attendues de chaque carré de terrain sous le bruit indiqué, nombre de repères visuels, sosies, et la raison là où cela échoue.
+
+Des images des repères visuels de la base sont simulées, dégradées et localisées par le localiseur lui-même ; une régression étend ce qu’elles apprennent aux carrés peu essayés. Rien d’autre que la base n’est nécessaire. C’est une attente : un bruit sous-estimé et des changements du terrain la rendent trop bonne. « Évaluer la localisation » éprouve une base avec une carte d’étiquettes d’une autre date.</translation>
+  </message>
+  <message>
+   <source>Simulated images</source>
+   <translation>Images simulées</translation>
+  </message>
+  <message>
+   <source>Simulated images a point</source>
+   <translation>Images simulées par point</translation>
+  </message>
+  <message>
+   <source>Simulated images by the landmarks that the map has whole in them; lines: 95 % intervals.</source>
+   <translation>Images simulées selon les repères visuels que la carte y a en entier ; traits : intervalles à 95 %.</translation>
+  </message>
+  <message>
    <source>Single-band class values, or colors decoded by the class table. It needs no georeference.</source>
    <translation>Valeurs de classe sur une seule bande, ou couleurs décodées par la table des classes. Elle n’a pas besoin de géoréférence.</translation>
   </message>
@@ -1720,6 +1940,18 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Plus petite échelle</translation>
   </message>
   <message>
+   <source>Spacing (map units)</source>
+   <translation>Espacement (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Speed (m/s)</source>
+   <translation>Vitesse (m/s)</translation>
+  </message>
+  <message>
+   <source>Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.</source>
+   <translation>Carrés de terrain ; pour plusieurs emprises un carré chacune, dont ceux de la première sont dessinés.</translation>
+  </message>
+  <message>
    <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
    <translation>Écart type du déplacement des bords, semblable sur huit pixels.</translation>
   </message>
@@ -1742,6 +1974,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
    <translation>Étiré à 8 bits depuis {limits}.</translation>
+  </message>
+  <message>
+   <source>Stretches without an expected fix</source>
+   <translation>Tronçons sans position attendue</translation>
   </message>
   <message>
    <source>Stride (map units)</source>
@@ -1786,6 +2022,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
    <translation>Le fournisseur de traitements SemRef est désactivé ; activez-le dans les options.</translation>
+  </message>
+  <message>
+   <source>The database has no overview; where its ground ends is taken from its extent.</source>
+   <translation>La base n’a pas de vue d’ensemble ; la fin de son terrain est tirée de son emprise.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
@@ -2068,8 +2308,16 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Ce qui est tenu pour vrai : valeurs de classe sur une seule bande, par exemple issues de « Rastériser l’annotation ».</translation>
   </message>
   <message>
+   <source>What keeps most images from a fix where expected success is below {threshold}:</source>
+   <translation>Ce qui prive la plupart des images d’une position là où la réussite attendue est inférieure à {threshold} :</translation>
+  </message>
+  <message>
    <source>What the confidence is worth</source>
    <translation>Ce que vaut la confiance</translation>
+  </message>
+  <message>
+   <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
+   <translation>À quoi s’attendre en chaque point ; « gap » est la longueur du tronçon sans position attendue où il se trouve.</translation>
   </message>
   <message>
    <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
@@ -2078,6 +2326,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Where it succeeds</source>
    <translation>Où la localisation réussit</translation>
+  </message>
+  <message>
+   <source>Where it will localize</source>
+   <translation>Où la localisation réussira</translation>
   </message>
   <message>
    <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
@@ -2098,6 +2350,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Whether a position was found</source>
    <translation>Si une position a été trouvée</translation>
+  </message>
+  <message>
+   <source>Why it fails</source>
+   <translation>Pourquoi cela échoue</translation>
   </message>
   <message>
    <source>Window</source>
@@ -2132,6 +2388,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Fenêtres vues de 2 à 0,5 fois leur taille, sans bruit. La méthode de l’article compare des vecteurs : une distance supérieure à 2 n’est pas une correspondance.</translation>
   </message>
   <message>
+   <source>With map correlation (slow)</source>
+   <translation>Avec corrélation de cartes (lent)</translation>
+  </message>
+  <message>
    <source>With the overview</source>
    <translation>Avec la vue d’ensemble</translation>
   </message>
@@ -2150,6 +2410,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Sans base de données : les classes. En cas d’omission, celles que l’image d’étiquettes porte elle-même.</translation>
+  </message>
+  <message>
+   <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>
+   <translation>Sans elle, seule la constellation des repères visuels est appréciée. Avec elle, comme la méthode Automatique : là où les repères ne donnent pas de position, la corrélation de cartes est essayée sur des images découpées dans la vue d’ensemble de la base. Cela prend des secondes par image sur une grande carte ; on l’essaie donc sur un cinquième des images au plus.</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
@@ -2184,6 +2448,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>ajoutez le paquet python3-pip avec l’installateur d’OSGeo4W</translation>
   </message>
   <message>
+   <source>along the route, km</source>
+   <translation>le long de la route, km</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>annoté</translation>
   </message>
@@ -2212,6 +2480,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>confiance {value:.2f}</translation>
   </message>
   <message>
+   <source>constellation alone</source>
+   <translation>constellation seule</translation>
+  </message>
+  <message>
+   <source>constellation, then map correlation</source>
+   <translation>constellation, puis corrélation de cartes</translation>
+  </message>
+  <message>
    <source>distance</source>
    <translation>distance</translation>
   </message>
@@ -2236,6 +2512,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>erreurs</translation>
   </message>
   <message>
+   <source>expected error</source>
+   <translation>erreur attendue</translation>
+  </message>
+  <message>
+   <source>expected success</source>
+   <translation>réussite attendue</translation>
+  </message>
+  <message>
    <source>false accepts</source>
    <translation>fausses acceptations</translation>
   </message>
@@ -2248,12 +2532,24 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>trouvé</translation>
   </message>
   <message>
+   <source>from (m)</source>
+   <translation>de (m)</translation>
+  </message>
+  <message>
+   <source>hardly ever</source>
+   <translation>presque jamais</translation>
+  </message>
+  <message>
    <source>heading</source>
    <translation>cap</translation>
   </message>
   <message>
    <source>heading {value:.1f}°</source>
    <translation>cap {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>hint</source>
+   <translation>conseil</translation>
   </message>
   <message>
    <source>images with a fix</source>
@@ -2284,8 +2580,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>type, voir le tableau</translation>
   </message>
   <message>
+   <source>landmarks</source>
+   <translation>repères visuels</translation>
+  </message>
+  <message>
    <source>landmarks in the window</source>
    <translation>repères visuels dans la fenêtre</translation>
+  </message>
+  <message>
+   <source>landmarks in view</source>
+   <translation>repères visuels en vue</translation>
   </message>
   <message>
    <source>landmarks invented</source>
@@ -2296,8 +2600,36 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>repères visuels manqués</translation>
   </message>
   <message>
+   <source>length</source>
+   <translation>longueur</translation>
+  </message>
+  <message>
+   <source>length (m)</source>
+   <translation>longueur (m)</translation>
+  </message>
+  <message>
+   <source>localizable</source>
+   <translation>localisable</translation>
+  </message>
+  <message>
+   <source>longest stretch</source>
+   <translation>plus long tronçon</translation>
+  </message>
+  <message>
+   <source>look-alikes</source>
+   <translation>sosies</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>IoU moyen</translation>
+  </message>
+  <message>
+   <source>mean over the ground</source>
+   <translation>moyenne sur le terrain</translation>
+  </message>
+  <message>
+   <source>median area</source>
+   <translation>surface médiane</translation>
   </message>
   <message>
    <source>median error</source>
@@ -2308,6 +2640,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>suivantes : {windows}</translation>
   </message>
   <message>
+   <source>no better line found beside it</source>
+   <translation>aucune meilleure ligne à côté</translation>
+  </message>
+  <message>
    <source>no class</source>
    <translation>aucune classe</translation>
   </message>
@@ -2316,12 +2652,32 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>des positions correctes</translation>
   </message>
   <message>
+   <source>of right fixes, median</source>
+   <translation>des positions correctes, médiane</translation>
+  </message>
+  <message>
    <source>of the classes that are annotated</source>
    <translation>des classes annotées</translation>
   </message>
   <message>
+   <source>of the ground localizable</source>
+   <translation>du terrain localisable</translation>
+  </message>
+  <message>
+   <source>of the points good enough</source>
+   <translation>des points suffisants</translation>
+  </message>
+  <message>
    <source>offset from the nearest window, share of the stride</source>
    <translation>décalage par rapport à la fenêtre la plus proche, part du pas</translation>
+  </message>
+  <message>
+   <source>often</source>
+   <translation>souvent</translation>
+  </message>
+  <message>
+   <source>outside the map</source>
+   <translation>hors de la carte</translation>
   </message>
   <message>
    <source>overall accuracy</source>
@@ -2344,6 +2700,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>prédit</translation>
   </message>
   <message>
+   <source>reason</source>
+   <translation>raison</translation>
+  </message>
+  <message>
+   <source>reliably</source>
+   <translation>de façon fiable</translation>
+  </message>
+  <message>
    <source>right among the fixes</source>
    <translation>part correcte des positions trouvées</translation>
   </message>
@@ -2360,8 +2724,48 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>échelle</translation>
   </message>
   <message>
+   <source>seconds</source>
+   <translation>secondes</translation>
+  </message>
+  <message>
+   <source>share</source>
+   <translation>part</translation>
+  </message>
+  <message>
+   <source>share of the ground</source>
+   <translation>part du terrain</translation>
+  </message>
+  <message>
+   <source>simulated: right</source>
+   <translation>simulé : correct</translation>
+  </message>
+  <message>
+   <source>simulated: wrong</source>
+   <translation>simulé : faux</translation>
+  </message>
+  <message>
+   <source>sometimes</source>
+   <translation>parfois</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>la sortie</translation>
+  </message>
+  <message>
+   <source>to (m)</source>
+   <translation>à (m)</translation>
+  </message>
+  <message>
+   <source>too few landmarks</source>
+   <translation>trop peu de repères visuels</translation>
+  </message>
+  <message>
+   <source>too little evidence</source>
+   <translation>trop peu d’indices</translation>
+  </message>
+  <message>
+   <source>very reliably</source>
+   <translation>de façon très fiable</translation>
   </message>
   <message>
    <source>warnings</source>
@@ -2376,8 +2780,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>à {value:.2f} m près (95 %)</translation>
   </message>
   <message>
+   <source>without an expected fix</source>
+   <translation>sans position attendue</translation>
+  </message>
+  <message>
    <source>wrong fixes</source>
    <translation>positions erronées</translation>
+  </message>
+  <message>
+   <source>wrong fixes simulated</source>
+   <translation>fausses positions simulées</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -2398,6 +2810,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
    <translation>{bytes} octets. Arrondis : positions d’au plus {position:g} unités de carte, surfaces de {area:.3%}, vecteurs de {vector:.4f} par élément.</translation>
+  </message>
+  <message>
+   <source>{count} images simulated in {seconds:.0f} s.</source>
+   <translation>{count} images simulées en {seconds:.0f} s.</translation>
   </message>
   <message>
    <source>{count} images to localize.</source>
@@ -2424,6 +2840,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{count} endroits divergent.</translation>
   </message>
   <message>
+   <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
+   <translation>{count} points ; {share:.0%} d’entre eux avec une réussite attendue de {threshold:.0%} ou plus.</translation>
+  </message>
+  <message>
    <source>{database}, images cut from {labels}</source>
    <translation>{database}, images découpées dans {labels}</translation>
   </message>
@@ -2438,6 +2858,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{folder} has no wheel of {package} for Python {python} on this system.</source>
    <translation>{folder} n’a pas de wheel de {package} pour Python {python} sur ce système.</translation>
+  </message>
+  <message>
+   <source>{footprint}: expected success. A square is {size:g} map units wide; north is up.</source>
+   <translation>{footprint} : réussite attendue. Un carré fait {size:g} unités de carte de large ; le nord est en haut.</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -2560,12 +2984,28 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{python}, le Python de QGIS, n’a pas pip ; {how_to_get_pip}, ou utilisez plutôt « {command} ».</translation>
   </message>
   <message>
+   <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough.</source>
+   <translation>{route} : réussite attendue avec son intervalle à 95 % (axe de gauche) et repères visuels en vue (tirets, axe de droite) sur {length:.1f} km. Ombré : tronçons sans position attendue ; ligne pointillée : suffisant.</translation>
+  </message>
+  <message>
+   <source>{seconds:.0f} s at {speed:g} m/s</source>
+   <translation>{seconds:.0f} s à {speed:g} m/s</translation>
+  </message>
+  <message>
    <source>{seconds:.0f} s.</source>
    <translation>{seconds:.0f} s.</translation>
   </message>
   <message>
    <source>{share:.1%} of the pixels match no class.</source>
    <translation>{share:.1%} des pixels ne correspondent à aucune classe.</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the left: {after} instead of {before}</source>
+   <translation>{shift:.0f} m à gauche : {after} au lieu de {before}</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the right: {after} instead of {before}</source>
+   <translation>{shift:.0f} m à droite : {after} au lieu de {before}</translation>
   </message>
   <message>
    <source>{source} does not measure in meters; the label map is made in {target}.</source>
@@ -2578,6 +3018,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} n’indique pas de focale, l’image est donc prise telle quelle.</translation>
+  </message>
+  <message>
+   <source>{threshold} or more expected</source>
+   <translation>{threshold} ou plus attendus</translation>
   </message>
   <message>
    <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>

@@ -32,6 +32,10 @@
    <translation>一处 {area:.2f} m² 的间隙已并入 {other_name}。</translation>
   </message>
   <message>
+   <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
+   <translation>线图层，或 GPX、KML、.plan、.waypoints 文件的路径。每条线为一条独立航线。</translation>
+  </message>
+  <message>
    <source>A new or empty folder; one of an earlier export is replaced.</source>
    <translation>新文件夹或空文件夹；之前导出的文件夹会被替换。</translation>
   </message>
@@ -188,6 +192,26 @@
    <translation>numpy 格式的数组，zip 压缩；文档对该格式作了说明，便于用其他语言读取。</translation>
   </message>
   <message>
+   <source>Assess reference database</source>
+   <translation>评价参考数据库</translation>
+  </message>
+  <message>
+   <source>Assess route</source>
+   <translation>评价航线</translation>
+  </message>
+  <message>
+   <source>Assessment of a reference database</source>
+   <translation>参考数据库的评价</translation>
+  </message>
+  <message>
+   <source>Assessment of a route</source>
+   <translation>航线的评价</translation>
+  </message>
+  <message>
+   <source>Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in the database. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
+   <translation>假定：相机水平；任意航向；地标漏检 {missed}、虚报 {invented}、类别错误 {misnamed}；边缘偏移 {ragged:g} 地图单位（标准差）；无先验位置；地面与数据库一致。误差在覆盖边长 2 % 以内的定位算正确。方法：{method}。</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>自动</translation>
   </message>
@@ -234,6 +258,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>将土地覆盖多边形烧录为标签图：一个单波段 GeoTIFF，像元存储类别值，没有多边形的地方为 0。
 
 类别依次取自类别表、图层的分类样式或类别字段的值。无效的多边形会被修复，空的多边形会被跳过；数量见日志。</translation>
+  </message>
+  <message>
+   <source>By footprint</source>
+   <translation>按覆盖范围</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -488,6 +516,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>周围距离（地图单位）</translation>
   </message>
   <message>
+   <source>Distance between the points; a quarter of the footprint if left out.</source>
+   <translation>点间距；不填则为覆盖边长的四分之一。</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>到中心的距离与最大距离之比</translation>
   </message>
@@ -524,6 +556,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>将结果中所选影像的向量绘制在窗口的向量之上</translation>
   </message>
   <message>
+   <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
+   <translation>每幅模拟影像都由其余影像按其所见地标预测：在对角线上，预期与实际相符。Brier 分数（0 为完美；始终预测一半为 0.25）：{scores}。这检验的是预期与模拟影像是否相符，而不是您所填的噪声与实际噪声是否相符。</translation>
+  </message>
+  <message>
    <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
    <translation>像元的边长，以米为单位。最小的地标应覆盖约 50 个像元。</translation>
   </message>
@@ -534,6 +570,18 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Edge of a tile; a multiple of 32 suits networks.</source>
    <translation>图块的边长；32 的倍数适合网络。</translation>
+  </message>
+  <message>
+   <source>Edge of the ground that an image shows; several separated by “;” for several heights. The window size if left out.</source>
+   <translation>影像所覆盖地面的边长；多个高度用“;”分隔。不填则为窗口大小。</translation>
+  </message>
+  <message>
+   <source>Edge of the ground that an image shows; the window size if left out.</source>
+   <translation>影像所覆盖地面的边长；不填则为窗口大小。</translation>
+  </message>
+  <message>
+   <source>Edge of the squares; half the smallest footprint if left out.</source>
+   <translation>方格边长；不填则为最小覆盖边长的一半。</translation>
   </message>
   <message>
    <source>Error (m)</source>
@@ -558,6 +606,22 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>全部功能：标签图、数据库、定位</translation>
+  </message>
+  <message>
+   <source>Expected against simulated success</source>
+   <translation>预期成功率与模拟成功率</translation>
+  </message>
+  <message>
+   <source>Expected success</source>
+   <translation>预期成功率</translation>
+  </message>
+  <message>
+   <source>Expected success from which a place counts as one where localization works.</source>
+   <translation>预期成功率达到此值的地点算作可定位。</translation>
+  </message>
+  <message>
+   <source>Expected success is good enough everywhere.</source>
+   <translation>各处预期成功率均足够。</translation>
   </message>
   <message>
    <source>Export for onboard use</source>
@@ -708,12 +772,36 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>存放图块的文件夹</translation>
   </message>
   <message>
+   <source>Footprint</source>
+   <translation>覆盖范围</translation>
+  </message>
+  <message>
+   <source>Footprint (map units)</source>
+   <translation>覆盖边长（地图单位）</translation>
+  </message>
+  <message>
+   <source>Footprint {footprint:g}</source>
+   <translation>覆盖边长 {footprint:g}</translation>
+  </message>
+  <message>
+   <source>Footprint {footprint:g}: {share:.1%} of the ground with an expected success of {threshold:.0%} or more; on average {mean:.1%}.</source>
+   <translation>覆盖边长 {footprint:g}：{share:.1%} 的地面预期成功率达 {threshold:.0%} 以上；平均 {mean:.1%}。</translation>
+  </message>
+  <message>
    <source>Footprints</source>
    <translation>覆盖范围</translation>
   </message>
   <message>
+   <source>Footprints (map units)</source>
+   <translation>覆盖边长（地图单位，可多个）</translation>
+  </message>
+  <message>
    <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
    <translation>对于结果不唯一的影像：每个相符地点的地面范围，最佳的排在最前。</translation>
+  </message>
+  <message>
+   <source>For each footprint, spread evenly over the ground. More make the intervals narrower.</source>
+   <translation>每个覆盖边长的影像数，均匀分布于地面。越多区间越窄。</translation>
   </message>
   <message>
    <source>For images of one flight whose times are known: a fix that can’t be reached in time from the fixes before and after it is marked as jump, with the reason. It stays a fix and is counted.</source>
@@ -730,6 +818,14 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
    <translation>一次运行即可从土地覆盖多边形得到参考数据库：先“栅格化标注”，再“构建参考数据库”。请给出类别表，或指定参考类别。</translation>
+  </message>
+  <message>
+   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
+   <translation>{start:.0f} 至 {end:.0f} m：向左平移 {shift:.0f} m，成功率为 {after:.0%}，而不是 {before:.0%}。</translation>
+  </message>
+  <message>
+   <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
+   <translation>{start:.0f} 至 {end:.0f} m：向右平移 {shift:.0f} m，成功率为 {after:.0%}，而不是 {before:.0%}。</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -750,6 +846,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0.</source>
    <translation>GeoTIFF，每像元 8 位，采用模型的类别；没有数据的像元为 0。</translation>
+  </message>
+  <message>
+   <source>Good enough from (%)</source>
+   <translation>达标阈值（%）</translation>
   </message>
   <message>
    <source>Ground that an image shows, as a multiple of the window size.</source>
@@ -788,8 +888,16 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>定位结果的误差不超过多少仍计为正确。若留空，则为影像所覆盖地面边长的 2%。拓扑向量法识别出最近的窗口即为正确。</translation>
   </message>
   <message>
+   <source>How far stretches without an expected fix may be shifted to either side; half of it is tried, too. The footprint if left out, 0 for none.</source>
+   <translation>无预期定位的航段可向两侧平移多远；也会尝试其一半。不填则为覆盖边长，0 表示不平移。</translation>
+  </message>
+  <message>
    <source>How far the compared image’s vector differs here</source>
    <translation>与之比较的影像的向量在此处的差异</translation>
+  </message>
+  <message>
+   <source>How far this can be trusted</source>
+   <translation>可信程度</translation>
   </message>
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
@@ -814,6 +922,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Images</source>
    <translation>影像</translation>
+  </message>
+  <message>
+   <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
+   <translation>覆盖 {footprint:g} 地图单位的影像在像素大小未知时不会被搜索：与窗口大小 {window:g} 相差太大。</translation>
   </message>
   <message>
    <source>In the project…</source>
@@ -912,6 +1024,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>窗口中的地标</translation>
   </message>
   <message>
+   <source>Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.</source>
+   <translation>可见地标：中位数，括号内为地面中间 80 % 的范围。</translation>
+  </message>
+  <message>
    <source>Landmarks invented (%)</source>
    <translation>虚增的地标（%）</translation>
   </message>
@@ -938,6 +1054,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Largest scale</source>
    <translation>最大比例</translation>
+  </message>
+  <message>
+   <source>Largest shift (map units)</source>
+   <translation>最大平移（地图单位）</translation>
   </message>
   <message>
    <source>Latitude, longitude (WGS 84)</source>
@@ -968,6 +1088,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>正在加载模型</translation>
   </message>
   <message>
+   <source>Localizable fraction</source>
+   <translation>可定位比例</translation>
+  </message>
+  <message>
    <source>Localization</source>
    <translation>定位</translation>
   </message>
@@ -986,6 +1110,26 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Localizing images</source>
    <translation>正在定位影像</translation>
+  </message>
+  <message>
+   <source>Localizing simulated images</source>
+   <translation>正在定位模拟影像</translation>
+  </message>
+  <message>
+   <source>Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean expected success of the stretch if it is flown parallel, to the left or right of the direction of flight.</source>
+   <translation>最长者在前。航段从最后一个达标点到下一个达标点。提示给出该段向飞行方向左侧或右侧平行飞行时的平均预期成功率。</translation>
+  </message>
+  <message>
+   <source>Longest gap</source>
+   <translation>最长空缺</translation>
+  </message>
+  <message>
+   <source>Longest gap in seconds</source>
+   <translation>最长空缺（秒）</translation>
+  </message>
+  <message>
+   <source>Longest stretch without an expected fix: {length:.0f} m.</source>
+   <translation>无预期定位的最长航段：{length:.0f} m。</translation>
   </message>
   <message>
    <source>Longitude, latitude (WGS 84)</source>
@@ -1010,6 +1154,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>正在查找 QGIS 的 Python…</translation>
+  </message>
+  <message>
+   <source>Looking for better lines beside {count} gaps.</source>
+   <translation>正在 {count} 处空缺旁寻找更好的航线。</translation>
   </message>
   <message>
    <source>Looking for changes</source>
@@ -1062,6 +1210,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Map correlation</source>
    <translation>地图相关</translation>
+  </message>
+  <message>
+   <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
+   <translation>地图、各覆盖范围的成功率、地标及假定条件，汇于一个可阅读和打印的文件。</translation>
   </message>
   <message>
    <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
@@ -1128,6 +1280,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>用于照片的模型</translation>
   </message>
   <message>
+   <source>More make the intervals narrower; points near each other learn from each other.</source>
+   <translation>越多区间越窄；相邻点互相借鉴。</translation>
+  </message>
+  <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
    <translation>窗口大小和步长的倍数，以“;”分隔：1;2 会增加两倍大小的窗口，用于两倍高度的飞行。</translation>
   </message>
@@ -1174,6 +1330,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>No window of the database lies there.</source>
    <translation>该处没有数据库的窗口。</translation>
+  </message>
+  <message>
+   <source>None: a fix is expected everywhere.</source>
+   <translation>无：各处均预期可定位。</translation>
   </message>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
@@ -1316,6 +1476,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>正在勾绘不一致之处</translation>
   </message>
   <message>
+   <source>Over ground; gaps are then told in seconds, too.</source>
+   <translation>地速；填写后空缺也以秒给出。</translation>
+  </message>
+  <message>
    <source>Overall accuracy</source>
    <translation>总体精度</translation>
   </message>
@@ -1360,6 +1524,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>上一处</translation>
   </message>
   <message>
+   <source>Points along the route</source>
+   <translation>沿航线的点</translation>
+  </message>
+  <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>带有类别、面积和像元位置的点；没有地理参照时以像元为单位（y 轴向上，为负值）。</translation>
   </message>
@@ -1396,6 +1564,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>预测的标签图</translation>
   </message>
   <message>
+   <source>Preparing the landmarks</source>
+   <translation>正在准备地标</translation>
+  </message>
+  <message>
    <source>Press “Localize” in the dock to find where the photos were taken.</source>
    <translation>请在面板中点击“定位”，找出照片的拍摄位置。</translation>
   </message>
@@ -1406,6 +1578,14 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
    <translation>位置正确的概率；对于已发表的方法，则为向量的接近程度</translation>
+  </message>
+  <message>
+   <source>Profile</source>
+   <translation>剖面</translation>
+  </message>
+  <message>
+   <source>Profile of expected success along the route, and its gaps, in one file to read and print.</source>
+   <translation>沿航线的预期成功率剖面及空缺，汇于一个可阅读和打印的文件。</translation>
   </message>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
@@ -1462,6 +1642,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Ready to localize.</source>
    <translation>可以开始定位。</translation>
+  </message>
+  <message>
+   <source>Reason</source>
+   <translation>原因</translation>
   </message>
   <message>
    <source>Red, green and blue: bands {red}, {green}, {blue}.</source>
@@ -1554,6 +1738,14 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Rotation (°)</source>
    <translation>旋转角度（°）</translation>
+  </message>
+  <message>
+   <source>Route</source>
+   <translation>航线</translation>
+  </message>
+  <message>
+   <source>Route {number}</source>
+   <translation>航线 {number}</translation>
   </message>
   <message>
    <source>Save results</source>
@@ -1672,6 +1864,34 @@ The image is described in its largest centered square, exactly as the windows of
 影像以其最大的居中正方形来描述，与数据库的窗口完全相同。给出数据库时，采用其类别、最小面积和向量长度；没有数据库时，请在此给出。</translation>
   </message>
   <message>
+   <source>Shows what to expect along a planned route: success, error and number of landmarks at every point, the longest stretch without an expected fix, and which stretches do better when they are shifted to a side.
+
+The route is a line layer, or the path of a file that planners have: GPX (routes, else tracks, else waypoints), KML, a plan of QGroundControl (.plan, surveys included) or a waypoint list (.waypoints). Longitude and latitude are transformed to the database’s CRS. Images are simulated as “Assess reference database” does, under the noise that you state.</source>
+   <translation>显示沿计划航线的预期情况：每点的成功率、误差和地标数，无预期定位的最长航段，以及哪些航段向一侧平移后更好。
+
+航线可为线图层，或规划文件的路径：GPX（优先航线，其次航迹，再次航点）、KML、QGroundControl 计划（.plan，含测绘任务）或航点列表（.waypoints）。经纬度会转换到数据库的 CRS。影像的模拟方式与“评价参考数据库”相同，采用您所填的噪声。</translation>
+  </message>
+  <message>
+   <source>Shows where images will be localized with a reference database, and where not: expected success and error of each square of ground under the noise that you state, number of landmarks, look-alikes, and the reason where it fails.
+
+Images of the database’s own landmarks are simulated, spoiled and localized by the localizer itself; a regression carries what they teach to squares with few trials. Nothing but the database is needed. It is an expectation: noise that you understate, and changes on the ground, make it too good. “Evaluate localization” tests a database with a label map of another date.</source>
+   <translation>显示用参考数据库能在何处定位影像、何处不能：在您所填噪声下每个地面方格的预期成功率和误差、地标数、相似处，以及失败原因。
+
+以数据库自身的地标模拟影像，加入噪声，并由定位器本身定位；回归把所得结果推广到试验少的方格。除数据库外无需其他数据。这是预期：噪声填得过小或地面有变化都会使其偏高。“评估定位”可用其他日期的标签图检验数据库。</translation>
+  </message>
+  <message>
+   <source>Simulated images</source>
+   <translation>模拟影像数</translation>
+  </message>
+  <message>
+   <source>Simulated images a point</source>
+   <translation>每点模拟影像数</translation>
+  </message>
+  <message>
+   <source>Simulated images by the landmarks that the map has whole in them; lines: 95 % intervals.</source>
+   <translation>按影像内地图完整地标数统计的模拟影像；竖线为 95% 区间。</translation>
+  </message>
+  <message>
    <source>Single-band class values, or colors decoded by the class table. It needs no georeference.</source>
    <translation>单波段类别值，或按类别表解码的颜色。不需要地理参照。</translation>
   </message>
@@ -1720,6 +1940,18 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>最小比例</translation>
   </message>
   <message>
+   <source>Spacing (map units)</source>
+   <translation>间距（地图单位）</translation>
+  </message>
+  <message>
+   <source>Speed (m/s)</source>
+   <translation>速度（m/s）</translation>
+  </message>
+  <message>
+   <source>Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.</source>
+   <translation>地面方格；多个覆盖边长时各有一个方格，绘制的是第一个的。</translation>
+  </message>
+  <message>
    <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
    <translation>边缘移动距离的标准差；在约八个像元的范围内移动大致相同。</translation>
   </message>
@@ -1742,6 +1974,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
    <translation>已从 {limits} 拉伸到 8 位。</translation>
+  </message>
+  <message>
+   <source>Stretches without an expected fix</source>
+   <translation>无预期定位的航段</translation>
   </message>
   <message>
    <source>Stride (map units)</source>
@@ -1786,6 +2022,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
    <translation>数据处理提供程序 SemRef 已停用；请在选项中启用。</translation>
+  </message>
+  <message>
+   <source>The database has no overview; where its ground ends is taken from its extent.</source>
+   <translation>数据库没有概览图；其地面范围取自数据库范围。</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
@@ -2068,8 +2308,16 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>作为真值的内容：单波段类别值，例如来自“栅格化标注”。</translation>
   </message>
   <message>
+   <source>What keeps most images from a fix where expected success is below {threshold}:</source>
+   <translation>在预期成功率低于 {threshold} 处，多数影像无法定位的原因：</translation>
+  </message>
+  <message>
    <source>What the confidence is worth</source>
    <translation>置信度的意义</translation>
+  </message>
+  <message>
+   <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
+   <translation>每点的预期情况；“gap”为该点所在的无预期定位航段的长度。</translation>
   </message>
   <message>
    <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
@@ -2078,6 +2326,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Where it succeeds</source>
    <translation>成功的条件</translation>
+  </message>
+  <message>
+   <source>Where it will localize</source>
+   <translation>可定位之处</translation>
   </message>
   <message>
    <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
@@ -2098,6 +2350,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Whether a position was found</source>
    <translation>是否找到位置</translation>
+  </message>
+  <message>
+   <source>Why it fails</source>
+   <translation>失败原因</translation>
   </message>
   <message>
    <source>Window</source>
@@ -2132,6 +2388,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>以 2 至 0.5 倍大小看到的窗口，无噪声。论文的方法比较向量：距离大于 2 即无匹配。</translation>
   </message>
   <message>
+   <source>With map correlation (slow)</source>
+   <translation>使用地图相关（慢）</translation>
+  </message>
+  <message>
    <source>With the overview</source>
    <translation>包含概览</translation>
   </message>
@@ -2150,6 +2410,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>没有数据库时：类别。若留空，则为标签影像自身所带的类别。</translation>
+  </message>
+  <message>
+   <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>
+   <translation>不启用时仅评价地标星座法。启用时与“自动”方法相同：地标无法定位处，用从数据库概览图裁出的影像尝试地图相关。在大地图上每幅影像需数秒，因此最多只在五分之一的影像上尝试。</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
@@ -2184,6 +2448,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>请用 OSGeo4W 安装程序添加软件包 python3-pip</translation>
   </message>
   <message>
+   <source>along the route, km</source>
+   <translation>沿航线，km</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>标注</translation>
   </message>
@@ -2212,6 +2480,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>置信度 {value:.2f}</translation>
   </message>
   <message>
+   <source>constellation alone</source>
+   <translation>仅星座法</translation>
+  </message>
+  <message>
+   <source>constellation, then map correlation</source>
+   <translation>先星座法，后地图相关</translation>
+  </message>
+  <message>
    <source>distance</source>
    <translation>距离</translation>
   </message>
@@ -2236,6 +2512,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>错误</translation>
   </message>
   <message>
+   <source>expected error</source>
+   <translation>预期误差</translation>
+  </message>
+  <message>
+   <source>expected success</source>
+   <translation>预期成功率</translation>
+  </message>
+  <message>
    <source>false accepts</source>
    <translation>误接受</translation>
   </message>
@@ -2248,12 +2532,24 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>找到的比例</translation>
   </message>
   <message>
+   <source>from (m)</source>
+   <translation>起（m）</translation>
+  </message>
+  <message>
+   <source>hardly ever</source>
+   <translation>几乎不能</translation>
+  </message>
+  <message>
    <source>heading</source>
    <translation>航向</translation>
   </message>
   <message>
    <source>heading {value:.1f}°</source>
    <translation>航向 {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>hint</source>
+   <translation>提示</translation>
   </message>
   <message>
    <source>images with a fix</source>
@@ -2284,8 +2580,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>种类，见表</translation>
   </message>
   <message>
+   <source>landmarks</source>
+   <translation>地标</translation>
+  </message>
+  <message>
    <source>landmarks in the window</source>
    <translation>窗口中的地标</translation>
+  </message>
+  <message>
+   <source>landmarks in view</source>
+   <translation>可见地标</translation>
   </message>
   <message>
    <source>landmarks invented</source>
@@ -2296,8 +2600,36 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>漏检的地标</translation>
   </message>
   <message>
+   <source>length</source>
+   <translation>长度</translation>
+  </message>
+  <message>
+   <source>length (m)</source>
+   <translation>长度（m）</translation>
+  </message>
+  <message>
+   <source>localizable</source>
+   <translation>可定位</translation>
+  </message>
+  <message>
+   <source>longest stretch</source>
+   <translation>最长航段</translation>
+  </message>
+  <message>
+   <source>look-alikes</source>
+   <translation>相似处</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>平均 IoU</translation>
+  </message>
+  <message>
+   <source>mean over the ground</source>
+   <translation>地面平均</translation>
+  </message>
+  <message>
+   <source>median area</source>
+   <translation>面积中位数</translation>
   </message>
   <message>
    <source>median error</source>
@@ -2308,6 +2640,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>次优：{windows}</translation>
   </message>
   <message>
+   <source>no better line found beside it</source>
+   <translation>旁边未找到更好的航线</translation>
+  </message>
+  <message>
    <source>no class</source>
    <translation>无类别</translation>
   </message>
@@ -2316,12 +2652,32 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>正确定位结果</translation>
   </message>
   <message>
+   <source>of right fixes, median</source>
+   <translation>正确定位的中位数</translation>
+  </message>
+  <message>
    <source>of the classes that are annotated</source>
    <translation>有标注的类别</translation>
   </message>
   <message>
+   <source>of the ground localizable</source>
+   <translation>地面可定位比例</translation>
+  </message>
+  <message>
+   <source>of the points good enough</source>
+   <translation>达标的点</translation>
+  </message>
+  <message>
    <source>offset from the nearest window, share of the stride</source>
    <translation>到最近窗口的偏移，以步长的比例表示</translation>
+  </message>
+  <message>
+   <source>often</source>
+   <translation>常常</translation>
+  </message>
+  <message>
+   <source>outside the map</source>
+   <translation>地图之外</translation>
   </message>
   <message>
    <source>overall accuracy</source>
@@ -2344,6 +2700,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>预测</translation>
   </message>
   <message>
+   <source>reason</source>
+   <translation>原因</translation>
+  </message>
+  <message>
+   <source>reliably</source>
+   <translation>可靠</translation>
+  </message>
+  <message>
    <source>right among the fixes</source>
    <translation>定位结果中正确的比例</translation>
   </message>
@@ -2360,8 +2724,48 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>比例</translation>
   </message>
   <message>
+   <source>seconds</source>
+   <translation>秒</translation>
+  </message>
+  <message>
+   <source>share</source>
+   <translation>占比</translation>
+  </message>
+  <message>
+   <source>share of the ground</source>
+   <translation>占地面比例</translation>
+  </message>
+  <message>
+   <source>simulated: right</source>
+   <translation>模拟：正确</translation>
+  </message>
+  <message>
+   <source>simulated: wrong</source>
+   <translation>模拟：错误</translation>
+  </message>
+  <message>
+   <source>sometimes</source>
+   <translation>有时</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>输出</translation>
+  </message>
+  <message>
+   <source>to (m)</source>
+   <translation>止（m）</translation>
+  </message>
+  <message>
+   <source>too few landmarks</source>
+   <translation>地标太少</translation>
+  </message>
+  <message>
+   <source>too little evidence</source>
+   <translation>证据不足</translation>
+  </message>
+  <message>
+   <source>very reliably</source>
+   <translation>非常可靠</translation>
   </message>
   <message>
    <source>warnings</source>
@@ -2376,8 +2780,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{value:.2f} m 以内（95%）</translation>
   </message>
   <message>
+   <source>without an expected fix</source>
+   <translation>无预期定位</translation>
+  </message>
+  <message>
    <source>wrong fixes</source>
    <translation>错误定位结果</translation>
+  </message>
+  <message>
+   <source>wrong fixes simulated</source>
+   <translation>模拟的错误定位</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -2398,6 +2810,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
    <translation>{bytes} 字节。舍入：位置最多 {position:g} 地图单位，面积 {area:.3%}，向量每个元素 {vector:.4f}。</translation>
+  </message>
+  <message>
+   <source>{count} images simulated in {seconds:.0f} s.</source>
+   <translation>{seconds:.0f} 秒内模拟了 {count} 幅影像。</translation>
   </message>
   <message>
    <source>{count} images to localize.</source>
@@ -2424,6 +2840,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{count} 处不一致。</translation>
   </message>
   <message>
+   <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
+   <translation>{count} 个点；其中 {share:.0%} 的预期成功率达 {threshold:.0%} 以上。</translation>
+  </message>
+  <message>
    <source>{database}, images cut from {labels}</source>
    <translation>{database}，影像裁取自 {labels}</translation>
   </message>
@@ -2438,6 +2858,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{folder} has no wheel of {package} for Python {python} on this system.</source>
    <translation>{folder} 中没有适用于此系统 Python {python} 的 {package} wheel。</translation>
+  </message>
+  <message>
+   <source>{footprint}: expected success. A square is {size:g} map units wide; north is up.</source>
+   <translation>{footprint}：预期成功率。方格宽 {size:g} 地图单位；上方为北。</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -2560,12 +2984,28 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>QGIS 的 Python {python} 没有 pip；{how_to_get_pip}，或改用“{command}”。</translation>
   </message>
   <message>
+   <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough.</source>
+   <translation>{route}：沿 {length:.1f} km 的预期成功率及其 95% 区间（左轴）和可见地标（虚线，右轴）。阴影：无预期定位的航段；点线：达标阈值。</translation>
+  </message>
+  <message>
+   <source>{seconds:.0f} s at {speed:g} m/s</source>
+   <translation>{seconds:.0f} 秒（{speed:g} m/s）</translation>
+  </message>
+  <message>
    <source>{seconds:.0f} s.</source>
    <translation>{seconds:.0f} 秒。</translation>
   </message>
   <message>
    <source>{share:.1%} of the pixels match no class.</source>
    <translation>{share:.1%} 的像元不匹配任何类别。</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the left: {after} instead of {before}</source>
+   <translation>向左 {shift:.0f} m：{after}，而不是 {before}</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the right: {after} instead of {before}</source>
+   <translation>向右 {shift:.0f} m：{after}，而不是 {before}</translation>
   </message>
   <message>
    <source>{source} does not measure in meters; the label map is made in {target}.</source>
@@ -2578,6 +3018,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} 未给出焦距，因此影像按原样处理。</translation>
+  </message>
+  <message>
+   <source>{threshold} or more expected</source>
+   <translation>预期达 {threshold} 以上</translation>
   </message>
   <message>
    <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>
