@@ -200,6 +200,7 @@ def correct(session: Session) -> None:
     session.show_tab(CORRECT)
     tab = session.dock.correct
     tab.layer.setLayer(issues)
+    wait_until(lambda: tab.places.rowCount() == issues.featureCount(), "the list of issues")
     tab.places.selectRow(0)
     tab.done.click()
     tab.done.click()
