@@ -38,12 +38,14 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--encoder", default="tu-mobilenetv3_small_100", help="default %(default)s")
     parser.add_argument("--depth", type=int, choices=(3, 4, 5), default=5, help="of the encoder; default %(default)s")
     parser.add_argument("--pretrained", action="store_true", help="start from ImageNet's weights (downloads them)")
+    parser.add_argument("--encoder-weights", type=Path, metavar="FILE", help="start from these: a torch state dict")
     parser.add_argument("--learn-unlabeled", action="store_true", help="value 0 is a class of its own, not unknown")
     parser.add_argument("--epochs", type=int, default=60)
     parser.add_argument("--pieces", type=int, help="an epoch; default: as many as cover the tiles once")
     parser.add_argument("--piece-size", type=int, default=256, help="pixels, a multiple of 32; default %(default)s")
     parser.add_argument("--batch", type=int, default=8)
     parser.add_argument("--learning-rate", type=float, default=1e-3)
+    parser.add_argument("--light", type=float, default=1.0, help="how much light and colour vary; default %(default)s")
     parser.add_argument("--patience", type=int, default=20, help="epochs without progress; 0: train to the end")
     parser.add_argument("--mixed-precision", choices=("auto", "on", "off"), default="auto", help="auto: with a GPU")
     parser.add_argument("--channels-last", action="store_true", help="twice as fast for mobile encoders on a CPU")
@@ -53,14 +55,17 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--threads", type=int, help="of torch on the CPU")
     parser.add_argument("--seed", type=int, default=1671)
     parser.add_argument("--resume", action="store_true", help="go on with the run beside the output")
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    if options.pretrained and options.encoder_weights:
+        parser.error("--pretrained and --encoder-weights exclude each other")
+    return options
 
 
 def train(options: argparse.Namespace) -> None:
     """Trains, exports and checks. Raises TrainingError."""
     import numpy as np
     import torch
-    from training import export, loop, metrics, network, tiles
+    from training import encoder_weights, export, loop, metrics, network, tiles
 
     folders = tiles.open_folders(options.tiles)
     classes = [export.UNLABELED, *folders[0].classes]
@@ -96,8 +101,13 @@ def train(options: argparse.Namespace) -> None:
         channels_last=options.channels_last,
         workers=options.workers,
         seed=options.seed,
+        light=options.light,
     )
     net = network.pyramid_attention_network(options.encoder, options.depth, len(classes), options.pretrained)
+    if options.encoder_weights:
+        encoder_weights.load_encoder_weights(net.encoder, options.encoder_weights)
+    if options.encoder_weights or options.pretrained:
+        mean, deviation = encoder_weights.standardization(options.encoder)
     folder = options.output.with_suffix(".training")
     folder.mkdir(parents=True, exist_ok=True)
     weights = metrics.class_weights(pixels)

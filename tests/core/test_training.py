@@ -63,6 +63,19 @@ def test_the_same_seed_gives_the_same_light():
     assert first.dtype == np.float32 and 0 <= first.min() <= first.max() <= 1
 
 
+def test_light_varies_by_its_strength_and_not_at_all_at_zero(monkeypatch):
+    monkeypatch.setattr(augment, "BLUR", 0)
+    monkeypatch.setattr(augment, "NOISE", 0)
+    image = np.random.default_rng(3).uniform(0.3, 0.7, (32, 32, 3)).astype(np.float32)
+    seeds = range(20)
+    spreads = [
+        np.std([augment.random_light(np.random.default_rng(seed), image, strength).mean() for seed in seeds])
+        for strength in (0, 0.5, 1.0, 1.5)
+    ]
+    assert spreads[0] < 1e-6 and spreads == sorted(spreads)
+    np.testing.assert_allclose(augment.random_light(np.random.default_rng(1), image, 0.0), image, atol=1e-6)
+
+
 @pytest.mark.parametrize(
     ("learn_unlabeled", "expected"), [(False, [IGNORED, 1, 2, IGNORED]), (True, [0, 1, 2, IGNORED])]
 )

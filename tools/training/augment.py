@@ -34,14 +34,19 @@ def random_piece(rng: np.random.Generator, image: np.ndarray, labels: np.ndarray
     return piece, marks
 
 
-def random_light(rng: np.random.Generator, image: np.ndarray) -> np.ndarray:
-    """Other exposure, contrast, gamma, saturation and white balance, now and then blur and noise; float32 in 0…1."""
-    image = image * np.float32(np.exp(rng.normal(0, 0.2))) * np.exp(rng.normal(0, 0.06, 3)).astype(np.float32)
+def random_light(rng: np.random.Generator, image: np.ndarray, strength: float = 1.0) -> np.ndarray:
+    """Other exposure, contrast, gamma, saturation and white balance, now and then blur and noise; float32 in 0…1.
+
+    ``strength``: factor of all deviations of light and colour, not of blur and noise.
+    """
+    image = image * np.float32(np.exp(strength * rng.normal(0, 0.2)))
+    image = image * np.exp(strength * rng.normal(0, 0.06, 3)).astype(np.float32)
     middle = image.mean()
-    image = (image - middle) * np.float32(np.exp(rng.normal(0, 0.2))) + middle + np.float32(rng.normal(0, 0.05))
+    contrast, shift = np.exp(strength * rng.normal(0, 0.2)), strength * rng.normal(0, 0.05)
+    image = (image - middle) * np.float32(contrast) + middle + np.float32(shift)
     grey = image.mean(axis=2, keepdims=True)
-    image = grey + (image - grey) * np.float32(np.exp(rng.normal(0, 0.25)))
-    image = np.clip(image, 0, 1) ** np.float32(np.exp(rng.normal(0, 0.15)))
+    image = grey + (image - grey) * np.float32(np.exp(strength * rng.normal(0, 0.25)))
+    image = np.clip(image, 0, 1) ** np.float32(np.exp(strength * rng.normal(0, 0.15)))
     if rng.uniform() < BLUR:
         image = cv2.GaussianBlur(image, (0, 0), rng.uniform(0.3, LARGEST_BLUR_PX))
     if rng.uniform() < NOISE:

