@@ -19,10 +19,10 @@ LEAST_AGREEMENT = 0.25
 """Correlation of class areas at a constellation's fix below which they speak against it. On the northern half of
 Liechtenstein right fixes had 0.60 at least, wrong places 0.20 at most."""
 
-NEAR_ERRORS, NEAR_SHARE = 2.0, 0.02
+NEAR_ERRORS, NEAR_SHARE = 1.25, 0.02
 NEAR_HEADING_DEG, NEAR_RATIO = 5.0, 1.05
-"""Poses of both roads are the same when they differ by no more than this: in position twice map correlation's 95 %
-radius, or this share of the image's ground if that is more; in heading; in pixel size as a ratio."""
+"""Poses of both roads are the same when they differ by no more than this: in position 1.25 times map correlation's
+95 % radius, or this share of the image's ground if that is more; in heading; in pixel size as a ratio."""
 
 
 def checked_by_areas(fix: Localization, agreement: Optional[float]) -> Localization:

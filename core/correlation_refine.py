@@ -25,6 +25,10 @@ NOT_COMPARABLE = -1.0
 CONVERGED = 0.02
 """A step is the last one when it moves nothing by more than this share of a coarse pixel."""
 
+DAMPING = 1e-4
+"""Added to the normal equations, as a share of their trace. What changes the image less than that is not told by it:
+the place along a straight shore that crosses it."""
+
 BLOCKS = 10
 """Blocks along each edge of the image that are taken to err independently (covariance)."""
 
@@ -99,9 +103,12 @@ def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float
 
 def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> np.ndarray:
     """(4, 4) covariance of (x in image pixels right, y down, heading in radians, ln pixel size), to be calibrated;
-    infinite where nothing tells the pose."""
+    infinite where nothing tells all of the pose."""
     fit = _linearized(image, pyramid, pose, quiet)
     if fit.slopes is None:
+        return np.full((4, 4), np.inf)
+    strengths = np.linalg.eigvalsh(_normal(fit))
+    if strengths[0] <= DAMPING * strengths.sum():
         return np.full((4, 4), np.inf)
     inverse, units = _inverse(fit), _units(image)
     pulls = _clustered(fit.slopes * fit.residual, (*image.known.shape, -1))
@@ -151,11 +158,16 @@ def _linearized(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: fl
     return _Fit(score, slopes.reshape(4, -1), (there - gain * seen).ravel())
 
 
-def _inverse(fit: _Fit) -> np.ndarray:
-    """(4, 4) of the normal equations, lightly damped."""
+def _normal(fit: _Fit) -> np.ndarray:
+    """(4, 4) of the normal equations."""
     # OpenCV's product and inverse: BLAS and LAPACK would start threads for them and let them spin.
-    normal = cv2.mulTransposed(fit.slopes, False, dtype=cv2.CV_64F)
-    damping = 1e-4 * max(float(np.trace(normal)), 1e-30)
+    return cv2.mulTransposed(fit.slopes, False, dtype=cv2.CV_64F)
+
+
+def _inverse(fit: _Fit) -> np.ndarray:
+    """(4, 4) inverse of the normal equations, lightly damped."""
+    normal = _normal(fit)
+    damping = DAMPING * max(float(np.trace(normal)), 1e-30)
     return cv2.invert(normal + damping * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
 
 

@@ -3,7 +3,8 @@
 All places, turns and scales at coarse pixels (correlation_search), the best of them moved to their optimum at finer
 and finer pixels (correlation_refine), then a decision on the evidence: how well image and map agree, how much worse
 the next best other place does, and how well the *mirrored* image does, which can never be right and has the same
-classes, density and regularity, so that its best peak shows what chance gives on this map.
+classes, density and regularity, so that its best peak shows what chance gives on this map. A place that is the only one
+but not known closely (a straight shore) is told as a possible place, not as a fix.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import List, Optional, Tuple
 import numpy as np
 
 from .class_pyramid import MapPyramid, evidence_level, mirrored_level
-from .correlation_decision import FIX, NO_MATCH, Evidence, confidence_of, decide, position_error_95
+from .correlation_decision import FIX, NO_MATCH, Evidence, confidence_of, decide, exact_enough, position_error_95
 from .correlation_places import (
     COARSE_EDGE,
     DECISION_EDGE,
@@ -120,7 +121,8 @@ def localize(
     decoys = best_places(mirrored_level(image), pyramid, space, settings, settings.decoys, quiet, distance)
     evidence = Evidence(poses[0].score, poses[1].score if len(poses) > 1 else 0.0, decoys[0].score if decoys else 0.0)
     pose, covariance = finest_pose(image, pyramid, poses[0], quiet)
-    return _result(pyramid, pose, covariance, evidence, poses[1:])
+    diagonal_m = float(np.hypot(*labels_hw.shape)) * pose.pixel_size_m
+    return _result(pyramid, pose, covariance, evidence, poses[1:], diagonal_m)
 
 
 def agreement_at(
@@ -146,13 +148,21 @@ def agreement_at(
 
 
 def _result(
-    pyramid: MapPyramid, pose: Pose, covariance: np.ndarray, evidence: Evidence, others: List[Pose]
+    pyramid: MapPyramid,
+    pose: Pose,
+    covariance: np.ndarray,
+    evidence: Evidence,
+    others: List[Pose],
+    diagonal_m: float,
 ) -> CorrelationResult:
     """The verdict in map coordinates; ``covariance`` (4, 4) as ``refine`` gives it."""
-    status, reason = decide(evidence)
     # Image pixels to map axes: y of the map goes up.
     to_map = np.array([[1.0], [-1.0]]) * axes(pose)
     spread = to_map @ covariance[:2, :2] @ to_map.T if np.isfinite(covariance).all() else np.full((2, 2), np.inf)
+    error_95 = position_error_95(spread, evidence.score, pyramid.frame[2])
+    status, reason = decide(evidence)
+    if status == FIX:
+        status, reason = exact_enough(error_95, diagonal_m)
     alternatives = tuple(
         Alternative(_map_position(pyramid, other), other.heading_deg, other.pixel_size_m, other.score)
         for other in others
@@ -165,7 +175,7 @@ def _result(
         heading_deg=pose.heading_deg,
         pixel_size_m=pose.pixel_size_m,
         confidence=confidence_of(evidence) if status == FIX else 0.0,
-        error_95_m=position_error_95(spread, evidence.score, pyramid.frame[2]),
+        error_95_m=error_95,
         covariance_m2=tuple(tuple(float(number) for number in row) for row in spread),
         score=evidence.score,
         runner_up=evidence.runner_up,

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from semref.core.class_pyramid import MapPyramid
-from semref.core.correlation_decision import position_error_95
+from semref.core.correlation_decision import LARGEST_ERROR, exact_enough, position_error_95
 from semref.core.errors import LabelMapError
 from semref.core.label_noise import MODEST, STRONG, degrade_labels
 from semref.core.map_correlation import CorrelationSettings, Prior, agreement_at, localize
@@ -198,3 +198,21 @@ def test_the_error_radius_grows_as_image_and_map_agree_less():
     assert radii == sorted(radii) and radii[0] > 1 and radii[-1] > 5 * radii[1]
     assert position_error_95(np.zeros((2, 2)), 0.9, 4.0) == pytest.approx(0.6)
     assert position_error_95(np.full((2, 2), np.inf), 0.9, 4.0) == np.inf
+
+
+def test_a_place_along_a_straight_shore_is_possible_but_no_fix():
+    labels = np.full((1600, 1600), 2, np.uint8)
+    labels[:, 800:] = 3
+    pyramid = MapPyramid(most_frequent_labels(labels), (*ORIGIN, 4.0))
+    center = 805.0, 800.0
+    here = Prior((ORIGIN[0] + center[0], ORIGIN[1] - center[1]), 30.0, (350.0, 10.0))
+    result = localize(view(labels, center, 0, 1.0), pyramid, (0.95, 1.05), here)
+    assert result.status == "ambiguous" and result.error_95_m > 0.025 * 560 * np.sqrt(2)
+    assert "position" in result.reason
+
+
+def test_a_fix_has_to_be_exact_for_the_ground_its_image_shows():
+    assert exact_enough(LARGEST_ERROR * 800, 800.0) == ("fix", "")
+    status, reason = exact_enough(21.26, 800.0)
+    assert status == "ambiguous" and "within 21.3 m" in reason and "needs 20 m" in reason
+    assert "in all directions" in exact_enough(float("inf"), 800.0)[1]
