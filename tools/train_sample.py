@@ -34,8 +34,8 @@ def main() -> None:
     parser.add_argument("output_folder", type=Path)
     parser.add_argument("--seeds", type=int, nargs="+", default=list(SEEDS))
     parser.add_argument("--python", type=Path, default=TRAINING_PYTHON, help="with the training's packages")
-    parser.add_argument("training", nargs="*", help="options of train_pan.py, after --")
-    options = parser.parse_args()
+    end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)  # argparse can't have options between positionals
+    options, training = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1:]
     if DEFAULT_SEED in options.seeds:
         parser.error(f"{DEFAULT_SEED} is the area that the model is shown on; train on others")
     if not options.python.exists():
@@ -45,7 +45,7 @@ def main() -> None:
     with qgis_session():
         tiles = [tiles_of(folder / f"area{seed}", seed) for seed in options.seeds]
     command = [options.python, ROOT / "tools" / "train_pan.py", *tiles, "--output", folder / MODEL, *TRAINING]
-    sys.exit(subprocess.run([str(part) for part in [*command, *options.training]]).returncode)
+    sys.exit(subprocess.run([str(part) for part in [*command, *training]]).returncode)
 
 
 def tiles_of(area: Path, seed: int) -> Path:
