@@ -457,7 +457,7 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
   </message>
   <message>
    <source>Corrected annotation to database</source>
-   <translation>Von der berichtigten Annotation zur Datenbank</translation>
+   <translation>Von der korrigierten Annotation zur Datenbank</translation>
   </message>
   <message>
    <source>Corrected label map</source>
@@ -813,7 +813,7 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   </message>
   <message>
    <source>From a corrected annotation to an updated reference database: “Rasterize annotation” with the pixels, the extent and the CRS of the old label map, then “Update reference database”. Only what the corrections reach is made anew.</source>
-   <translation>Von einer berichtigten Annotation zu einer aktualisierten Referenzdatenbank: „Annotation rastern“ mit den Pixeln, der Ausdehnung und dem KBS der alten Klassenkarte, dann „Referenzdatenbank aktualisieren“. Nur was die Berichtigungen erreichen, wird neu gemacht.</translation>
+   <translation>Von einer korrigierten Annotation zu einer aktualisierten Referenzdatenbank: „Annotation rastern“ mit den Pixeln, der Ausdehnung und dem KBS der alten Klassenkarte, dann „Referenzdatenbank aktualisieren“. Nur was die Berichtigungen erreichen, wird neu gemacht.</translation>
   </message>
   <message>
    <source>From land-cover polygons to a reference database in one run: “Rasterize annotation”, then “Build reference database”. Give a class table, or name the reference classes.</source>
@@ -1537,7 +1537,7 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   </message>
   <message>
    <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
-   <translation>Polygone, in denen alles liegt, was geändert wurde, etwa die berichtigten Stellen: nur die Blöcke von 512 × 512 Pixeln, die sie berühren, werden angesehen, und Änderungen anderswo werden übersehen, bis ohne diese Angabe aktualisiert wird. Ohne Angabe wird die ganze Karte mit der Datenbank verglichen, was länger dauert.</translation>
+   <translation>Polygone, in denen alles liegt, was geändert wurde, etwa die korrigierten Stellen: nur die Blöcke von 512 × 512 Pixeln, die sie berühren, werden angesehen, und Änderungen anderswo werden übersehen, bis ohne diese Angabe aktualisiert wird. Ohne Angabe wird die ganze Karte mit der Datenbank verglichen, was länger dauert.</translation>
   </message>
   <message>
    <source>Positions</source>
@@ -2321,7 +2321,7 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   </message>
   <message>
    <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
-   <translation>Wo widerspricht ein neues Orthofoto der Annotation? „Bild segmentieren“, dann „Klassenkarten vergleichen“: die Abweichungen als Polygone, die größten zuerst, zum Durchgehen im Reiter „Korrigieren“ des Bedienfelds. Ist die Annotation verbessert, bringt „Von der berichtigten Annotation zur Datenbank“ die Referenzdatenbank auf den neuen Stand.</translation>
+   <translation>Wo widerspricht ein neues Orthofoto der Annotation? „Bild segmentieren“, dann „Klassenkarten vergleichen“: die Abweichungen als Polygone, die größten zuerst, zum Durchgehen im Reiter „Korrigieren“ des Bedienfelds. Ist die Annotation verbessert, bringt „Von der korrigierten Annotation zur Datenbank“ die Referenzdatenbank auf den neuen Stand.</translation>
   </message>
   <message>
    <source>Where it succeeds</source>

@@ -193,19 +193,19 @@
   </message>
   <message>
    <source>Assess reference database</source>
-   <translation>Valorar base de datos de referencia</translation>
+   <translation>Evaluar base de datos de referencia</translation>
   </message>
   <message>
    <source>Assess route</source>
-   <translation>Valorar ruta</translation>
+   <translation>Evaluar ruta</translation>
   </message>
   <message>
    <source>Assessment of a reference database</source>
-   <translation>Valoración de una base de datos de referencia</translation>
+   <translation>Evaluación de una base de datos de referencia</translation>
   </message>
   <message>
    <source>Assessment of a route</source>
-   <translation>Valoración de una ruta</translation>
+   <translation>Evaluación de una ruta</translation>
   </message>
   <message>
    <source>Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in the database. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
@@ -1869,7 +1869,7 @@ La imagen se describe en su mayor cuadrado centrado, exactamente como las ventan
 The route is a line layer, or the path of a file that planners have: GPX (routes, else tracks, else waypoints), KML, a plan of QGroundControl (.plan, surveys included) or a waypoint list (.waypoints). Longitude and latitude are transformed to the database’s CRS. Images are simulated as “Assess reference database” does, under the noise that you state.</source>
    <translation>Muestra qué cabe esperar a lo largo de una ruta planificada: acierto, error y número de hitos en cada punto, el tramo más largo sin posición esperada y qué tramos mejoran si se desplazan a un lado.
 
-La ruta es una capa de líneas o la ruta de un archivo de planificación: GPX (rutas, si no trazas, si no puntos), KML, un plan de QGroundControl (.plan, incluidos levantamientos) o una lista de puntos (.waypoints). La longitud y la latitud se transforman al SRC de la base de datos. Las imágenes se simulan como en «Valorar base de datos de referencia», con el ruido indicado.</translation>
+La ruta es una capa de líneas o la ruta de un archivo de planificación: GPX (rutas, si no trazas, si no puntos), KML, un plan de QGroundControl (.plan, incluidos levantamientos) o una lista de puntos (.waypoints). La longitud y la latitud se transforman al SRC de la base de datos. Las imágenes se simulan como en «Evaluar base de datos de referencia», con el ruido indicado.</translation>
   </message>
   <message>
    <source>Shows where images will be localized with a reference database, and where not: expected success and error of each square of ground under the noise that you state, number of landmarks, look-alikes, and the reason where it fails.

@@ -193,19 +193,19 @@
   </message>
   <message>
    <source>Assess reference database</source>
-   <translation>Apprécier une base de données de référence</translation>
+   <translation>Évaluer une base de données de référence</translation>
   </message>
   <message>
    <source>Assess route</source>
-   <translation>Apprécier une route</translation>
+   <translation>Évaluer une route</translation>
   </message>
   <message>
    <source>Assessment of a reference database</source>
-   <translation>Appréciation d’une base de données de référence</translation>
+   <translation>Évaluation d’une base de données de référence</translation>
   </message>
   <message>
    <source>Assessment of a route</source>
-   <translation>Appréciation d’une route</translation>
+   <translation>Évaluation d’une route</translation>
   </message>
   <message>
    <source>Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in the database. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
@@ -261,7 +261,7 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   </message>
   <message>
    <source>By footprint</source>
-   <translation>Par emprise</translation>
+   <translation>Par emprise au sol</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -773,15 +773,15 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   </message>
   <message>
    <source>Footprint</source>
-   <translation>Emprise</translation>
+   <translation>Emprise au sol</translation>
   </message>
   <message>
    <source>Footprint (map units)</source>
-   <translation>Emprise (unités de carte)</translation>
+   <translation>Emprise au sol (unités de carte)</translation>
   </message>
   <message>
    <source>Footprint {footprint:g}</source>
-   <translation>Emprise {footprint:g}</translation>
+   <translation>Emprise au sol {footprint:g}</translation>
   </message>
   <message>
    <source>Footprint {footprint:g}: {share:.1%} of the ground with an expected success of {threshold:.0%} or more; on average {mean:.1%}.</source>
@@ -793,7 +793,7 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   </message>
   <message>
    <source>Footprints (map units)</source>
-   <translation>Emprises (unités de carte)</translation>
+   <translation>Emprises au sol (unités de carte)</translation>
   </message>
   <message>
    <source>For ambiguous images: the ground of each place that fits, the best one first.</source>
@@ -1869,7 +1869,7 @@ L’image est décrite dans son plus grand carré centré, exactement comme le s
 The route is a line layer, or the path of a file that planners have: GPX (routes, else tracks, else waypoints), KML, a plan of QGroundControl (.plan, surveys included) or a waypoint list (.waypoints). Longitude and latitude are transformed to the database’s CRS. Images are simulated as “Assess reference database” does, under the noise that you state.</source>
    <translation>Montre à quoi s’attendre le long d’une route planifiée : réussite, erreur et nombre de repères visuels en chaque point, le plus long tronçon sans position attendue, et quels tronçons gagnent à être décalés d’un côté.
 
-La route est une couche de lignes, ou le chemin d’un fichier de planification : GPX (routes, sinon traces, sinon points), KML, un plan de QGroundControl (.plan, levés compris) ou une liste de points (.waypoints). Longitude et latitude sont transformées dans le SCR de la base. Les images sont simulées comme par « Apprécier une base de données de référence », avec le bruit indiqué.</translation>
+La route est une couche de lignes, ou le chemin d’un fichier de planification : GPX (routes, sinon traces, sinon points), KML, un plan de QGroundControl (.plan, levés compris) ou une liste de points (.waypoints). Longitude et latitude sont transformées dans le SCR de la base. Les images sont simulées comme par « Évaluer une base de données de référence », avec le bruit indiqué.</translation>
   </message>
   <message>
    <source>Shows where images will be localized with a reference database, and where not: expected success and error of each square of ground under the noise that you state, number of landmarks, look-alikes, and the reason where it fails.
@@ -2413,7 +2413,7 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   </message>
   <message>
    <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>
-   <translation>Sans elle, seule la constellation des repères visuels est appréciée. Avec elle, comme la méthode Automatique : là où les repères ne donnent pas de position, la corrélation de cartes est essayée sur des images découpées dans la vue d’ensemble de la base. Cela prend des secondes par image sur une grande carte ; on l’essaie donc sur un cinquième des images au plus.</translation>
+   <translation>Sans elle, seule la constellation des repères visuels est évaluée. Avec elle, comme la méthode Automatique : là où les repères ne donnent pas de position, la corrélation de cartes est essayée sur des images découpées dans la vue d’ensemble de la base. Cela prend des secondes par image sur une grande carte ; on l’essaie donc sur un cinquième des images au plus.</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.

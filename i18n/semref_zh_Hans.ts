@@ -77,7 +77,7 @@
   </message>
   <message>
    <source>Add a raster layer of the project</source>
-   <translation>添加项目中的栅格图层</translation>
+   <translation>添加工程中的栅格图层</translation>
   </message>
   <message>
    <source>Add database to map</source>
@@ -321,7 +321,7 @@ Classes come from the class table, else from the layer’s categorized style, el
   </message>
   <message>
    <source>Checking and repairing annotations, making the sample project</source>
-   <translation>检查和修复标注，制作示例项目</translation>
+   <translation>检查和修复标注，制作示例工程</translation>
   </message>
   <message>
    <source>Checking {package}…</source>
@@ -481,7 +481,7 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   </message>
   <message>
    <source>Databases whose layers are in the project</source>
-   <translation>图层在项目中的数据库</translation>
+   <translation>图层在工程中的数据库</translation>
   </message>
   <message>
    <source>Decode color labels</source>
@@ -929,7 +929,7 @@ Every image gives one point; without a fix it has no geometry and its reason say
   </message>
   <message>
    <source>In the project…</source>
-   <translation>项目中的数据库…</translation>
+   <translation>工程中的数据库…</translation>
   </message>
   <message>
    <source>Inspect</source>
@@ -1545,7 +1545,7 @@ The model that ships with SemRef can read these photos.</source>
   </message>
   <message>
    <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
-   <translation>将位置、影像范围和可能地点保存为一个 GeoPackage，随项目一起打开</translation>
+   <translation>将位置、影像范围和可能地点保存为一个 GeoPackage，随工程一起打开</translation>
   </message>
   <message>
    <source>Possible places</source>
@@ -1757,7 +1757,7 @@ The model that ships with SemRef can read these photos.</source>
   </message>
   <message>
    <source>Saved; the dock shows these results again when this project is opened.</source>
-   <translation>已保存；再次打开此项目时，面板会重新显示这些结果。</translation>
+   <translation>已保存；再次打开此工程时，面板会重新显示这些结果。</translation>
   </message>
   <message>
    <source>Scale</source>
@@ -2121,7 +2121,7 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   </message>
   <message>
    <source>The project has no raster layer of a file.</source>
-   <translation>项目中没有来自文件的栅格图层。</translation>
+   <translation>工程中没有来自文件的栅格图层。</translation>
   </message>
   <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
@@ -2289,7 +2289,7 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
-   <translation>WKT 文本（项目坐标参照系）</translation>
+   <translation>WKT 文本（工程坐标参照系）</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>
@@ -2797,7 +2797,7 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   </message>
   <message>
    <source>x, y in the project’s CRS ({crs})</source>
-   <translation>x, y（项目坐标参照系 {crs}）</translation>
+   <translation>x, y（工程坐标参照系 {crs}）</translation>
   </message>
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
