@@ -8,6 +8,7 @@ import numpy as np
 from qgis.core import (
     QgsGeometry,
     QgsPointXY,
+    QgsProcessingFeatureSourceDefinition,
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
@@ -37,7 +38,7 @@ class RouteParameter(QgsProcessingParameterFeatureSource):
     """Lines of a layer, or the path of a waypoint file, which QGIS itself would not take for a layer."""
 
     def checkValueIsAcceptable(self, value, context=None):
-        return is_waypoint_file(value) or super().checkValueIsAcceptable(value, context)
+        return is_waypoint_file(_plain(value)) or super().checkValueIsAcceptable(value, context)
 
 
 class AssessRoute(AssessAlgorithm):
@@ -125,7 +126,7 @@ class AssessRoute(AssessAlgorithm):
     def read_layers(self, parameters, context, feedback):
         from .exchange.routes import read_route, route_of_source
 
-        value = parameters.get(self.ROUTE)
+        value = _plain(parameters.get(self.ROUTE))
         if is_waypoint_file(value):
             self._route = read_route(value)
             return
@@ -245,6 +246,11 @@ class AssessRoute(AssessAlgorithm):
         for gap, hint in zip(route.stretches, route.hints):
             if hint is not None:
                 feedback.pushInfo(hint_text(gap, hint))
+
+
+def _plain(value):
+    """What a dialog's “selected features only” is wrapped around."""
+    return value.source.staticValue() if isinstance(value, QgsProcessingFeatureSourceDefinition) else value
 
 
 def hint_text(gap, hint) -> str:

@@ -17,6 +17,7 @@ from qgis.core import (
     QgsPointXY,
     QgsProcessingContext,
     QgsProcessingException,
+    QgsProcessingFeatureSourceDefinition,
     QgsVectorLayer,
 )
 
@@ -261,4 +262,6 @@ def test_a_waypoint_file_passes_the_check_of_parameters_and_other_text_does_not(
     context = QgsProcessingContext()
     given = {"DATABASE": database, "OUTPUT": "memory:"}
     assert algorithm.checkParameterValues({**given, "ROUTE": str(path)}, context)[0]
+    wrapped = QgsProcessingFeatureSourceDefinition(str(path), False)
+    assert algorithm.checkParameterValues({**given, "ROUTE": wrapped}, context)[0]
     assert not algorithm.checkParameterValues({**given, "ROUTE": "no layer"}, context)[0]
