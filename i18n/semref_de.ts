@@ -1084,6 +1084,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Höhenstufen</translation>
   </message>
   <message>
+   <source>Lists errors and warnings only: what has to be mended</source>
+   <translation>Zeigt nur Fehler und Warnungen: was behoben werden muss</translation>
+  </message>
+  <message>
    <source>Loading the model</source>
    <translation>Das Modell wird geladen</translation>
   </message>
@@ -2410,6 +2414,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Ohne Datenbank: die Klassen. Ohne Angabe die, die das Klassenbild selbst mitbringt.</translation>
+  </message>
+  <message>
+   <source>Without information</source>
+   <translation>Ohne Hinweise</translation>
   </message>
   <message>
    <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>

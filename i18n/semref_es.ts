@@ -1084,6 +1084,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Niveles</translation>
   </message>
   <message>
+   <source>Lists errors and warnings only: what has to be mended</source>
+   <translation>Muestra solo errores y advertencias: lo que hay que corregir</translation>
+  </message>
+  <message>
    <source>Loading the model</source>
    <translation>Cargando el modelo</translation>
   </message>
@@ -2410,6 +2414,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Sin base de datos: las clases. Si se omite, las que lleva la propia imagen de etiquetas.</translation>
+  </message>
+  <message>
+   <source>Without information</source>
+   <translation>Sin información</translation>
   </message>
   <message>
    <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>

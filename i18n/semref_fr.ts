@@ -1084,6 +1084,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Niveaux</translation>
   </message>
   <message>
+   <source>Lists errors and warnings only: what has to be mended</source>
+   <translation>N’affiche que les erreurs et les avertissements : ce qui est à corriger</translation>
+  </message>
+  <message>
    <source>Loading the model</source>
    <translation>Chargement du modèle</translation>
   </message>
@@ -2410,6 +2414,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Sans base de données : les classes. En cas d’omission, celles que l’image d’étiquettes porte elle-même.</translation>
+  </message>
+  <message>
+   <source>Without information</source>
+   <translation>Sans les informations</translation>
   </message>
   <message>
    <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>

@@ -1084,6 +1084,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>层级</translation>
   </message>
   <message>
+   <source>Lists errors and warnings only: what has to be mended</source>
+   <translation>只列出错误和警告，即需要修正之处</translation>
+  </message>
+  <message>
    <source>Loading the model</source>
    <translation>正在加载模型</translation>
   </message>
@@ -2410,6 +2414,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>没有数据库时：类别。若留空，则为标签影像自身所带的类别。</translation>
+  </message>
+  <message>
+   <source>Without information</source>
+   <translation>不含信息级</translation>
   </message>
   <message>
    <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>

@@ -159,7 +159,8 @@ class AssessDatabase(AssessAlgorithm):
         return {self.REPORT: path}
 
     def _write_cells(self, parameters, context, database, cells, results, distinctiveness, crs):
-        from .exchange.assessment_styles import cell_renderer, style_output
+        from .exchange.assessment_styles import cell_renderer
+        from .exchange.output_style import style_output
 
         sink = Sink(self, parameters, self.OUTPUT, context, FIELDS, POLYGON, crs)
         threshold, half = self.threshold(parameters, context), cells.size / 2

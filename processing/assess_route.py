@@ -203,7 +203,8 @@ class AssessRoute(AssessAlgorithm):
         ]
 
     def _write_points(self, parameters, context, route, crs):
-        from .exchange.assessment_styles import point_renderer, style_output
+        from .exchange.assessment_styles import point_renderer
+        from .exchange.output_style import style_output
 
         sink = Sink(self, parameters, self.OUTPUT, context, FIELDS, POINT, crs)
         gap_of = {int(n): (gap, hint) for gap, hint in zip(route.stretches, route.hints) for n in gap.points}

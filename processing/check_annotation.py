@@ -84,6 +84,9 @@ class CheckAnnotation(AnnotationAlgorithm):
         self.addOutput(QgsProcessingOutputNumber(self.ERROR_COUNT, tr("Number of errors")))
 
     def work(self, parameters, context, feedback):
+        from .exchange.output_style import style_output
+        from .exchange.styles import issues_renderer
+
         lookup = self.classes(parameters, context, feedback)
         crs = self.label_map_crs(context, feedback)
         reading = self.read_features(lookup, crs, context, feedback, READ)
@@ -100,7 +103,9 @@ class CheckAnnotation(AnnotationAlgorithm):
             feedback.pushInfo(f"{kind} ({severity}): {number}")
         errors = sum(finding.severity == ERROR for finding in findings)
         feedback.pushInfo(tr("{issues} findings, {errors} of them errors").format(issues=len(findings), errors=errors))
-        results = {self.ISSUES: sink.close(), self.ISSUE_COUNT: len(findings), self.ERROR_COUNT: errors}
+        destination = sink.close()
+        style_output(destination, issues_renderer(), context)
+        results = {self.ISSUES: destination, self.ISSUE_COUNT: len(findings), self.ERROR_COUNT: errors}
         report = self.parameterAsFileOutput(parameters, self.REPORT, context)
         if report:
             results[self.REPORT] = self._write_report(report, findings, names)

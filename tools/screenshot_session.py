@@ -25,7 +25,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QCoreApplication, QPoint, QRect, Qt, QTimer
-from qgis.PyQt.QtGui import QColor, QGuiApplication
+from qgis.PyQt.QtGui import QGuiApplication
 from qgis.PyQt.QtWidgets import QApplication, QDockWidget, QToolBar, QTreeView
 
 LOCALIZE, INSPECT, CORRECT = range(3)
@@ -189,18 +189,18 @@ def inspect(session: Session) -> None:
 def correct(session: Session) -> None:
     """The findings of a check of an annotation with a few mistakes."""
     issues = checked_with_mistakes(session)
-    # What the priority decides is information, and there is much of it.
     issues.setName("Issues")
-    # QGIS draws a color by lot.
-    issues.renderer().symbol().setColor(QColor("#ffd92f"))
-    issues.setSubsetString("\"severity\" <> 'information'")
     QgsProject.instance().addMapLayer(issues, False)
     QgsProject.instance().layerTreeRoot().insertLayer(0, issues)
     session.show_everything()
     session.show_tab(CORRECT)
     tab = session.dock.correct
     tab.layer.setLayer(issues)
-    wait_until(lambda: tab.places.rowCount() == issues.featureCount(), "the list of issues")
+    # What the priority decides is information, and there is much of it.
+    tab.mend.setChecked(True)
+    severities = [feature["severity"] for feature in issues.getFeatures()]
+    to_mend = len(severities) - severities.count("information")
+    wait_until(lambda: tab.places.rowCount() == to_mend, "the list of issues")
     tab.places.selectRow(0)
     tab.done.click()
     tab.done.click()
@@ -326,21 +326,22 @@ def checked_with_mistakes(session: Session) -> QgsVectorLayer:
     layer.commitChanges()
     registry = QgsApplication.processingRegistry()
     context = QgsProcessingContext()
-    found, ok = registry.createAlgorithmById("semref:checkannotation").run(
+    issues = str(sample / "issues.gpkg")
+    _, ok = registry.createAlgorithmById("semref:checkannotation").run(
         {
             "INPUT": layer,
             "CLASS_FIELD": "class",
             "PRIORITY_FIELD": "zorder",
             "CLASS_TABLE": str(sample / "classes.csv"),
             "MINIMUM_AREA": 50,
-            "ISSUES": "memory:issues",
+            "ISSUES": issues,
         },
         context,
         QgsProcessingFeedback(),
     )
     if not ok:
         raise RuntimeError("the annotation could not be checked")
-    return context.takeResultLayer(found["ISSUES"])
+    return QgsVectorLayer(issues, "issues", "ogr")
 
 
 def crossed(feature) -> QgsGeometry:

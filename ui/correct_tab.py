@@ -33,6 +33,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ..core.annotation_findings import INFORMATION
 from ..processing.compat import POLYGON_GEOMETRY, is_null
 from ..processing.translation import tr
 from .buttons import tool_button
@@ -42,6 +43,9 @@ DONE_PROPERTY = "semref/done"
 
 _COLUMNS = (("kind", "annotated_class"), ("message", "predicted_class"), ("area",))
 """Fields that the list shows: of *Check annotation*'s issues, else of *Compare label maps*' disagreements."""
+
+_SEVERITY = "severity"
+"""Field of *Check annotation*'s issues."""
 
 _LINE = QColor("#e8344e")
 _ZOOM_MARGIN = 3.0
@@ -65,6 +69,7 @@ class CorrectTab(QWidget):
         self._canvas = canvas
         self._done: Set[int] = set()
         self._ids: Set[int] = set()
+        self._counted: Set[int] = set()
         self._rows: Iterator[Dict] = iter(())
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
@@ -100,6 +105,8 @@ class CorrectTab(QWidget):
         self.done = QPushButton(tr("Done, next"))
         self.done.setToolTip(tr("Marks the place as done and goes to the next one that is not (Ctrl+D)"))
         self.open = QCheckBox(tr("Only what is open"))
+        self.mend = QCheckBox(tr("Without information"))
+        self.mend.setToolTip(tr("Lists errors and warnings only: what has to be mended"))
         self.progress = QProgressBar()
         self.progress.setFormat(tr("%v of %m done"))
         self.update_button = QPushButton(tr("Update the database…"))
@@ -107,14 +114,19 @@ class CorrectTab(QWidget):
         self._shortcut = QShortcut(QKeySequence("Ctrl+D"), self)
         self._shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         row = QHBoxLayout()
-        for widget, stretch in ((self.before, 0), (self.after, 0), (self.done, 1), (self.open, 0)):
+        for widget, stretch in ((self.before, 0), (self.after, 0), (self.done, 1)):
             row.addWidget(widget, stretch)
+        chosen = QHBoxLayout()
+        for widget in (self.open, self.mend):
+            chosen.addWidget(widget)
+        chosen.addStretch()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.layer)
         layout.addWidget(self.places, 1)
         layout.addWidget(self.text)
         layout.addLayout(row)
+        layout.addLayout(chosen)
         layout.addWidget(self.progress)
         layout.addWidget(self.update_button)
 
@@ -126,6 +138,7 @@ class CorrectTab(QWidget):
         self.done.clicked.connect(self._mark_done)
         self._shortcut.activated.connect(self._mark_done)
         self.open.toggled.connect(self._fill)
+        self.mend.toggled.connect(self._fill)
         self.update_button.clicked.connect(self._ask_update)
         self._canvas.destinationCrsChanged.connect(self._show_place)
         QgsProject.instance().layersWillBeRemoved.connect(self._leave_removed)
@@ -156,7 +169,8 @@ class CorrectTab(QWidget):
         fields = [None] * len(_COLUMNS) if self._layer is None else _fields(self._layer)
         self.places.setHorizontalHeaderLabels([_title(name) for name in fields])
         self._rows = iter(()) if self._layer is None else _rows(self._layer, fields)
-        self._ids = set()
+        self._ids, self._counted = set(), set()
+        self.mend.setEnabled(self._layer is not None and _SEVERITY in self._layer.fields().names())
         self.places.setRowCount(0)
         self.progress.setRange(0, 1 if self._layer is None else max(self._layer.featureCount(), 1))
         self._show_progress()
@@ -169,16 +183,18 @@ class CorrectTab(QWidget):
         end = time.perf_counter() + _FILL_S
         for row in self._rows:
             self._ids.add(row["id"])
-            if not (self.open.isChecked() and row["id"] in self._done):
-                self._add_row(row)
+            if not (row["is_information"] and self.mend.isEnabled() and self.mend.isChecked()):
+                self._counted.add(row["id"])
+                if not (self.open.isChecked() and row["id"] in self._done):
+                    self._add_row(row)
             if time.perf_counter() > end:
                 self._soon.start(0)
                 break
         else:
             self._soon.stop()
             self._done &= self._ids
-            self.progress.setRange(0, max(len(self._ids), 1))
-            self.progress.setTextVisible(bool(self._ids))
+            self.progress.setRange(0, max(len(self._counted), 1))
+            self.progress.setTextVisible(bool(self._counted))
             self._show_progress()
             self.places.resizeColumnToContents(0)
             self.places.resizeColumnToContents(2)
@@ -239,7 +255,7 @@ class CorrectTab(QWidget):
             item.setFont(font)
 
     def _show_progress(self) -> None:
-        self.progress.setValue(len(self._done))
+        self.progress.setValue(len(self._done & self._counted))
         self.update_button.setEnabled(bool(self._done))
 
     def _enable(self) -> None:
@@ -302,5 +318,7 @@ def _texts(feature: QgsFeature, fields: List[Optional[str]]) -> List[str]:
 
 
 def _rows(layer: QgsVectorLayer, fields: List[Optional[str]]) -> Iterator[Dict]:
+    has_severity = _SEVERITY in layer.fields().names()
     for feature in layer.getFeatures(QgsFeatureRequest().setFlags(QgsFeatureRequest.NoGeometry)):
-        yield {"id": feature.id(), "texts": _texts(feature, fields)}
+        is_information = has_severity and feature[_SEVERITY] == INFORMATION
+        yield {"id": feature.id(), "texts": _texts(feature, fields), "is_information": is_information}

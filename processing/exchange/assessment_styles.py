@@ -2,30 +2,20 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Callable, List, Tuple
 
 from qgis.core import (
-    QgsFeatureRenderer,
     QgsFillSymbol,
     QgsGraduatedSymbolRenderer,
     QgsMarkerSymbol,
-    QgsProcessingContext,
-    QgsProcessingLayerPostProcessorInterface,
     QgsRendererRange,
     QgsSymbol,
-    QgsVectorLayer,
 )
 
 from ..translation import tr
-from .geopackage import leave_wal
 
 COLORS = ("#00204d", "#46516c", "#7c7b78", "#bcad6c", "#ffea46")
 """Cividis (Nuñez et al. 2018) at even steps, dark to light; told apart by the colour-blind and in grey."""
-
-_KEPT: List["_Styler"] = []
-_MOST_KEPT = 20
-"""QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
 
 
 def success_classes(threshold: float) -> List[Tuple[float, float, str, str]]:
@@ -63,30 +53,3 @@ def _graduated(value: str, threshold: float, symbol: Callable[[str], QgsSymbol])
     ]
     # From good to bad, as a legend is read.
     return QgsGraduatedSymbolRenderer(value, ranges[::-1])
-
-
-def style_output(destination: str, renderer: QgsFeatureRenderer, context: QgsProcessingContext) -> None:
-    """Gives an output its style: in a GeoPackage as its default, and to the layer that QGIS will load."""
-    path = destination.split("|")[0]
-    if Path(path).suffix.lower() == ".gpkg" and Path(path).is_file():
-        layer = QgsVectorLayer(destination, "output", "ogr")
-        if layer.isValid():
-            layer.setRenderer(renderer.clone())
-            layer.saveStyleToDatabase("SemRef", "", True, "")
-        del layer
-        leave_wal(path)
-    if context.willLoadLayerOnCompletion(destination):
-        _KEPT.append(_Styler(renderer.clone()))
-        del _KEPT[:-_MOST_KEPT]
-        context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_KEPT[-1])
-
-
-class _Styler(QgsProcessingLayerPostProcessorInterface):
-    def __init__(self, renderer: QgsFeatureRenderer) -> None:
-        super().__init__()
-        self._renderer = renderer
-
-    def postProcessLayer(self, layer, context, feedback):
-        if isinstance(layer, QgsVectorLayer):
-            layer.setRenderer(self._renderer.clone())
-            layer.triggerRepaint()

@@ -1,4 +1,4 @@
-"""Styles that travel inside a reference database, so that its layers look right when dropped on a canvas."""
+"""Styles that travel with layers, so that they look right when dropped on a canvas."""
 
 from __future__ import annotations
 
@@ -23,11 +23,16 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtXml import QDomDocument
 
+from ...core.annotation_findings import ERROR, INFORMATION, WARNING
 from ...core.class_table import ClassTable
+from ..annotation_messages import severity_title
 from .files import written_beside
 from .geopackage import stored_style
 
 WINDOW_COLOR = "#1f5fbf"
+
+SEVERITY_STYLES = ((ERROR, "#d7263d", "0.6"), (WARNING, "#e08a00", "0.5"), (INFORMATION, "#4a7fb5", "0.3"))
+"""Severity of a finding, colour, width of its outline in millimetres."""
 
 _OURS = "semref/style"
 """Custom property that marks a style file as written by SemRef, so that it may be replaced."""
@@ -69,6 +74,23 @@ def annotation_renderer(table: ClassTable, class_field: str, priority_field: str
         categories.append(QgsRendererCategory(c.name, symbol, c.name))
     renderer = QgsCategorizedSymbolRenderer(class_field, categories)
     renderer.setOrderBy(QgsFeatureRequest.OrderBy([QgsFeatureRequest.OrderByClause(priority_field)]))
+    renderer.setOrderByEnabled(True)
+    return renderer
+
+
+def issues_renderer() -> QgsCategorizedSymbolRenderer:
+    """Findings by severity, errors on top; outlines show even slivers."""
+    categories = []
+    for severity, color, width in SEVERITY_STYLES:
+        fill = QColor(color)
+        # Information may cover whole fields: it must not dye them.
+        fill.setAlpha(0 if severity == INFORMATION else 60)
+        symbol = QgsFillSymbol.createSimple({"outline_color": color, "outline_width": width})
+        symbol.symbolLayer(0).setFillColor(fill)
+        categories.append(QgsRendererCategory(severity, symbol, severity_title(severity)))
+    renderer = QgsCategorizedSymbolRenderer("severity", categories)
+    clause = QgsFeatureRequest.OrderByClause("array_find(array('information', 'warning', 'error'), \"severity\")")
+    renderer.setOrderBy(QgsFeatureRequest.OrderBy([clause]))
     renderer.setOrderByEnabled(True)
     return renderer
 

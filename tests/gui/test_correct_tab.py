@@ -76,3 +76,31 @@ def test_a_speck_is_shown_with_the_ground_around_it(tab, iface, add_layer):
     assert iface.canvas.extent().center().x() == pytest.approx(550000 + SPECK_M / 2, abs=0.01)
     tab.places.selectRow(1)
     assert iface.canvas.scale() > 500
+
+
+def test_information_can_be_left_out_and_what_is_done_is_kept(tab):
+    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
+
+    fields = "field=kind:string&field=severity:string&field=message:string"
+    layer = QgsVectorLayer(f"Polygon?crs={CRS}&{fields}", "issues", "memory")
+    for number, severity in enumerate(("information", "error", "information", "warning")):
+        feature = QgsFeature(layer.fields())
+        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(550000, 5420000, 550100 + number, 5420100)))
+        feature.setAttributes(["overlap", severity, str(number)])
+        layer.dataProvider().addFeature(feature)
+    layer.updateExtents()
+    QgsProject.instance().addMapLayer(layer)
+    tab.layer.setLayer(layer)
+    tab.places.selectRow(0)
+    tab.done.click()
+    assert tab.progress.text() == "1 of 4 done"
+    tab.mend.click()
+    shown = [tab.places.item(row, 1).text() for row in range(tab.places.rowCount())]
+    assert shown == ["1", "3"] and tab.progress.text() == "0 of 2 done"
+    tab.mend.click()
+    assert tab.places.rowCount() == 4 and tab.progress.text() == "1 of 4 done"
+
+
+def test_layers_without_severity_have_no_information_to_leave_out(tab, add_layer):
+    tab.layer.setLayer(add_layer("disagreements"))
+    assert not tab.mend.isEnabled() and tab.places.rowCount() == 2

@@ -79,6 +79,16 @@ def test_an_overlap_has_both_ids_its_area_and_its_place(issues, tmp_path, classe
     assert row["message"].startswith("water (feature 2) and field (feature 1) claim the same 40.00 m²")
 
 
+def test_issues_are_drawn_by_severity_errors_on_top(check, tmp_path, classes_csv):
+    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field"), (square(6, 0, 10), "water")])
+    found = QgsVectorLayer(check(layer, CLASS_TABLE=classes_csv)["ISSUES"], "issues", "ogr")
+    renderer = found.renderer()
+    assert [category.value() for category in renderer.categories()] == ["error", "warning", "information"]
+    assert renderer.orderByEnabled() and not list(tmp_path.glob("*-wal"))
+    (feature,) = found.getFeatures()
+    assert feature["severity"] == "error" and renderer.categoryIndexForValue(feature["severity"]) == 0
+
+
 DRAW_ORDERS = "value,name,color,role,draw_order\n1,building,#ff0000,,{}\n2,water,#0000ff,,{}\n"
 
 
