@@ -2620,6 +2620,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>lokalisierbar</translation>
   </message>
   <message>
+   <source>lon, lat</source>
+   <translation>Länge, Breite</translation>
+  </message>
+  <message>
    <source>longest stretch</source>
    <translation>längster Abschnitt</translation>
   </message>

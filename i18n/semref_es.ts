@@ -2620,6 +2620,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>localizable</translation>
   </message>
   <message>
+   <source>lon, lat</source>
+   <translation>lon, lat</translation>
+  </message>
+  <message>
    <source>longest stretch</source>
    <translation>tramo más largo</translation>
   </message>

@@ -2620,6 +2620,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>localisable</translation>
   </message>
   <message>
+   <source>lon, lat</source>
+   <translation>lon, lat</translation>
+  </message>
+  <message>
    <source>longest stretch</source>
    <translation>plus long tronçon</translation>
   </message>

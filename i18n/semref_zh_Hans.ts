@@ -2620,6 +2620,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>可定位</translation>
   </message>
   <message>
+   <source>lon, lat</source>
+   <translation>经度, 纬度</translation>
+  </message>
+  <message>
    <source>longest stretch</source>
    <translation>最长航段</translation>
   </message>

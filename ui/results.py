@@ -206,7 +206,7 @@ def _lines(finding: Finding) -> List[str]:
         lines.append(escape(finding.reason))
     if finding.center is not None:
         project = QgsProject.instance()
-        lines.append(f"lon, lat: {position_text(finding, DEGREES, project)}")
+        lines.append(f"{tr('lon, lat')}: {position_text(finding, DEGREES, project)}")
         lines.append(f"x, y: {position_text(finding, DATABASE, project)} ({escape(finding.crs.authid())})")
     lines += _measures(finding)
     return lines

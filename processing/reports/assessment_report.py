@@ -19,7 +19,7 @@ from ..exchange.assessment_styles import success_classes
 from ..translation import tr
 from . import charts, page
 from .assessment_map import cell_map, legend
-from .charts import Series
+from .charts import rate_series
 
 
 @dataclass(frozen=True)
@@ -115,7 +115,7 @@ class AssessmentReport:
         bins = sorted({(one.low, one.high) for rates in found.values() for one in rates})
         groups = [f"{low:.0f}–{high - 1:.0f}" if np.isfinite(high) else f"≥ {low:.0f}" for low, high in bins]
         series = [
-            series_of(title, rates, [bins.index((one.low, one.high)) for one in rates])
+            rate_series(title, rates, [bins.index((one.low, one.high)) for one in rates])
             for title, rates in found.items()
         ]
         y_axis = charts.percent_axis(tr("right fixes"))
@@ -162,7 +162,7 @@ def trust(results: Sequence[AssessedFootprint]) -> List[str]:
     series, scores = [], []
     for r in results:
         right = r.model.successes > 0
-        series.append(series_of(r.title(), calibration(r.model.left_out, right)))
+        series.append(rate_series(r.title(), calibration(r.model.left_out, right)))
         scores.append(page.number(brier_score(r.model.left_out, right)))
     chart = charts.reliability_diagram(
         series, tr("expected success"), tr("right fixes"), tr("Expected against simulated success")
@@ -200,17 +200,6 @@ def reason_titles() -> Dict[str, str]:
         "no_match": tr("too little evidence"),
         "wrong_fix": tr("wrong fixes"),
     }
-
-
-def series_of(title: str, rates, x: Sequence[float] = ()) -> Series:
-    """Rates with their intervals."""
-    return Series(
-        title,
-        x or [one.at for one in rates],
-        [one.rate.share for one in rates],
-        [one.rate.interval[0] for one in rates],
-        [one.rate.interval[1] for one in rates],
-    )
 
 
 def _median(errors: np.ndarray):

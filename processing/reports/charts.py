@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from html import escape
 from typing import List, Optional, Sequence, Tuple
 
+from ...core.evaluation_summary import RateAt
+
 WIDTH, HEIGHT = 480, 300
 LEFT, RIGHT, TOP, BOTTOM = 64, 24, 14, 44
 LEGEND_ROW = 20
@@ -35,6 +37,17 @@ class Series:
     high: Optional[Sequence[float]] = None
     marked: bool = True
     stepped: bool = False
+
+
+def rate_series(title: str, rates: Sequence[RateAt], x: Sequence[float] = ()) -> Series:
+    """Rates with their intervals, at their means or at ``x``."""
+    return Series(
+        title,
+        x or [one.at for one in rates],
+        [one.rate.share for one in rates],
+        [one.rate.interval[0] for one in rates],
+        [one.rate.interval[1] for one in rates],
+    )
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,6 @@ import numpy as np
 from ...core.evaluation import NOISE_LEVELS, ROTATION, SCALING, Outcome
 from ...core.evaluation_summary import (
     MethodSummary,
-    RateAt,
     error_curve,
     noise_rates,
     of_method,
@@ -21,7 +20,7 @@ from ...core.evaluation_summary import (
 )
 from ..translation import tr
 from . import charts, page
-from .charts import Series
+from .charts import Series, rate_series
 
 
 @dataclass(frozen=True)
@@ -111,7 +110,7 @@ class EvaluationReport:
         return page.table(header, rows)
 
     def _rates_chart(self, rates_of, x_axis, name: str, caption: str) -> str:
-        series = [_series(title, rates_of(self.outcomes, method)) for method, title in self.methods.items()]
+        series = [rate_series(title, rates_of(self.outcomes, method)) for method, title in self.methods.items()]
         return page.figure(charts.line_chart(series, x_axis, charts.percent_axis(tr("right fixes")), name), caption)
 
     def _landmarks_chart(self) -> str:
@@ -119,7 +118,7 @@ class EvaluationReport:
         bins = sorted({(one.low, one.high) for rates in found.values() for one in rates})
         groups = [f"{low:.0f}–{high - 1:.0f}" if np.isfinite(high) else f"≥ {low:.0f}" for low, high in bins]
         series = [
-            _series(self.methods[method], rates, [bins.index((one.low, one.high)) for one in rates])
+            rate_series(self.methods[method], rates, [bins.index((one.low, one.high)) for one in rates])
             for method, rates in found.items()
         ]
         y_axis = charts.percent_axis(tr("right fixes"))
@@ -151,7 +150,7 @@ class EvaluationReport:
         return page.figure(chart, caption.format(method=method, count=rates[0][0].trials))
 
     def _reliability_chart(self) -> str:
-        series = [_series(title, reliability(self.outcomes, method)) for method, title in self.methods.items()]
+        series = [rate_series(title, reliability(self.outcomes, method)) for method, title in self.methods.items()]
         chart = charts.reliability_diagram(
             series, tr("confidence told"), tr("right among the fixes"), tr("Reliability of the confidence")
         )
@@ -213,16 +212,6 @@ def _fixed(value: Optional[float], decimals: int) -> str:
 def _turn_order(query) -> Tuple[float, float]:
     """Rows go down in scale and up in angle, as in the paper."""
     return -query.scale, query.heading_deg
-
-
-def _series(title: str, rates: Sequence[RateAt], x: Sequence[float] = ()) -> Series:
-    return Series(
-        title,
-        x or [one.at for one in rates],
-        [one.rate.share for one in rates],
-        [one.rate.interval[0] for one in rates],
-        [one.rate.interval[1] for one in rates],
-    )
 
 
 def _thinned(x: np.ndarray, y: np.ndarray, most: int = 400) -> Tuple[np.ndarray, np.ndarray]:

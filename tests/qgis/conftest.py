@@ -1,11 +1,35 @@
 """QGIS without a display."""
 
 import os
+import sys
+from pathlib import Path
 
 import pytest
+
+sys.path.append(str(Path(__file__).parents[1] / "data"))
+from made_inputs import write_raster
 
 
 @pytest.fixture(scope="session")
 def qgis_app(start_qgis):
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
     return start_qgis(window=False)
+
+
+@pytest.fixture(scope="module")
+def build_area(run_algorithm, tmp_path_factory):
+    """`build_area(labels, names, size, stride)`: path of the database of a label map with three landmark classes."""
+
+    def build(labels_hw, names, size: float, stride: float) -> str:
+        folder = tmp_path_factory.mktemp("area")
+        parameters = {
+            "LABELS": str(write_raster(folder / "labels.tif", labels_hw, names=names)),
+            "REFERENCE_CLASSES": "building;water;bare_land",
+            "WINDOW_SIZE": size,
+            "STRIDE": stride,
+            "MINIMUM_AREA": 30,
+            "DATABASE": str(folder / "area.gpkg"),
+        }
+        return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+
+    return build

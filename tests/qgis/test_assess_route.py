@@ -22,7 +22,7 @@ from qgis.core import (
 )
 
 sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import NORTH, WEST, scattered_objects, write_layer, write_raster
+from made_inputs import NORTH, WEST, scattered_objects, write_layer
 
 ASSESS = "semref:assessroute"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -34,17 +34,8 @@ TURNS = ((150.0, 250.0), (700.0, 250.0))
 
 
 @pytest.fixture(scope="module")
-def database(run_algorithm, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("area")
-    parameters = {
-        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
-        "REFERENCE_CLASSES": "building;water;bare_land",
-        "WINDOW_SIZE": 250,
-        "STRIDE": 125,
-        "MINIMUM_AREA": 30,
-        "DATABASE": str(folder / "area.gpkg"),
-    }
-    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+def database(build_area):
+    return build_area(LABELS, NAMES, 250, 125)
 
 
 def lon_lat(turns):

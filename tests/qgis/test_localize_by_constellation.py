@@ -19,17 +19,8 @@ SIZE = 300
 
 
 @pytest.fixture(scope="module")
-def database(run_algorithm, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("area")
-    parameters = {
-        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
-        "REFERENCE_CLASSES": "building;water;bare_land",
-        "WINDOW_SIZE": SIZE,
-        "STRIDE": SIZE / 2,
-        "MINIMUM_AREA": 30,
-        "DATABASE": str(folder / "area.gpkg"),
-    }
-    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+def database(build_area):
+    return build_area(LABELS, NAMES, SIZE, SIZE / 2)
 
 
 def view(column: float, row: float, heading: float, scale: float = 1.0, labels=LABELS) -> np.ndarray:

@@ -29,17 +29,8 @@ LABELS = scattered_objects(400, 480, 240, seed=11)
 
 
 @pytest.fixture(scope="module")
-def database(run_algorithm, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("area")
-    parameters = {
-        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
-        "REFERENCE_CLASSES": "building;water;bare_land",
-        "WINDOW_SIZE": SIZE,
-        "STRIDE": STRIDE,
-        "MINIMUM_AREA": 30,
-        "DATABASE": str(folder / "area.gpkg"),
-    }
-    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+def database(build_area):
+    return build_area(LABELS, NAMES, SIZE, STRIDE)
 
 
 @pytest.fixture
