@@ -2472,6 +2472,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Fläche</translation>
   </message>
   <message>
+   <source>as at places alike; none nearby failed</source>
+   <translation>wie an ähnlichen Stellen; in der Nähe schlug keine fehl</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>Klasse</translation>
   </message>

@@ -2472,6 +2472,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>área</translation>
   </message>
   <message>
+   <source>as at places alike; none nearby failed</source>
+   <translation>como en lugares parecidos; ninguna falló cerca</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>clase</translation>
   </message>

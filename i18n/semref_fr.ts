@@ -2472,6 +2472,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>surface</translation>
   </message>
   <message>
+   <source>as at places alike; none nearby failed</source>
+   <translation>comme en des lieux semblables ; aucun échec à proximité</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>classe</translation>
   </message>

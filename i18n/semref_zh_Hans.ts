@@ -2472,6 +2472,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>面积</translation>
   </message>
   <message>
+   <source>as at places alike; none nearby failed</source>
+   <translation>与相似地点相同；附近无失败</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>类别</translation>
   </message>

@@ -125,13 +125,14 @@ class AssessmentReport:
         )
 
     def _reasons(self) -> str:
-        titles = reason_titles()
+        # Where no image nearby failed, what is expected comes from places alike.
+        titles = {"": tr("as at places alike; none nearby failed"), **reason_titles()}
         rows = []
         for r in self.results:
             poor = np.flatnonzero(r.estimates.success < self.threshold)
             counts = Counter(r.estimates.reasons[n] for n in poor.tolist())
             rows += [
-                [r.title(), titles.get(reason, page.NOTHING), page.percent(count / len(r.estimates.success))]
+                [r.title(), titles[reason], page.percent(count / len(r.estimates.success))]
                 for reason, count in counts.most_common()
             ]
         text = tr("What keeps most images from a fix where expected success is below {threshold}:")
