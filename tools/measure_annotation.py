@@ -14,7 +14,6 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import resource
 import subprocess
 import sys
 import tempfile
@@ -128,6 +127,8 @@ def in_process(algorithm: str, parameters: dict) -> dict:
 
 
 def run_job(algorithm: str, parameters: str) -> int:
+    from bench.child import peak_bytes
+
     run = start_qgis()
     if algorithm == VALIDITY:
         print(json.dumps(invalid_in_qgis(**json.loads(parameters))), flush=True)
@@ -135,7 +136,7 @@ def run_job(algorithm: str, parameters: str) -> int:
     started = time.process_time()
     run(f"semref:{algorithm}", json.loads(parameters))
     seconds = time.process_time() - started
-    megabytes = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1000
+    megabytes = peak_bytes() / 1e6
     print(json.dumps({"seconds": seconds, "megabytes": megabytes}), flush=True)
     # QGIS has nothing to save, and leaving it takes long.
     os._exit(0)
