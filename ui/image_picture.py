@@ -219,7 +219,12 @@ def photo_picture(path: str) -> QImage:
 
 
 def _picture_of(pixels_rgba: np.ndarray) -> QImage:
-    pixels = np.ascontiguousarray(pixels_rgba)
+    """An image of (H, W, 4) uint8 pixels, opaque or 0 throughout, in the format that Qt paints.
+
+    Any other format is converted when it is to be shown, by Qt's own thread pool: the main thread would wait for it with
+    Python's lock in hand, while tasks of Python that fill the pool wait for that lock – for ever.
+    """
+    pixels = np.ascontiguousarray(pixels_rgba[..., [2, 1, 0, 3]])
     height, width = pixels.shape[:2]
     # The copy owns its bytes; an image made from a buffer does not.
-    return QImage(pixels.data, width, height, 4 * width, QImage.Format.Format_RGBA8888).copy()
+    return QImage(pixels.data, width, height, 4 * width, QImage.Format.Format_ARGB32_Premultiplied).copy()

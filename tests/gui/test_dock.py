@@ -1148,3 +1148,16 @@ def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, is
     QgsProject.instance().removeMapLayer(issues.id())
     settle()
     assert places.rowCount() == 0
+
+
+def test_pictures_need_no_conversion_to_be_shown(qgis_app):
+    """Qt would convert them in its thread pool, which the main thread must never wait for."""
+    import numpy as np
+    from qgis.PyQt.QtGui import QColor, QImage
+
+    from semref.ui.image_picture import label_picture
+
+    image = label_picture(np.array([[0, 1], [2, 1]], np.uint8), {1: (250, 20, 30), 2: (1, 2, 200)})
+    assert image.format() == QImage.Format.Format_ARGB32_Premultiplied
+    assert image.pixelColor(1, 0) == QColor(250, 20, 30) and image.pixelColor(0, 1) == QColor(1, 2, 200)
+    assert image.pixelColor(0, 0).alpha() == 0
