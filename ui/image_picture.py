@@ -221,7 +221,7 @@ def photo_picture(path: str) -> QImage:
 def _picture_of(pixels_rgba: np.ndarray) -> QImage:
     """An image of (H, W, 4) uint8 pixels, opaque or 0 throughout, in the format that Qt paints.
 
-    Any other format is converted when it is to be shown, by Qt's own thread pool: the main thread would wait for it with
+    Any other format is converted when it is to be shown, by Qt's own thread pool: the main thread would wait with
     Python's lock in hand, while tasks of Python that fill the pool wait for that lock – for ever.
     """
     pixels = np.ascontiguousarray(pixels_rgba[..., [2, 1, 0, 3]])
