@@ -128,6 +128,13 @@ def scattered_objects(height: int, width: int, count: int, seed: int, background
     return labels
 
 
+def landmarks_in_the_west() -> np.ndarray:
+    """(500, 800) uint8 labels with 260 landmarks placed, and none from column 500 on."""
+    labels = scattered_objects(500, 800, 260, seed=11)
+    labels[:, 500:] = 4
+    return labels
+
+
 def write_text(path: Path, text: str, encoding: str = "utf-8") -> Path:
     path.write_bytes(text.encode(encoding))
     return path

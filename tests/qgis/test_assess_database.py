@@ -18,13 +18,11 @@ from qgis.core import (
 )
 
 sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import scattered_objects
+from made_inputs import landmarks_in_the_west
 
 ASSESS = "semref:assessdatabase"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
-LABELS = scattered_objects(500, 800, 260, seed=11)
-LABELS[:, 500:] = 4
-"""No landmark in the east."""
+LABELS = landmarks_in_the_west()
 
 
 @pytest.fixture(scope="module")

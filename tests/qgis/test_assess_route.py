@@ -22,13 +22,11 @@ from qgis.core import (
 )
 
 sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import NORTH, WEST, scattered_objects, write_layer
+from made_inputs import NORTH, WEST, landmarks_in_the_west, write_layer
 
 ASSESS = "semref:assessroute"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
-LABELS = scattered_objects(500, 800, 260, seed=11)
-LABELS[:, 500:] = 4
-"""No landmark in the east."""
+LABELS = landmarks_in_the_west()
 TURNS = ((150.0, 250.0), (700.0, 250.0))
 """Column, row of the route below: from the landmarks into the empty east."""
 
