@@ -7,7 +7,7 @@ from pathlib import Path
 from qgis.core import QgsApplication, QgsSettings
 from qgis.PyQt.QtCore import QCoreApplication, QLocale, QTranslator
 
-from .processing.components import add_components_to_path
+from .processing.packages.components import add_components_to_path
 from .processing.provider import register_provider
 
 _TRANSLATIONS = Path(__file__).resolve().parent / "i18n"

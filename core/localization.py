@@ -1,13 +1,13 @@
-"""THE result of localising an image, whatever the method."""
+"""THE result of localizing an image, whatever the method."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Optional, Tuple
 
-from .constellation import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, ConstellationResult
-from .map_correlation import MAP_CORRELATION, TOO_LITTLE_INFORMATION, CorrelationResult
-from .pose import PoseUncertainty
+from .constellation.solver import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, ConstellationResult
+from .correlation.solver import MAP_CORRELATION, TOO_LITTLE_INFORMATION, CorrelationResult
+from .geometry.pose import PoseUncertainty
 
 __all__ = ["AMBIGUOUS", "FIX", "NO_MATCH", "TOO_FEW_REFERENCES", "Localization", "PossiblePlace"]
 
@@ -19,7 +19,7 @@ METHODS = (AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION, MAP_CORRELATION)
 
 @dataclass(frozen=True)
 class PossiblePlace:
-    """Where an image may lie: map (x, y) of its centre, heading of its top clockwise from grid north, pixel size."""
+    """Where an image may lie: map (x, y) of its center, heading of its top clockwise from grid north, pixel size."""
 
     position: Tuple[float, float]
     heading_deg: float
@@ -32,9 +32,9 @@ class Localization:
 
     status: ``fix``, ``ambiguous``, ``no_match`` or ``too_few_references``; reason: one sentence without a fix, two if
     two methods were tried, else empty; method: that of METHODS which found the fix, or was tried first;
-    position: map coordinates (x, y) of the image's centre; heading_deg: of the image's top, clockwise from grid north;
+    position: map coordinates (x, y) of the image's center; heading_deg: of the image's top, clockwise from grid north;
     pixel_size_m: ground sampling distance; error_95_m: radius; distance: of topology vectors;
-    references: reference objects described; inliers: those that agree with the map.
+    references: landmarks described; inliers: those that agree with the map.
     confidence: of the constellation and of map correlation, the probability that the best place is the right one,
     calibrated on trials; alternatives: without a fix, the places that it may be, most likely first;
     uncertainty: 95 % ellipse, deviations of heading and pixel size;

@@ -724,7 +724,7 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Lücken werden gefüllt, Splitter vereinigt</translation>
   </message>
   <message>
-   <source>Finding reference objects</source>
+   <source>Finding landmarks</source>
    <translation>Referenzobjekte werden gesucht</translation>
   </message>
   <message>

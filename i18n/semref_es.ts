@@ -724,7 +724,7 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Rellenando huecos y uniendo astillas</translation>
   </message>
   <message>
-   <source>Finding reference objects</source>
+   <source>Finding landmarks</source>
    <translation>Buscando objetos de referencia</translation>
   </message>
   <message>

@@ -724,7 +724,7 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Remplissage des lacunes et fusion des polygones parasites</translation>
   </message>
   <message>
-   <source>Finding reference objects</source>
+   <source>Finding landmarks</source>
    <translation>Recherche des objets de référence</translation>
   </message>
   <message>

@@ -724,7 +724,7 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>正在填补间隙并合并碎片</translation>
   </message>
   <message>
-   <source>Finding reference objects</source>
+   <source>Finding landmarks</source>
    <translation>正在查找参考对象</translation>
   </message>
   <message>

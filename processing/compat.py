@@ -38,7 +38,7 @@ def wkt_for_gdal(crs: QgsCoordinateReferenceSystem) -> str:
 
 
 def is_metric(crs: QgsCoordinateReferenceSystem) -> bool:
-    """Whether the CRS is projected with metres as unit."""
+    """Whether the CRS is projected with meters as unit."""
     meters = Qgis.DistanceUnit.Meters if Qgis.QGIS_VERSION_INT >= 33000 else QgsUnitTypes.DistanceMeters
     return crs.isValid() and not crs.isGeographic() and crs.mapUnits() == meters
 

@@ -5,24 +5,24 @@ from __future__ import annotations
 from qgis.core import QgsApplication, QgsProcessingProvider, QgsProcessingRegistry
 from qgis.PyQt.QtGui import QIcon
 
-from .assess_database import AssessDatabase
-from .assess_route import AssessRoute
-from .base import ICON_PATH
-from .build_database import BuildDatabase
-from .check_annotation import CheckAnnotation
-from .compare_labels import CompareLabels
-from .decode_color_labels import DecodeColorLabels
-from .describe_image import DescribeImage
-from .evaluate_localization import EvaluateLocalization
-from .export_onboard import ExportOnboard
-from .export_training_tiles import ExportTrainingTiles
-from .localize_images import LocalizeImages
-from .make_sample import MakeSample
-from .rasterize_annotation import RasterizeAnnotation
-from .repair_annotation import RepairAnnotation
-from .segment_image import SegmentImage
-from .shipped_models import shipped_models
-from .update_database import UpdateDatabase
+from .algorithms.assess_database import AssessDatabase
+from .algorithms.assess_route import AssessRoute
+from .algorithms.build_database import BuildDatabase
+from .algorithms.check_annotation import CheckAnnotation
+from .algorithms.compare_labels import CompareLabels
+from .algorithms.decode_color_labels import DecodeColorLabels
+from .algorithms.describe_image import DescribeImage
+from .algorithms.evaluate_localization import EvaluateLocalization
+from .algorithms.export_onboard import ExportOnboard
+from .algorithms.export_training_tiles import ExportTrainingTiles
+from .algorithms.localize_images import LocalizeImages
+from .algorithms.make_sample import MakeSample
+from .algorithms.rasterize_annotation import RasterizeAnnotation
+from .algorithms.repair_annotation import RepairAnnotation
+from .algorithms.segment_image import SegmentImage
+from .algorithms.update_database import UpdateDatabase
+from .framework.base import ICON_PATH
+from .framework.shipped_models import shipped_models
 
 ALGORITHMS = (
     CheckAnnotation,

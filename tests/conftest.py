@@ -15,6 +15,8 @@ REAL_DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data
 
 # `python -m pytest` puts the root on the path, where our processing/ would come before QGIS's.
 sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != ROOT]
+# Made inputs that several suites share.
+sys.path.append(str(ROOT / "tests" / "data"))
 
 
 def load_plugin_package() -> None:

@@ -48,14 +48,20 @@ def main() -> None:
 
 
 def run_algorithms(sample: Path) -> Dict[str, str]:
-    """Runs the shipped model and the localisation as any user of Processing would; gives the outputs' paths."""
+    """Runs the shipped model and the localization as any user of Processing would; gives the outputs' paths."""
     import processing
 
-    paths = {name: str(OUTPUT / file) for name, file in (
-        ("labels", "label_map.tif"), ("database", "reference_database.gpkg"),
-        ("positions", "positions.gpkg"), ("footprints", "footprints.gpkg"), ("published", "published_method.gpkg"),
-        ("photo_positions", "photo_positions.gpkg"),
-    )}  # fmt: skip
+    paths = {
+        name: str(OUTPUT / file)
+        for name, file in (
+            ("labels", "label_map.tif"),
+            ("database", "reference_database.gpkg"),
+            ("positions", "positions.gpkg"),
+            ("footprints", "footprints.gpkg"),
+            ("published", "published_method.gpkg"),
+            ("photo_positions", "photo_positions.gpkg"),
+        )
+    }
     print("\n2. Shapefile to label map and reference database (semref:annotationtodatabase)")
     built = processing.run(
         "semref:annotationtodatabase",
@@ -132,7 +138,7 @@ def print_fixes(found: Dict[str, Dict[str, dict]], truth: List[dict], methods) -
 
 
 def _error(fix: dict, truth: dict) -> Optional[float]:
-    """Metres between fix and truth, None without a fix."""
+    """Meters between fix and truth, None without a fix."""
     if fix["status"] != "fix":
         return None
     return hypot(fix["x"] - float(truth["x"]), fix["y"] - float(truth["y"]))

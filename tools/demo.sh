@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The main job on the sample area: sets up what is missing, makes the sample, builds a reference database from its
-# shapefile, localises its pictures, and leaves a QGIS project and a map picture in demo/.
+# shapefile, localizes its pictures, and leaves a QGIS project and a map picture in demo/.
 set -euo pipefail
 tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 "$tools/setup.sh"

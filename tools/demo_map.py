@@ -170,7 +170,7 @@ def _legend(layout: QgsPrintLayout, project: QgsProject, page_map: QgsLayoutItem
 
 
 def _colored(image: Path, labels: QgsRasterLayer) -> Path:
-    """The label image in the class colours, for people to look at; beside the project."""
+    """The label image in the class colors, for people to look at; beside the project."""
     # GDAL's Python objects do not keep their dataset alive: it needs a name.
     label_map, source = gdal.Open(labels.source()), gdal.Open(str(image))
     memory = gdal.GetDriverByName("MEM").CreateCopy("", source)

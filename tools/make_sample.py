@@ -4,9 +4,9 @@
 
 OUTPUT_FOLDER then holds landcover.shp, classes.csv, images/*.png, truth.csv, orthophoto.tif (a rendered photo of the
 whole area), photos/*.jpg, photos.csv and sample.json.
-truth.csv and photos.csv give every picture's centre: `column`, `row` in pixels of the map ((0.5, 0.5) is the centre of
+truth.csv and photos.csv give every picture's center: `column`, `row` in pixels of the map ((0.5, 0.5) is the center of
 its first pixel) and `x`, `y` in map units; `rotation_deg` is the heading of the picture's top in degrees clockwise from
-grid north; `scale` is map pixels per picture pixel; `window` names the window it is centred on, if any.
+grid north; `scale` is map pixels per picture pixel; `window` names the window it is centered on, if any.
 The same seed gives the same files. A folder made by an earlier run is replaced; any other folder is left alone.
 """
 
@@ -25,9 +25,9 @@ from semref.core.errors import SemRefError  # noqa: E402
 from semref.core.sample import DEFAULT_SEED, pictures  # noqa: E402
 from semref.core.sample.classes import CLASSES  # noqa: E402
 from semref.core.sample.landscape import make_landscape  # noqa: E402
-from semref.processing.exchange import sample_files  # noqa: E402
-from semref.processing.exchange.files import folder_written_beside  # noqa: E402
-from semref.processing.exchange.pictures import write_png  # noqa: E402
+from semref.storage import sample_files  # noqa: E402
+from semref.storage.files import folder_written_beside  # noqa: E402
+from semref.storage.pictures import write_png  # noqa: E402
 
 PIXEL_SIZES_M = (0.25, 2.0)  # finer maps take gigabytes, coarser ones are too small for the pictures
 
@@ -53,7 +53,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("output_folder", type=Path)
     parser.add_argument("--seed", type=int, default=DEFAULT_SEED, help="any number from 0; default %(default)s")
-    parser.add_argument("--pixel-size", type=float, default=1.0, help="metres; default %(default)s")
+    parser.add_argument("--pixel-size", type=float, default=1.0, help="meters; default %(default)s")
     options = parser.parse_args(arguments)
     if options.seed < 0:
         parser.error(f"the seed must be 0 or more, not {options.seed}")
@@ -78,7 +78,7 @@ def write_all(folder: Path, seed: int, pixel_size: float) -> str:
 
 
 def picture_bands(labels_hw: np.ndarray, view: pictures.View) -> np.ndarray:
-    """(1 or 3, H, W) the view's class values, or its class colours."""
+    """(1 or 3, H, W) the view's class values, or its class colors."""
     picture = pictures.cut(labels_hw, view)
     return np.moveaxis(pictures.colored(picture), 2, 0) if view.in_color else picture[None]
 
@@ -92,7 +92,7 @@ def summary(landscape, labels_hw, views) -> str:
         f"label map {labels_hw.shape[1]} × {labels_hw.shape[0]} pixels"
     ]
     lines += [f"  {c.value} {c.name:<11}{counts[c.value]:>6} features {pixels[c.value]:>10} pixels" for c in CLASSES]
-    lines.append(f"  0 {'unlabelled':<11}{'':>6}          {pixels[0]:>10} pixels")
+    lines.append(f"  0 {'unlabeled':<11}{'':>6}          {pixels[0]:>10} pixels")
     shapes = [f.geometry for f in landscape.features if f.geometry is not None]
     holes = sum(any(p.interiors for p in getattr(s, "geoms", [s])) for s in shapes)
     lines.append(

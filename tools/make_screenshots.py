@@ -48,9 +48,17 @@ class Variant:
 
 
 LIGHT = (
-    "first_fix", "dock_localize", "inspect", "correct", "prior", "toolbox", "algorithm_dialog", "model_designer",
-    "options", "narrow",
-)  # fmt: skip
+    "first_fix",
+    "dock_localize",
+    "inspect",
+    "correct",
+    "prior",
+    "toolbox",
+    "algorithm_dialog",
+    "model_designer",
+    "options",
+    "narrow",
+)
 
 VARIANTS: Dict[str, Variant] = {
     "light": Variant(tuple((scene, "") for scene in LIGHT)),
@@ -129,11 +137,16 @@ def take(variant: Variant, package: Path, sample: Path, home: Path) -> List[Path
     (profile / "QGIS" / "QGIS3.ini").write_text(settings(variant), encoding="utf-8")
     job, result = home / "job.json", home / "result.json"
     job.write_text(
-        json.dumps({
-            "sample": str(sample), "pictures": str(pictures), "scenes": variant.scenes, "result": str(result),
-        }),
+        json.dumps(
+            {
+                "sample": str(sample),
+                "pictures": str(pictures),
+                "scenes": variant.scenes,
+                "result": str(result),
+            }
+        ),
         encoding="utf-8",
-    )  # fmt: skip
+    )
     environment = {
         "PATH": os.environ["PATH"],
         "LANG": "C.UTF-8",
@@ -147,9 +160,17 @@ def take(variant: Variant, package: Path, sample: Path, home: Path) -> List[Path
         "SEMREF_SCREENSHOTS": str(job),
     }
     command = [
-        "xvfb-run", "--auto-servernum", f"--server-args=-screen 0 {SCREEN_PX[0]}x{SCREEN_PX[1]}x24",
-        "qgis", "--nologo", "--noversioncheck", "--profiles-path", str(home), "--code", str(SESSION),
-    ]  # fmt: skip
+        "xvfb-run",
+        "--auto-servernum",
+        f"--server-args=-screen 0 {SCREEN_PX[0]}x{SCREEN_PX[1]}x24",
+        "qgis",
+        "--nologo",
+        "--noversioncheck",
+        "--profiles-path",
+        str(home),
+        "--code",
+        str(SESSION),
+    ]
     said = run(command, environment, home / "output.txt", result)
     if not result.exists():
         sys.exit(f"QGIS ended without a result; it said:\n{said}")

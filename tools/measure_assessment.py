@@ -5,7 +5,7 @@
 
 semref:assessdatabase predicts from the database alone (seed 1). Fresh images (seed 2) are cut from the *label map*,
 anywhere on the ground, at any heading, spoilt as labels (landmarks missed, drawn in, misnamed; edges moved) and
-localised by the constellation, or with --automatic by both methods: what was predicted for their square is compared
+localized by the constellation, or with --automatic by both methods: what was predicted for their square is compared
 with what came of them. Then a route up the Rhine valley and over the mountains. --pictures writes the pictures of the
 documentation. Reads $SEMREF_DATA or ../shared/data; --keep holds what was made, and goes on where a run was broken off.
 """
@@ -29,8 +29,15 @@ PREDICTED_SEED, FRESH_SEED = 1, 2
 LARGEST_IMAGE_PX = 2000
 MAP_PX = 760, 960
 """Size of the map's picture, with its legend."""
-ROUTE = ((9.5060, 47.0680), (9.5250, 47.1030), (9.5180, 47.1420), (9.5320, 47.2150), (9.5720, 47.1750),
-         (9.6050, 47.1150), (9.5620, 47.0720))  # fmt: skip
+ROUTE = (
+    (9.5060, 47.0680),
+    (9.5250, 47.1030),
+    (9.5180, 47.1420),
+    (9.5320, 47.2150),
+    (9.5720, 47.1750),
+    (9.6050, 47.1150),
+    (9.5620, 47.0720),
+)
 """Longitude, latitude: Balzers, Triesen, Vaduz, Bendern; over the mountains Drei Schwestern, Malbun, Mittagspitz."""
 
 
@@ -74,10 +81,10 @@ def fresh_trials(work: Path, labels: Path, database: Path, count: int, automatic
     """(x, y, status, right, error) of each image, one JSON object a line in a file that a later run continues."""
     from osgeo import gdal
 
-    from semref.core.assessment_cells import ground_cells
-    from semref.core.label_source import ArrayLabels
-    from semref.core.localizer import AUTOMATIC, CONSTELLATION, Localizer
-    from semref.processing.exchange.geopackage import read_database
+    from semref.core.assessment.cells import ground_cells
+    from semref.core.labels.sources import ArrayLabels
+    from semref.core.localizer.localizer import AUTOMATIC, CONSTELLATION, Localizer
+    from semref.storage.geopackage import read_database
 
     path = work / f"fresh_{'automatic' if automatic else 'constellation'}.jsonl"
     done = [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
@@ -96,7 +103,7 @@ def fresh_trials(work: Path, labels: Path, database: Path, count: int, automatic
 
 def fresh_trial(number: int, source, database, localizer, cells, method: str) -> dict:
     """One image: where it was cut, and what came of it."""
-    from semref.core import trials
+    from semref.core.simulation import views as trials
 
     rng = np.random.default_rng([FRESH_SEED, number])
     x, y = cells.centers[rng.integers(len(cells))] + rng.uniform(-SPACING / 2, SPACING / 2, 2)
@@ -114,13 +121,18 @@ def fresh_trial(number: int, source, database, localizer, cells, method: str) ->
     error = float(np.hypot(found.position[0] - x, found.position[1] - y)) if found.status == "fix" else None
     right = error is not None and error <= 0.02 * FOOTPRINT
     return {
-        "x": float(x), "y": float(y), "status": found.status, "right": right, "error": error, "seconds": seconds,
+        "x": float(x),
+        "y": float(y),
+        "status": found.status,
+        "right": right,
+        "error": error,
+        "seconds": seconds,
         "references": int(found.references),
-    }  # fmt: skip
+    }
 
 
 def view_at(database, x: float, y: float, heading_deg: float):
-    from semref.core import trials
+    from semref.core.simulation import views as trials
 
     x0, pixel, _, y0, _, _ = database.parameters.geotransform
     size = min(round(FOOTPRINT / pixel), LARGEST_IMAGE_PX)
@@ -134,9 +146,15 @@ def assessed(work: Path, database: Path, simulated: int, automatic: bool) -> lis
     started, used = time.monotonic(), time.process_time()
     fresh = not target.exists()
     parameters = {
-        "DATABASE": str(database), "FOOTPRINT": f"{FOOTPRINT:g}", "SPACING": SPACING, "TRIALS": simulated,
-        "SEED": PREDICTED_SEED, "MAP_CORRELATION": automatic, "REPORT": str(target.with_suffix(".html")), **NOISE,
-    }  # fmt: skip
+        "DATABASE": str(database),
+        "FOOTPRINT": f"{FOOTPRINT:g}",
+        "SPACING": SPACING,
+        "TRIALS": simulated,
+        "SEED": PREDICTED_SEED,
+        "MAP_CORRELATION": automatic,
+        "REPORT": str(target.with_suffix(".html")),
+        **NOISE,
+    }
     onboard.run("assessdatabase", target, "OUTPUT", parameters)
     rows = rows_of(target)
     good = np.mean([row["success"] >= 0.9 for row in rows])
@@ -149,7 +167,7 @@ def assessed(work: Path, database: Path, simulated: int, automatic: bool) -> lis
 
 
 def rows_of(path: Path) -> list:
-    """Attributes of each feature, with the centre of its geometry's extent as ``at``."""
+    """Attributes of each feature, with the center of its geometry's extent as ``at``."""
     from osgeo import gdal
 
     dataset, rows = gdal.OpenEx(str(path)), []
@@ -161,8 +179,8 @@ def rows_of(path: Path) -> list:
 
 def print_calibration(cells: list, fresh: list, automatic: bool, pictures: str) -> None:
     """Predicted against measured success as a table, and as a picture."""
-    from semref.core.assessment_summary import brier_score, calibration
-    from semref.core.rates import rate_of
+    from semref.core.assessment.summary import brier_score, calibration
+    from semref.core.evaluation.rates import rate_of
     from semref.processing.reports.page import rate_text
 
     method = "automatic" if automatic else "constellation"
@@ -200,11 +218,16 @@ def reliability_picture(found: list, method: str, count: int, path: Path) -> Non
 
 
 def standing_alone(svg: str) -> str:
-    """A report's chart with the colours of the report's page inside, as a file of its own."""
+    """A report's chart with the colors of the report's page inside, as a file of its own."""
     colors = {
-        "--ground": "#ffffff", "--text": "#1c2126", "--soft": "#5d6770", "--line": "#d5dade", "--s0": "#0067a5",
-        "--s1": "#c65102", "--bad": "#b3261e",
-    }  # fmt: skip
+        "--ground": "#ffffff",
+        "--text": "#1c2126",
+        "--soft": "#5d6770",
+        "--line": "#d5dade",
+        "--s0": "#0067a5",
+        "--s1": "#c65102",
+        "--bad": "#b3261e",
+    }
     for name, color in colors.items():
         svg = svg.replace(f"var({name})", color)
     style = "<style>text{font:12px sans-serif;fill:#1c2126} .soft{fill:#5d6770}</style>"
@@ -229,9 +252,15 @@ def assess_route(work: Path, database: Path) -> None:
     target, feedback = work / "route.gpkg", QgsProcessingFeedback(False)
     if not target.exists():
         parameters = {
-            "DATABASE": str(database), "ROUTE": str(route), "SPEED": 20, "SPACING": 640, "TRIALS": 5,
-            "OUTPUT": str(target), "REPORT": str(work / "route.html"), **NOISE,
-        }  # fmt: skip
+            "DATABASE": str(database),
+            "ROUTE": str(route),
+            "SPEED": 20,
+            "SPACING": 640,
+            "TRIALS": 5,
+            "OUTPUT": str(target),
+            "REPORT": str(work / "route.html"),
+            **NOISE,
+        }
         processing.run("semref:assessroute", parameters, feedback=feedback)
         (work / "route.log").write_text(feedback.textLog(), encoding="utf-8")
     rows = rows_of(target)
@@ -288,7 +317,7 @@ def route_picture(work: Path, folder: Path) -> None:
     """The profile out of the route's report."""
     text = (work / "route.html").read_text(encoding="utf-8")
     start = text.index("<svg")
-    profile = text[start:text.index("</svg>", start) + len("</svg>")]
+    profile = text[start : text.index("</svg>", start) + len("</svg>")]
     (folder / "assessment_route.svg").write_text(standing_alone(profile), encoding="utf-8")
 
 

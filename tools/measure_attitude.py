@@ -1,8 +1,8 @@
-"""Measure localisation of tilted cameras, with and without leveling, on Liechtenstein 2021; prints a Markdown table.
+"""Measure localization of tilted cameras, with and without leveling, on Liechtenstein 2021; prints a Markdown table.
 
     python tools/measure_attitude.py [--trials 100] [--tilts 10,20,30] [--error 1] [--half south|north|both] [--seed 1]
 
-The same queries are localised as they are, leveled with their true attitude, and leveled with roll and pitch wrong by
+The same queries are localized as they are, leveled with their true attitude, and leveled with roll and pitch wrong by
 normal errors of --error degrees each. The camera sees 60° across; 20 % of the objects in the image are missed, 20 %
 invented, 5 % misnamed (``measure_constellation``'s “goal”). Right: a fix within 2 % of the footprint's edge.
 """
@@ -21,13 +21,13 @@ import measure_constellation as constellation  # noqa: I001
 import cv2
 import numpy as np
 from measure_constellation import CLASSES, DATA, GOAL, IMAGE_PX, LAYER, MINIMUM_AREA_M2, PIXEL_SIZES_M
-from semref.core import trials
-from semref.core.attitude import Attitude, focal_length_from_view, leveling
-from semref.core.constellation import FIX, localize
-from semref.core.constellation_index import build_index
-from semref.core.hypotheses import Prior
-from semref.core.pose import turn_of
-from semref.core.reference_objects import extract_reference_objects
+from semref.core.simulation import views as trials
+from semref.core.geometry.leveling import Attitude, focal_length_from_view, leveling
+from semref.core.constellation.solver import FIX, localize
+from semref.core.constellation.index import build_index
+from semref.core.constellation.hypotheses import Prior
+from semref.core.geometry.pose import turn_of
+from semref.core.landmarks.landmarks import extract_landmarks
 
 SHAPE = (IMAGE_PX, IMAGE_PX)
 SMALLEST_PX = max(MINIMUM_AREA_M2 / PIXEL_SIZES_M[1] ** 2, 9)
@@ -80,7 +80,7 @@ def query(area: constellation.Area, tilt_deg: float, rng: np.random.Generator) -
         if near.sum() < LEAST_OBJECTS / 2:
             continue
         labels = trials.cut_view(area.labels, view)
-        found = extract_reference_objects(labels, CLASSES, MINIMUM_AREA_M2 / view.scale**2)
+        found = extract_landmarks(labels, CLASSES, MINIMUM_AREA_M2 / view.scale**2)
         if (~found.touches_edge).sum() >= LEAST_OBJECTS:
             return view, labels
 
@@ -103,7 +103,7 @@ def trial(area: constellation.Area, index, view: trials.View, labels: np.ndarray
         labels, middle = way.level(labels), way.middle
         seconds = time.process_time() - started
     height, width = labels.shape
-    objects = extract_reference_objects(labels, CLASSES, SMALLEST_PX)
+    objects = extract_landmarks(labels, CLASSES, SMALLEST_PX)
     population = replace(area.objects, areas_px=area.objects.areas_px / view.scale**2)
     objects = trials.spoil_objects(objects, GOAL, np.random.default_rng(seed), population, (width, height))
     found = localize(objects, width, height, index, Prior(pixel_size_range=PIXEL_SIZES_M))

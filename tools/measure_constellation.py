@@ -1,9 +1,9 @@
-"""Measure constellation localisation on Liechtenstein 2021 and print a Markdown table.
+"""Measure constellation localization on Liechtenstein 2021 and print a Markdown table.
 
     python tools/measure_constellation.py [--trials 300] [--half south|north|both] [--only goal,hard] [--seed 1]
     python tools/measure_constellation.py --elsewhere FILE.csv [--images 30000]
 
-Reads ../shared/data/osm_liechtenstein_2021 (or SEMREF_DATA), rasterises it at 1 m with gdal_rasterize into a temporary
+Reads ../shared/data/osm_liechtenstein_2021 (or SEMREF_DATA), rasterizes it at 1 m with gdal_rasterize into a temporary
 folder. Thresholds were calibrated with --half north; the figures to quote are those of --half south.
 One core is used; times are processor times, so that other programs don't count.
 Rates come with counts and Wilson 95 % intervals. --elsewhere tries images that are not of the map, in turn mirrored
@@ -53,15 +53,15 @@ def load_package() -> None:
 load_package()
 sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != ROOT]
 
-from semref.core import trials  # noqa: E402
-from semref.core.constellation import FIX, localize  # noqa: E402
-from semref.core.constellation_index import build_index  # noqa: E402
-from semref.core.database import MapReferences  # noqa: E402
-from semref.core.evaluation import ellipse_ratio  # noqa: E402
-from semref.core.hypotheses import Prior  # noqa: E402
-from semref.core.label_source import ArrayLabels  # noqa: E402
-from semref.core.rates import wilson  # noqa: E402
-from semref.core.reference_objects import ReferenceObjects, extract_reference_objects  # noqa: E402
+from semref.core.constellation.hypotheses import Prior  # noqa: E402
+from semref.core.constellation.index import build_index  # noqa: E402
+from semref.core.constellation.solver import FIX, localize  # noqa: E402
+from semref.core.database.model import MapLandmarks  # noqa: E402
+from semref.core.evaluation.evaluation import ellipse_ratio  # noqa: E402
+from semref.core.evaluation.rates import wilson  # noqa: E402
+from semref.core.labels.sources import ArrayLabels  # noqa: E402
+from semref.core.landmarks.landmarks import Landmarks, extract_landmarks  # noqa: E402
+from semref.core.simulation import views as trials  # noqa: E402
 
 GOAL = trials.ObjectNoise(missed=0.2, invented=0.2, misnamed=0.05, jitter_px=1.5, area=0.1)
 HARD = trials.ObjectNoise(missed=0.4, invented=0.4, misnamed=0.1, jitter_px=1.5, area=0.1)
@@ -179,19 +179,19 @@ def rasterize(layer: Path) -> np.ndarray:
 
 
 class Area:
-    """The map and where query centres may lie; y of map coordinates is minus the row."""
+    """The map and where query centers may lie; y of map coordinates is minus the row."""
 
     def __init__(self, labels: np.ndarray, half: str) -> None:
         self.labels = ArrayLabels(labels)
-        self.objects = extract_reference_objects(labels, CLASSES, MINIMUM_AREA_M2)
+        self.objects = extract_landmarks(labels, CLASSES, MINIMUM_AREA_M2)
         height, width = labels.shape
         middle = int(np.median(self.objects.centers_xy[:, 1]))
         rows = {"north": (0, middle), "south": (middle, height), "both": (0, height)}[half]
         self.extent = (0, rows[0], width, rows[1])
 
-    def references(self) -> MapReferences:
+    def references(self) -> MapLandmarks:
         objects = self.objects
-        return MapReferences(objects.centers_xy * (1, -1), objects.classes, objects.areas_px, objects.touches_edge)
+        return MapLandmarks(objects.centers_xy * (1, -1), objects.classes, objects.areas_px, objects.touches_edge)
 
     def query(self, row: Row, rng: np.random.Generator) -> tuple:
         """A view with as many whole objects as the row asks for, and its objects after noise."""
@@ -209,10 +209,10 @@ class Area:
                     labels = trials.spoil_labels(labels, row.labels, rng, CLASSES)
                 return view, self._spoil(self._extract(labels), view, row.noise, rng)
 
-    def _extract(self, labels: np.ndarray) -> ReferenceObjects:
-        return extract_reference_objects(labels, CLASSES, max(MINIMUM_AREA_M2 / PIXEL_SIZES_M[1] ** 2, 9))
+    def _extract(self, labels: np.ndarray) -> Landmarks:
+        return extract_landmarks(labels, CLASSES, max(MINIMUM_AREA_M2 / PIXEL_SIZES_M[1] ** 2, 9))
 
-    def _spoil(self, objects: ReferenceObjects, view, noise, rng) -> ReferenceObjects:
+    def _spoil(self, objects: Landmarks, view, noise, rng) -> Landmarks:
         population = replace(self.objects, areas_px=self.objects.areas_px / view.scale**2)
         return trials.spoil_objects(objects, noise, rng, population, (IMAGE_PX, IMAGE_PX))
 
@@ -249,7 +249,7 @@ def trial(area: Area, row: Row, index, rng: np.random.Generator, sample) -> Outc
 LATTICES = ("square", "rectangular", "hexagonal", "twin rows", "two classes")
 
 
-def lattice(rng: np.random.Generator, kind: str = "") -> ReferenceObjects:
+def lattice(rng: np.random.Generator, kind: str = "") -> Landmarks:
     """Plots in rows, as in a new estate: equal spacing, little jitter, equal sizes, a few missing.
 
     kind: one of LATTICES, by default square or rectangular; twin rows are houses on both sides of streets.
@@ -272,7 +272,7 @@ def lattice(rng: np.random.Generator, kind: str = "") -> ReferenceObjects:
     count = len(points)
     areas = rng.uniform(100, 400) * np.exp(rng.normal(0, 0.1, count))
     centers = np.column_stack([points.real, points.imag])
-    return ReferenceObjects(centers, classes, areas, np.zeros((count, 4), int), np.zeros(count, bool))
+    return Landmarks(centers, classes, areas, np.zeros((count, 4), int), np.zeros(count, bool))
 
 
 def try_elsewhere(area: Area, index, options: argparse.Namespace) -> None:
@@ -304,7 +304,7 @@ def image_from_elsewhere(area: Area, regions: list, number: int, rng: np.random.
     name, labels, scales = regions[0] if which % 2 else tiles[which // 2 % len(tiles)]
     height, width = labels.shape
     view = trials.random_view(rng, (0.3 * width, 0.3 * height, 0.7 * width, 0.7 * height), (IMAGE_PX, IMAGE_PX), scales)
-    return name, extract_reference_objects(trials.cut_view(ArrayLabels(labels), view), CLASSES, 16)
+    return name, extract_landmarks(trials.cut_view(ArrayLabels(labels), view), CLASSES, 16)
 
 
 def dubai_regions() -> list:
@@ -331,7 +331,7 @@ def sample_labels(seed: int) -> np.ndarray:
     """Labels of the made-up sample area, its classes renamed to those of the map."""
     from semref.core.sample.classes import CLASSES as SAMPLE_CLASSES
     from semref.core.sample.landscape import make_landscape
-    from semref.processing.exchange.sample_files import rasterize as rasterize_landscape
+    from semref.storage.sample_files import rasterize as rasterize_landscape
 
     labels = rasterize_landscape(make_landscape(seed), 1.0)
     table = np.zeros(256, np.uint8)
@@ -340,10 +340,10 @@ def sample_labels(seed: int) -> np.ndarray:
     return table[labels]
 
 
-def sample_objects(labels: np.ndarray, rng: np.random.Generator) -> ReferenceObjects:
+def sample_objects(labels: np.ndarray, rng: np.random.Generator) -> Landmarks:
     height, width = labels.shape
     view = trials.random_view(rng, (700, 700, width - 700, height - 700), (IMAGE_PX, IMAGE_PX), (0.8, 1.25))
-    return extract_reference_objects(trials.cut_view(ArrayLabels(labels), view), CLASSES, 16)
+    return extract_landmarks(trials.cut_view(ArrayLabels(labels), view), CLASSES, 16)
 
 
 def rate_text(count: int, total: int) -> str:
@@ -398,7 +398,7 @@ def print_speed(area: Area, size: int, count: int, seed: int) -> None:
         )
 
 
-def tiled(area: Area, size: int, seed: int) -> MapReferences:
+def tiled(area: Area, size: int, seed: int) -> MapLandmarks:
     """The map and as many altered copies of it beside each other as make ``size`` objects: other places, other sizes.
 
     A smaller size takes the objects at the map's southern end, where the queries of --half south are.
@@ -414,7 +414,7 @@ def tiled(area: Area, size: int, seed: int) -> MapReferences:
         positions.append(own.positions + step + rng.normal(0, 30, own.positions.shape))
         areas.append(own.areas_m2 * np.exp(rng.normal(0, 0.3, len(own))))
     count = size if copies > 1 else len(own)
-    return MapReferences(
+    return MapLandmarks(
         np.concatenate(positions)[:count],
         np.tile(own.classes, copies)[:count],
         np.concatenate(areas)[:count],

@@ -7,14 +7,16 @@
     python tools/measure_correlation.py automatic [--half north|south] [--trials 200] [--elsewhere 150] [--evidence]
 
 Reads $SEMREF_DATA or ../shared/data. ``country``: Liechtenstein 2021 at 1 m, overview 4 m, images of 1,280 px at 0.8 to
-1.25 m with any heading, labels degraded (core/label_noise.py); the map is the whole country, the images come from one
-half of it (thresholds were fitted on the northern, the southern is the test). False accepts: images from the other half
+1.25 m with any heading, labels degraded (core/simulation/noise.py); the map is the whole country, the images come
+from one half of it (thresholds were fitted on the northern, the southern is the test). False accepts: images from the
+other half
 on a map of one half only, and mirrored images. ``aerial``: the annotated tiles of dubai_aerial, turned crops off any
-grid. ``automatic``: METHOD 0 on Liechtenstein, with a database whose reference objects are buildings, bare land and
+grid. ``automatic``: METHOD 0 on Liechtenstein, with a database whose landmarks are buildings, bare land and
 water from 100 m² on: objects missed, invented and misnamed, 8 to 12 objects, degraded labels; false accepts as for
 ``country``, as many of each kind as ``--elsewhere``. ``--evidence`` also records what each road says of the other's
-best place, which sets the constants of core/automatic.py. ``radius``: errors of poses refined from beside the right
-place, on the country and on the aerial tiles, against their deviation, which set the 95 % radius. ``--rows FILE`` adds
+best place, which sets the constants of core/localizer/combined.py.
+``radius``: errors of poses refined from beside the right place, on the country and on the aerial tiles, against their
+deviation, which set the 95 % radius. ``--rows FILE`` adds
 one JSON line a trial, from which ``fit`` proposes the constants of correlation_decision.
 """
 
@@ -57,12 +59,10 @@ def load_package() -> None:
 
 
 load_package()
-from semref.core import constellation, trials  # noqa: E402
-from semref.core.build import BuildSettings, DatabaseBuilder, MapFrame  # noqa: E402
-from semref.core.class_pyramid import MapPyramid  # noqa: E402
-from semref.core.class_table import ClassTable, LandCoverClass  # noqa: E402
-from semref.core.correlation_decision import LEAST_NOISE, position_error_95  # noqa: E402
-from semref.core.correlation_places import (  # noqa: E402
+from semref.core.constellation.solver import solver as constellation  # noqa: E402
+from semref.core.correlation.class_pyramid import MapPyramid  # noqa: E402
+from semref.core.correlation.decision import LEAST_NOISE, position_error_95  # noqa: E402
+from semref.core.correlation.places import (  # noqa: E402
     COARSE_EDGE,
     DECISION_EDGE,
     SCALE_STEP,
@@ -70,16 +70,19 @@ from semref.core.correlation_places import (  # noqa: E402
     finest_pose,
     image_evidence,
     reduced_image,
-)  # fmt: skip
-from semref.core.correlation_refine import Pose, axes, refine  # noqa: E402
-from semref.core.correlation_search import QUIET_ENERGY  # noqa: E402
-from semref.core.label_noise import MODEST, STRONG, degrade_labels  # noqa: E402
-from semref.core.label_source import ArrayLabels  # noqa: E402
-from semref.core.localizer import AUTOMATIC, Localizer  # noqa: E402
-from semref.core.map_correlation import CorrelationSettings, Prior, agreement_at, localize  # noqa: E402
-from semref.core.overview import most_frequent_labels  # noqa: E402
-from semref.core.rates import wilson  # noqa: E402
-from semref.core.reference_objects import extract_reference_objects  # noqa: E402
+)
+from semref.core.correlation.refine import Pose, axes, refine  # noqa: E402
+from semref.core.correlation.search import QUIET_ENERGY  # noqa: E402
+from semref.core.correlation.solver import CorrelationSettings, Prior, agreement_at, localize  # noqa: E402
+from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame  # noqa: E402
+from semref.core.evaluation.rates import wilson  # noqa: E402
+from semref.core.labels.class_table import ClassTable, LandCoverClass  # noqa: E402
+from semref.core.labels.overview import most_frequent_labels  # noqa: E402
+from semref.core.labels.sources import ArrayLabels  # noqa: E402
+from semref.core.landmarks.landmarks import extract_landmarks  # noqa: E402
+from semref.core.localizer.localizer import AUTOMATIC, Localizer  # noqa: E402
+from semref.core.simulation import views as trials  # noqa: E402
+from semref.core.simulation.noise import MODEST, STRONG, degrade_labels  # noqa: E402
 
 OBJECT_CLASSES = (1, 2, 3)  # building, bare land, water
 OBJECT_NOISE = trials.ObjectNoise(missed=0.2, invented=0.2, misnamed=0.05)
@@ -95,7 +98,7 @@ def read_labels(path: Path) -> np.ndarray:
 
 
 def country_labels() -> np.ndarray:
-    """(H, W) uint8: Liechtenstein's classes at 1 m, rasterised in the order of zorder."""
+    """(H, W) uint8: Liechtenstein's classes at 1 m, rasterized in the order of zorder."""
     shape = DATA / "osm_liechtenstein_2021" / "li_landcover_2021.shp"
     if not shape.exists():
         sys.exit(f"measure_correlation: no data at {shape}")
@@ -117,7 +120,7 @@ def cut_image(labels: np.ndarray, center_xy, heading_deg: float, pixel: float, s
 
 
 def random_image(labels, rng, rows, size_wh, pixels, least_labeled):
-    """An image from between two rows of the map: labels, centre, heading, pixel size."""
+    """An image from between two rows of the map: labels, center, heading, pixel size."""
     while True:
         center = rng.uniform(0, labels.shape[1]), rng.uniform(*rows)
         heading, pixel = rng.uniform(0, 360), float(np.exp(rng.uniform(*np.log(pixels))))
@@ -127,7 +130,7 @@ def random_image(labels, rng, rows, size_wh, pixels, least_labeled):
 
 
 def trial(job) -> dict:
-    """One image localised; a JSON row."""
+    """One image localized; a JSON row."""
     kind, noise_name, seed, prior_m = job
     rng = np.random.default_rng([seed, len(kind)])
     labels, size, pixels = STATE["labels"], STATE["size"], STATE["pixels"]
@@ -184,7 +187,7 @@ def read_halves(half: str):
     other = {"north": "south", "south": "north"}[half]
     lonely = labels.copy()
     if half == "north":
-        lonely[middle - STRIP:] = 0
+        lonely[middle - STRIP :] = 0
     else:
         lonely[: middle + STRIP] = 0
     return labels, halves[half], halves[other], lonely
@@ -209,11 +212,13 @@ def radius_trial(job) -> dict:
     finest, covariance = finest_pose(image, pyramid, pose, quiet)
     spread = axes(finest) @ covariance[:2, :2] @ axes(finest).T
     return {
-        "noise": noise_name, "score": pose.score, "footprint": edge * pixel,
+        "noise": noise_name,
+        "score": pose.score,
+        "footprint": edge * pixel,
         "error": float(np.hypot(finest.x - center[0], finest.y - center[1])),
         "deviation": float(np.sqrt(np.linalg.eigvalsh(spread).max())),
         "error_95": position_error_95(spread, pose.score, pyramid.frame[2]),
-    }  # fmt: skip
+    }
 
 
 def prepare_country(half: str) -> None:
@@ -264,7 +269,7 @@ def country_localizer(labels: np.ndarray) -> Localizer:
 
 
 def automatic_image(kind: str, seed: int):
-    """An image of one kind, its centre (pixels of the map), heading and pixel size."""
+    """An image of one kind, its center (pixels of the map), heading and pixel size."""
     rng = np.random.default_rng([seed, *kind.encode()])
     rows, labels = STATE["rows"].get(kind, STATE["half"]), STATE["labels"]
     size = FOOTPRINT_PX, FOOTPRINT_PX
@@ -287,11 +292,11 @@ def automatic_image(kind: str, seed: int):
 
 
 def whole_objects(image: np.ndarray, pixel: float) -> int:
-    return int((~extract_reference_objects(image, OBJECT_CLASSES, MINIMUM_AREA_M2 / pixel**2).touches_edge).sum())
+    return int((~extract_landmarks(image, OBJECT_CLASSES, MINIMUM_AREA_M2 / pixel**2).touches_edge).sum())
 
 
 def automatic_trial(job) -> dict:
-    """One image localised by METHOD 0; a JSON row."""
+    """One image localized by METHOD 0; a JSON row."""
     kind, seed, with_evidence = job
     image, center, heading, pixel = automatic_image(kind, seed)
     localizer = STATE["localizers"].get(kind, STATE["whole"])
@@ -315,7 +320,7 @@ def automatic_trial(job) -> dict:
 def both_evidences(localizer: Localizer, image: np.ndarray, error) -> dict:
     """What each road says of its own best place and of the other's, fix or not."""
     smallest = max(MINIMUM_AREA_M2 / 2.5**2, 9.0)
-    objects = extract_reference_objects(image, OBJECT_CLASSES, smallest)
+    objects = extract_landmarks(image, OBJECT_CLASSES, smallest)
     sizes = localizer.pixel_sizes(image.shape, (0.4, 2.5))
     stars = constellation.localize(
         objects, *image.shape[::-1], localizer.index, constellation.Prior(pixel_size_range=sizes), smallest
@@ -336,8 +341,10 @@ def both_evidences(localizer: Localizer, image: np.ndarray, error) -> dict:
 
 def print_automatic(rows: list[dict], half: str) -> None:
     print(f"\n### Automatic, Liechtenstein, images from the {half}\n")
-    print("| images | right fix | by constellation, by correlation | wrong fix | no fix | median error | "
-          "95 % radius holds | median s |")  # fmt: skip
+    print(
+        "| images | right fix | by constellation, by correlation | wrong fix | no fix | median error | "
+        "95 % radius holds | median s |"
+    )
     print("|---|---|---|---|---|---|---|---|")
     for kind in sorted({row["kind"] for row in rows}):
         group = [row for row in rows if row["kind"] == kind]
@@ -383,8 +390,10 @@ def is_right(row: dict) -> bool:
 
 def print_table(rows: list[dict], title: str) -> None:
     print(f"\n### {title}\n")
-    print("| images | right fix | wrong fix | refused | best place right | median error | median heading, scale error "
-          "| 95 % radius holds | median s (CPU s) |")  # fmt: skip
+    print(
+        "| images | right fix | wrong fix | refused | best place right | median error | median heading, scale error "
+        "| 95 % radius holds | median s (CPU s) |"
+    )
     print("|---|---|---|---|---|---|---|---|---|")
     for key in sorted({(row["kind"], row["noise"]) for row in rows}):
         group = [row for row in rows if (row["kind"], row["noise"]) == key]
@@ -410,7 +419,7 @@ def print_table(rows: list[dict], title: str) -> None:
 
 def print_fit(rows: list[dict]) -> None:
     """Margins and errors from which the constants of correlation_decision are chosen."""
-    from semref.core.correlation_decision import Evidence
+    from semref.core.correlation.decision import Evidence
 
     for row in rows:
         row["margin"] = Evidence(row["score"], row["runner_up"], row["decoy"]).margin
@@ -429,9 +438,10 @@ def print_radius(rows: list[dict]) -> None:
     for noise in sorted({row["noise"] for row in rows}):
         group = [row for row in rows if row["noise"] == noise]
         ratios = [row["error"] / row["deviation"] / max(1 / row["score"] ** 2 - 1, LEAST_NOISE) for row in group]
-        print(f"{noise}: quantiles 50 90 95 98 % {np.round(np.quantile(ratios, [0.5, 0.9, 0.95, 0.98]), 2)}, "
-              f"95 % radius holds {rate_text(sum(row['error'] <= row['error_95'] for row in group), len(group))}"
-              )  # fmt: skip
+        print(
+            f"{noise}: quantiles 50 90 95 98 % {np.round(np.quantile(ratios, [0.5, 0.9, 0.95, 0.98]), 2)}, "
+            f"95 % radius holds {rate_text(sum(row['error'] <= row['error_95'] for row in group), len(group))}"
+        )
 
 
 def logistic_fit(x: np.ndarray, y: np.ndarray, steps: int = 50):

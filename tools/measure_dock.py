@@ -3,11 +3,11 @@
     xvfb-run -a -s "-screen 0 1600x1000x24" python tools/measure_dock.py stalls [--images 20]
     xvfb-run -a -s "-screen 0 1600x1000x24" python tools/measure_dock.py growth [--rounds 20] [--images 200]
 
-``stalls``: photos of the sample area, with the model that ships: segmented, localised, then shown one after the other,
+``stalls``: photos of the sample area, with the model that ships: segmented, localized, then shown one after the other,
 laid on the map, kept, inspected; a timer beats every 5 ms, and the longest time between two beats is the stall. In the
 first round QGIS and Python load what they need for the first time; the second is what a user feels from then on.
-``growth``: the plugin loaded and unloaded --rounds times, each time localising and showing an image; then
---images label images localised and shown one by one in one dock: widgets, items on the canvas, layers and
+``growth``: the plugin loaded and unloaded --rounds times, each time localizing and showing an image; then
+--images label images localized and shown one by one in one dock: widgets, items on the canvas, layers and
 memory after each. Prints Markdown. --folder keeps the sample area for the next time.
 """
 

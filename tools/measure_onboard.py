@@ -1,10 +1,10 @@
-"""Measures onboard files and localising with them on Liechtenstein 2021; prints Markdown.
+"""Measures onboard files and localizing with them on Liechtenstein 2021; prints Markdown.
 
     python tools/measure_onboard.py [--images 100] [--python PYTHON] [--seed 1] [--keep FOLDER]
 
 Sizes of the whole area and of a piece with as many windows as the paper's map has (276), part by part; “windows alone”
-is the file without what the paper's does not have, reference objects and overview. Then the same
-images localised by the plugin in the GeoPackage and by ``python -m core`` in the onboard file, from a copy of the
+is the file without what the paper's does not have, landmarks and overview. Then the same
+images localized by the plugin in the GeoPackage and by ``python -m core`` in the onboard file, from a copy of the
 folder alone, with --python (one without QGIS makes the proof; by default this one): same status, how far the positions
 are apart; start-up, times an image and peak memory on one core. Reads $SEMREF_DATA or ../shared/data.
 """
@@ -29,10 +29,10 @@ import numpy as np  # noqa: E402
 from qgis_session import ROOT, load_plugin_package, qgis_session  # noqa: E402
 
 load_plugin_package()
-from semref.core import trials  # noqa: E402
-from semref.core.label_source import ArrayLabels  # noqa: E402
-from semref.core.onboard_file import read_onboard  # noqa: E402
-from semref.core.reference_objects import extract_reference_objects  # noqa: E402
+from semref.core.labels.sources import ArrayLabels  # noqa: E402
+from semref.core.landmarks.landmarks import extract_landmarks  # noqa: E402
+from semref.core.onboard.format import read_onboard  # noqa: E402
+from semref.core.simulation import views as trials  # noqa: E402
 
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 LAYER = DATA / "osm_liechtenstein_2021" / "li_landcover_2021.shp"
@@ -113,9 +113,12 @@ def papers_piece(labels: Path, work: Path) -> Path:
 
 def database(labels: Path, work: Path) -> Path:
     parameters = {
-        "LABELS": str(labels), "REFERENCE_CLASSES": "building;bare_land;water", "WINDOW_SIZE": WINDOW,
-        "STRIDE": STRIDE, "MINIMUM_AREA": MINIMUM_AREA,
-    }  # fmt: skip
+        "LABELS": str(labels),
+        "REFERENCE_CLASSES": "building;bare_land;water",
+        "WINDOW_SIZE": WINDOW,
+        "STRIDE": STRIDE,
+        "MINIMUM_AREA": MINIMUM_AREA,
+    }
     return run("builddatabase", work / f"{labels.stem}.gpkg", "DATABASE", parameters)
 
 
@@ -168,7 +171,7 @@ def cut_images(labels: Path, folder: Path, options: argparse.Namespace, on_windo
         else:
             view = trials.random_view(rng, (0, 0, width, height), (WINDOW, WINDOW), (0.8, 1.25))
         seen = trials.cut_view(source, view)
-        if len(extract_reference_objects(seen, (1, 2, 3), MINIMUM_AREA)) < LEAST_OBJECTS:
+        if len(extract_landmarks(seen, (1, 2, 3), MINIMUM_AREA)) < LEAST_OBJECTS:
             continue
         cv2.imwrite(str(folder / f"{number:04d}.png"), trials.spoil_labels(seen, RAGGED, rng, (1, 2, 3)))
         number += 1
@@ -196,9 +199,12 @@ def localize_alone(python: str, onboard: Path, images: Path, method: str, work: 
     command = [python, "-m", "core", "localize", str(images), "--database", str(onboard), "--method", method, "--json"]
     with open(work / "alone.jsonl", "w") as out, open(work / "alone.log", "w") as log:
         child = subprocess.Popen(
-            [*command, "--log-level", "info"], cwd=work, stdout=out, stderr=log,
+            [*command, "--log-level", "info"],
+            cwd=work,
+            stdout=out,
+            stderr=log,
             preexec_fn=lambda: os.sched_setaffinity(0, {min(os.sched_getaffinity(0))}),
-        )  # fmt: skip
+        )
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
     texts = [(work / name).read_text(encoding="utf-8").splitlines() for name in ("alone.jsonl", "alone.log")]

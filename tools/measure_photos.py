@@ -6,7 +6,7 @@
 ``sample``: photos of the sample area (its seed is none of the model's training seeds), anywhere, any heading, 0.8 to
 1.25 m a pixel; database of its true label map. ``dubai``: a tile of dubai_aerial ($SEMREF_DATA or ../shared/data) that
 the model was not trained on: IoU a class, then turned crops of its photo, --trials of each edge, at 0.9 to 1.1 tile
-pixels a pixel; database of its annotated labels, all classes as references. --truth localises the true labels of the
+pixels a pixel; database of its annotated labels, all classes as references. --truth localizes the true labels of the
 same places too: what no network could improve. --rows FILE adds one JSON line a trial.
 """
 
@@ -26,17 +26,24 @@ import numpy as np
 from qgis_session import ROOT, load_plugin_package
 
 load_plugin_package()
-from semref.core.build import BuildSettings, DatabaseBuilder, MapFrame  # noqa: E402
-from semref.core.class_table import class_table_from_csv  # noqa: E402
-from semref.core.image_source import ArrayImage  # noqa: E402
-from semref.core.label_source import ArrayLabels  # noqa: E402
+from semref.core.correlation.solver import NOMINAL_RANGE  # noqa: E402
+from semref.core.correlation.solver import localize as correlate  # noqa: E402
+from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame  # noqa: E402
+from semref.core.evaluation.rates import wilson  # noqa: E402
+from semref.core.labels.class_table import class_table_from_csv  # noqa: E402
+from semref.core.labels.image_source import ArrayImage  # noqa: E402
+from semref.core.labels.sources import ArrayLabels  # noqa: E402
 from semref.core.localization import from_correlation  # noqa: E402
-from semref.core.localizer import AUTOMATIC, CONSTELLATION, FIX, MAP_CORRELATION, Localizer, Prior  # noqa: E402
-from semref.core.map_correlation import NOMINAL_RANGE  # noqa: E402
-from semref.core.map_correlation import localize as correlate  # noqa: E402
-from semref.core.rates import wilson  # noqa: E402
-from semref.core.segmentation_model import SegmentationModel  # noqa: E402
-from semref.core.segmenter import segment  # noqa: E402
+from semref.core.localizer.localizer import (  # noqa: E402
+    AUTOMATIC,
+    CONSTELLATION,
+    FIX,
+    MAP_CORRELATION,
+    Localizer,
+    Prior,
+)
+from semref.core.segmentation.model import SegmentationModel  # noqa: E402
+from semref.core.segmentation.tiling import segment  # noqa: E402
 
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 METHODS = (CONSTELLATION, MAP_CORRELATION, AUTOMATIC)
@@ -50,9 +57,18 @@ DUBAI_CLASSES = (
     "4,vegetation,#fedd3a,reference\n5,water,#e2a929,reference\n"
 )
 HEADINGS = (
-    "labels of", "edge (px)", "method", "right", "wrong", "of these elsewhere", "no fix",
-    "best place right, fix or not", "median error (px)", "95 % radius holds", "median s",
-)  # fmt: skip
+    "labels of",
+    "edge (px)",
+    "method",
+    "right",
+    "wrong",
+    "of these elsewhere",
+    "no fix",
+    "best place right, fix or not",
+    "median error (px)",
+    "95 % radius holds",
+    "median s",
+)
 STATE = {}
 
 
@@ -63,7 +79,7 @@ def main() -> None:
     parser.add_argument("--tile", type=int, default=6, help="of dubai_aerial; one the model has not seen")
     parser.add_argument("--trials", type=int, default=200)
     parser.add_argument("--methods", nargs="+", choices=METHODS, default=list(METHODS))
-    parser.add_argument("--truth", action="store_true", help="localise the true labels too")
+    parser.add_argument("--truth", action="store_true", help="localize the true labels too")
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--seed", type=int, default=1671)
     parser.add_argument("--rows", type=Path)
@@ -84,7 +100,7 @@ def prepare_sample(options) -> None:
     from semref.core.sample import photo, pictures
     from semref.core.sample.classes import CLASSES
     from semref.core.sample.landscape import make_landscape
-    from semref.processing.exchange.sample_files import grid_of, rasterize
+    from semref.storage.sample_files import grid_of, rasterize
 
     landscape = make_landscape(options.seed)
     labels = rasterize(landscape, 1.0)
@@ -111,7 +127,7 @@ def prepare_dubai(options) -> None:
     image, labels = (gdal.Open(str(path)).ReadAsArray() for path in paths)
     STATE["photo"] = np.ascontiguousarray(np.moveaxis(image[:3], 0, 2))
     set_database(labels, DUBAI_CLASSES, BuildSettings(512, 128, 60))
-    print_iou(labels, segmented(STATE["photo"]), f"dubai_aerial tile {options.tile}; unlabelled pixels don't count")
+    print_iou(labels, segmented(STATE["photo"]), f"dubai_aerial tile {options.tile}; unlabeled pixels don't count")
 
 
 def dubai_jobs(options) -> list:
@@ -187,7 +203,7 @@ def run(jobs: list, options) -> list[dict]:
 
 
 def trial(job) -> list[dict]:
-    """One photo localised by each method, from the network's labels and from the true ones; JSON rows."""
+    """One photo localized by each method, from the network's labels and from the true ones; JSON rows."""
     if job[0] == "sample":
         from semref.core.sample import photo, pictures
 

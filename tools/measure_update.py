@@ -50,7 +50,7 @@ def main() -> int:
         work = options.work or Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="semref-update-")))
         work.mkdir(parents=True, exist_ok=True)
         stack.enter_context(plugin.qgis())
-        from semref.processing import build_database, update_database
+        from semref.processing.algorithms import build_database, update_database
 
         # Threads would blur what is compared.
         build_database.worker_threads = update_database.worker_threads = lambda: 1

@@ -1,4 +1,4 @@
-"""Screenshots as small PNG files: a palette of the colours that are in the picture, fewer of them until it fits."""
+"""Screenshots as small PNG files: a palette of the colors that are in the picture, fewer of them until it fits."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ import numpy as np
 
 COLOR_COUNTS = (256, 192, 128, 96, 64)
 SAMPLE = 12_000
-"""Pixels of the picture, and as many of its distinct colours, by which the palette is chosen: so thin lines count."""
+"""Pixels of the picture, and as many of its distinct colors, by which the palette is chosen: so thin lines count."""
 
 FRAME_GRAY = 160
 _ASSIGNED_AT_ONCE = 20_000
 
 
 def shrink(source: Path, target: Path, largest_bytes: int) -> None:
-    """Writes the picture with a thin frame and a palette; with fewer colours when it would be larger than that."""
+    """Writes the picture with a thin frame and a palette; with fewer colors when it would be larger than that."""
     picture = cv2.imread(str(source), cv2.IMREAD_COLOR)
     if picture is None:
         raise ValueError(f"{source} is no picture")
@@ -42,10 +42,8 @@ def framed(picture_hw3: np.ndarray) -> np.ndarray:
 
 
 def reduce_colors(picture_hw3: np.ndarray, count: int):
-    """((K, 3) uint8 palette of at most ``count`` colours, (H, W) uint8 indices); exact where there are no more."""
-    colors, inverse, frequency = np.unique(
-        picture_hw3.reshape(-1, 3), axis=0, return_inverse=True, return_counts=True
-    )
+    """((K, 3) uint8 palette of at most ``count`` colors, (H, W) uint8 indices); exact where there are no more."""
+    colors, inverse, frequency = np.unique(picture_hw3.reshape(-1, 3), axis=0, return_inverse=True, return_counts=True)
     if len(colors) > count:
         random = np.random.default_rng(0)
         by_pixel = random.choice(len(colors), SAMPLE, p=frequency / frequency.sum())
@@ -62,7 +60,7 @@ def reduce_colors(picture_hw3: np.ndarray, count: int):
 
 
 def nearest(colors_n3: np.ndarray, palette_k3: np.ndarray) -> np.ndarray:
-    """(N,) index of the nearest palette colour of each colour."""
+    """(N,) index of the nearest palette color of each color."""
     palette = palette_k3.astype(np.float32)
     found = np.empty(len(colors_n3), np.uint8)
     for start in range(0, len(colors_n3), _ASSIGNED_AT_ONCE):

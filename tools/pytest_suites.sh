@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Runs the three test suites, each in the surroundings it needs:
+# Runs the four test suites, each in the surroundings it needs:
 #
 #   tools/pytest_suites.sh PYTHON [pytest arguments]
 #
-# tests/core with QGIS, GDAL and Qt blocked, tests/qgis without a display, tests/gui in a virtual one.
+# tests/core and tests/tools with QGIS, GDAL and Qt blocked, tests/qgis without a display, tests/gui in a virtual one.
 # A suite that fails does not keep the next from running; the exit status tells whether any failed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -30,6 +30,7 @@ suite() {
 }
 
 suite tests/core env SEMREF_BLOCK_QGIS=1
+suite tests/tools env SEMREF_BLOCK_QGIS=1
 suite tests/qgis env QT_QPA_PLATFORM=offscreen
 suite tests/gui env --unset=QT_QPA_PLATFORM --unset=WAYLAND_DISPLAY \
     xvfb-run --auto-servernum --server-args='-screen 0 1600x1000x24'

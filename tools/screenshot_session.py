@@ -130,7 +130,7 @@ class Session:
 
 
 def localized(session: Session) -> None:
-    """All photos localised, the shown one selected."""
+    """All photos localized, the shown one selected."""
     session.show_tab(LOCALIZE)
     dock = session.dock
     if not session.localized:
@@ -348,9 +348,11 @@ def crossed(feature) -> QgsGeometry:
     """A bow tie where the feature is."""
     box: QgsRectangle = feature.geometry().boundingBox()
     corners = (
-        (box.xMinimum(), box.yMinimum()), (box.xMaximum(), box.yMaximum()),
-        (box.xMaximum(), box.yMinimum()), (box.xMinimum(), box.yMaximum()),
-    )  # fmt: skip
+        (box.xMinimum(), box.yMinimum()),
+        (box.xMaximum(), box.yMaximum()),
+        (box.xMaximum(), box.yMinimum()),
+        (box.xMinimum(), box.yMaximum()),
+    )
     return QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in (*corners, corners[0])]])
 
 

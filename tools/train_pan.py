@@ -45,11 +45,11 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--piece-size", type=int, default=256, help="pixels, a multiple of 32; default %(default)s")
     parser.add_argument("--batch", type=int, default=8)
     parser.add_argument("--learning-rate", type=float, default=1e-3)
-    parser.add_argument("--light", type=float, default=1.0, help="how much light and colour vary; default %(default)s")
+    parser.add_argument("--light", type=float, default=1.0, help="how much light and color vary; default %(default)s")
     parser.add_argument("--patience", type=int, default=20, help="epochs without progress; 0: train to the end")
     parser.add_argument("--mixed-precision", choices=("auto", "on", "off"), default="auto", help="auto: with a GPU")
     parser.add_argument("--channels-last", action="store_true", help="twice as fast for mobile encoders on a CPU")
-    parser.add_argument("--resolution", type=float, help="metres a pixel; default: as the tiles say")
+    parser.add_argument("--resolution", type=float, help="meters a pixel; default: as the tiles say")
     parser.add_argument("--overlap", type=int, default=15, help="percent of a tile, for the metadata")
     parser.add_argument("--workers", type=int, default=0, help="processes that read tiles")
     parser.add_argument("--threads", type=int, help="of torch on the CPU")
@@ -79,10 +79,7 @@ def train(options: argparse.Namespace) -> None:
     tile_size = min(folder.manifest["tile_size"] for folder in folders)
     mean, deviation = tiles.band_statistics(folders)
     pixels = np.array(
-        [
-            sum(f.manifest["statistics"]["class_pixels"]["train"].get(str(value), 0) for f in folders)
-            for value in values
-        ]
+        [sum(f.manifest["statistics"]["class_pixels"]["train"].get(str(value), 0) for f in folders) for value in values]
     )
     if not options.learn_unlabeled:
         pixels[0] = 0
@@ -145,8 +142,10 @@ def finish(options, trainer, classes, standardization, tile_size: int, resolutio
     half = tile_size // 32 * 16
     difference = export.largest_difference(trainer.network, temporary, [whole, whole[:, :half, :tile_size]])
     temporary.replace(options.output)
-    print(f"{options.output}: {options.output.stat().st_size / 1e6:.2f} MB, best validation in epoch "
-          f"{trainer.best_epoch}; differs from torch by at most {difference:.1e} in a logit")  # fmt: skip
+    print(
+        f"{options.output}: {options.output.stat().st_size / 1e6:.2f} MB, best validation in epoch "
+        f"{trainer.best_epoch}; differs from torch by at most {difference:.1e} in a logit"
+    )
 
 
 if __name__ == "__main__":

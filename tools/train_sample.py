@@ -24,9 +24,19 @@ TILE_PX, STRIDE_PX, VALIDATION_FRACTION = 512, 448, 0.12
 TRAINING_PYTHON = ROOT / ".venv-train" / "bin" / "python"
 MODEL = "sample_area.onnx"
 TRAINING = (
-    "--encoder", "tu-mobilenetv3_small_050", "--channels-last", "--learn-unlabeled",
-    "--epochs", "16", "--pieces", "800", "--learning-rate", "3e-3", "--resolution", "1.0",
-)  # fmt: skip
+    "--encoder",
+    "tu-mobilenetv3_small_050",
+    "--channels-last",
+    "--learn-unlabeled",
+    "--epochs",
+    "16",
+    "--pieces",
+    "800",
+    "--learning-rate",
+    "3e-3",
+    "--resolution",
+    "1.0",
+)
 
 
 def main() -> None:
@@ -35,7 +45,7 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, nargs="+", default=list(SEEDS))
     parser.add_argument("--python", type=Path, default=TRAINING_PYTHON, help="with the training's packages")
     end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)  # argparse can't have options between positionals
-    options, training = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1:]
+    options, training = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1 :]
     if DEFAULT_SEED in options.seeds:
         parser.error(f"{DEFAULT_SEED} is the area that the model is shown on; train on others")
     if not options.python.exists():

@@ -14,18 +14,18 @@ from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parent.parent
 CONTEXT = "SemRef"
-ROOMS = ("processing", "ui")
+ROOMS = ("storage", "processing", "ui")
 STEP_FILES = (
-    "core/annotation_check.py",
-    "core/annotation_repair.py",
-    "core/build.py",
-    "core/update.py",
+    "core/annotation/check.py",
+    "core/annotation/repair.py",
+    "core/database/build.py",
+    "core/database/update.py",
     "processing/exchange/burning.py",
-    "processing/exchange/database_edit.py",
-    "processing/exchange/geopackage.py",
+    "storage/database_edit.py",
+    "storage/geopackage.py",
     "processing/exchange/rasters.py",
     "processing/exchange/region_burning.py",
-    "processing/exchange/sample_files.py",
+    "storage/sample_files.py",
     "processing/exchange/training_tiles.py",
 )
 """Where steps are yielded: their texts are translated by whoever shows them."""

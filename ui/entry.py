@@ -7,15 +7,15 @@ from qgis.PyQt.QtCore import Qt, QUrl
 from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
-from ..processing.base import ICON_PATH
-from ..processing.components import OPENCV, SHAPELY, how_to_install, missing
+from ..processing.framework.base import ICON_PATH
+from ..processing.packages.components import OPENCV, SHAPELY, how_to_install, missing
 from ..processing.translation import tr
 from ..processing.version import guide_url
-from .component_installer import ComponentInstaller
-from .components_page import PAGE
-from .dock import SemRefDock
-from .messages import Messages
+from .dock.dock import SemRefDock
+from .dock.messages import Messages
 from .options import OptionsFactory
+from .packages.component_installer import ComponentInstaller
+from .packages.components_page import PAGE
 from .window_locator import WindowLocator
 
 MENU = "SemRef"

@@ -6,9 +6,9 @@ from qgis.gui import QgsOptionsWidgetFactory
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QIcon
 
-from ..processing.base import ICON_PATH
-from .component_installer import ComponentInstaller
-from .components_page import ComponentsPage
+from ..processing.framework.base import ICON_PATH
+from .packages.component_installer import ComponentInstaller
+from .packages.components_page import ComponentsPage
 
 
 class OptionsFactory(QgsOptionsWidgetFactory):

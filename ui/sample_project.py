@@ -11,7 +11,10 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QProgressBar, QPushButton
 
 from ..processing.exchange.rasters import read_class_table
-from ..processing.exchange.sample_files import (
+from ..processing.exchange.styles import annotation_renderer
+from ..processing.framework.shipped_models import MODELS
+from ..processing.translation import tr
+from ..storage.sample_files import (
     ANNOTATION_FILE,
     CLASS_FIELD,
     CLASSES_FILE,
@@ -21,12 +24,9 @@ from ..processing.exchange.sample_files import (
     PIXEL_SIZE_M,
     PRIORITY_FIELD,
 )
-from ..processing.exchange.styles import annotation_renderer
-from ..processing.shipped_models import MODELS
-from ..processing.translation import tr
-from .algorithm_run import AlgorithmRun
-from .database_layers import add_database_to_map
-from .messages import TAG, Messages
+from .canvas.database_layers import add_database_to_map
+from .dock.messages import TAG, Messages
+from .running.algorithm_run import AlgorithmRun
 
 FOLDER = "semref_sample"
 """Made in the folder that the user picks, unless that one is empty."""

@@ -8,7 +8,7 @@ from qgis.core import QgsLocatorFilter, QgsLocatorResult
 from qgis.PyQt.QtGui import QIcon
 
 from ..core.errors import SemRefError
-from ..processing.base import ICON_PATH
+from ..processing.framework.base import ICON_PATH
 from ..processing.translation import tr
 
 PREFIX = "sr"

@@ -21,10 +21,10 @@ class SampleClass:
     @property
     def rgb(self) -> tuple[int, int, int]:
         """Red, green, blue, 0..255."""
-        return tuple(int(self.color[i:i + 2], 16) for i in (1, 3, 5))
+        return tuple(int(self.color[i : i + 2], 16) for i in (1, 3, 5))
 
 
-# Red, purple, blue, green and deep blue are the colours of Figure 5 in Remote Sens. 2025, 17, 1671;
+# Red, purple, blue, green and deep blue are the colors of Figure 5 in Remote Sens. 2025, 17, 1671;
 # black is what is in no class. Grass has none there and gets its own, so that it can be told from black.
 CLASSES = (
     SampleClass(BUILDING, "building", "#e3211c", "reference", (172, 120, 120), (8, 255, 255)),

@@ -40,7 +40,7 @@ def cut(rng: np.random.Generator, piece: Polygon, heading: float) -> list[Polygo
     if piece.area < rng.uniform(*PARCEL_AREA_M2) * 1.6:
         return [piece]
     if piece.area > 2.5 * TRACK_AREA_M2:
-        heading += rng.normal(0, 0.22)  # large blocks are not ploughed in one direction
+        heading += rng.normal(0, 0.22)  # large blocks are not plowed in one direction
     x0, y0, x1, y1 = rotate(piece, -heading, origin=(0, 0), use_radians=True).bounds
     if x1 - x0 > 1.35 * (y1 - y0) * rng.uniform(0.75, 1.9):
         x = x0 + rng.uniform(0.36, 0.64) * (x1 - x0)

@@ -10,7 +10,7 @@ from . import shapes
 from .roads import Road, Settlement
 from .scatter import Ground
 
-CLEARANCE_M = 3.2  # keeps neighbours apart on a label map of 1 m pixels
+CLEARANCE_M = 3.2  # keeps neighbors apart on a label map of 1 m pixels
 CORE = 0.42  # share of the town's radius with closed rows of houses
 # kind of settlement: shares of (house, L-shaped house, row, barn, hall)
 MIX = {
@@ -52,7 +52,7 @@ def row(rng: np.random.Generator) -> Polygon:
 
 
 def shifted(shape: Polygon, dx: float, dy: float) -> Polygon:
-    """The footprint moved by so many metres."""
+    """The footprint moved by so many meters."""
     return Polygon(shapes.corners_xy(shape.exterior) + (dx, dy))
 
 

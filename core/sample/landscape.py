@@ -16,7 +16,7 @@ from . import fields, houses, roads, shapes, water
 from .classes import BARE_LAND, BUILDING, CULTIVATED, FOREST, GRASS, WATER
 from .scatter import Ground
 
-SIZE_XY = (4000.0, 3000.0)  # metres
+SIZE_XY = (4000.0, 3000.0)  # meters
 ORIGIN_XY = (548_000.0, 5_420_000.0)  # south-west corner, in hills east of the Neckar
 EPSG = 25832  # ETRS89 / UTM 32N
 PRECISION_M = 0.01  # of written coordinates: what a GNSS survey gives
@@ -39,7 +39,7 @@ class Feature:
 
 @dataclass(frozen=True)
 class Landscape:
-    """Polygons as an annotator drew them, the road surface between them, extent (x0, y0, x1, y1), metres."""
+    """Polygons as an annotator drew them, the road surface between them, extent (x0, y0, x1, y1), meters."""
 
     features: tuple[Feature, ...]
     road_surface: BaseGeometry
@@ -106,7 +106,7 @@ def _buildings(draw: _Draws, places, streets, ground: Ground) -> list[Polygon]:
 
 
 def _fill(rng: np.random.Generator, ground: Ground, buildings: list, still: list, bare: list, woods) -> None:
-    """Add farms, ponds and gravel where a window would hold too few objects to be recognised."""
+    """Add farms, ponds and gravel where a window would hold too few objects to be recognized."""
     cleared = prep(box(0, 0, *SIZE_XY).difference(woods.buffer(25)))
     for turn in range(FILL_ROUNDS):
         (x, y), count = _emptiest_window([*buildings, *still, *bare])
@@ -180,7 +180,7 @@ def with_quirks(rng: np.random.Generator, features: list[Feature]) -> list[Featu
 
 
 def joined(rng: np.random.Generator, features: list[Feature], value: int, count: int) -> list[Feature]:
-    """Make `count` pairs of neighbouring polygons of a class one multipart feature each."""
+    """Make `count` pairs of neighboring polygons of a class one multipart feature each."""
     features = list(features)
     for _ in range(count):
         single = [i for i, f in enumerate(features) if f.class_value == value and f.geometry.geom_type == "Polygon"]

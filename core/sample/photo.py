@@ -1,8 +1,8 @@
 """A photo of the landscape from above: what a camera in clear weather would see of it, not what an annotator drew.
 
-Every field, roof and tree has its own colour and grain; the sun shades roofs and tree crowns and throws shadows; the
+Every field, roof and tree has its own color and grain; the sun shades roofs and tree crowns and throws shadows; the
 ground between the drawn polygons (roads, tracks, margins) is there too. Only numpy and OpenCV; the same landscape gives
-the same photo. Arrays are (rows, columns), colours linear red, green, blue in 0…1 unless said otherwise.
+the same photo. Arrays are (rows, columns), colors linear red, green, blue in 0…1 unless said otherwise.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ HOUSE_HEIGHTS_M, HALL_HEIGHT_M, FOREST_HEIGHT_M = (4.5, 8.5), 7.0, 14.0
 FLAT_FROM_M2 = 430.0
 GARDEN_TREES, TREE_RADII_M = 0.0022, (1.6, 4.2)  # trees a m² near houses
 MEADOW_TREE_SHARE = 0.13  # of that, elsewhere on grass
-SATURATION = 0.84  # of colours through air and a cheap lens
+SATURATION = 0.84  # of colors through air and a cheap lens
 SHADOW_LIGHT = np.array([0.34, 0.40, 0.50], np.float32)  # the sky alone, bluer than the sun
 
 
@@ -49,13 +49,13 @@ class Sun:
 
     @property
     def slope(self) -> float:
-        """Metres of height a metre of shadow."""
+        """Meters of height a meter of shadow."""
         return float(np.tan(self.elevation))
 
 
 @dataclass(frozen=True)
 class Scene:
-    """What stands where: index of the uppermost feature (−1: none), class, road, height in metres, all (H, W)."""
+    """What stands where: index of the uppermost feature (−1: none), class, road, height in meters, all (H, W)."""
 
     owner: np.ndarray
     kind: np.ndarray
@@ -100,7 +100,7 @@ def draw_scene(features, landscape: Landscape, frame, pixel_m: float) -> Scene:
 
 
 def outlines(geometry, frame, pixel_m: float):
-    """For each polygon its rings, holes included, as OpenCV's corners: pixel centres, with SUBPIXEL_BITS."""
+    """For each polygon its rings, holes included, as OpenCV's corners: pixel centers, with SUBPIXEL_BITS."""
     west, north, _, _ = frame
     for polygon in shapes.polygons_of(geometry):
         rings = []
@@ -116,12 +116,12 @@ def linear(rgb) -> np.ndarray:
 
 
 def tinted(rng: np.random.Generator, rgb, strength: float) -> np.ndarray:
-    """A colour of the same kind: a little lighter or darker, warmer or cooler; linear."""
+    """A color of the same kind: a little lighter or darker, warmer or cooler; linear."""
     return linear(rgb) * np.exp(rng.normal(0, strength) + rng.normal(0, 0.35 * strength, 3)).astype(np.float32)
 
 
 def ground_color(rng: np.random.Generator, scene: Scene, features) -> np.ndarray:
-    """(H, W, 3) colour of everything that lies flat: fields with rows and tramlines, grass, water, gravel, roads."""
+    """(H, W, 3) color of everything that lies flat: fields with rows and tramlines, grass, water, gravel, roads."""
     shape, px = scene.owner.shape, scene.pixel_m
     base = np.array([feature_color(rng, f) for f in features] + [linear(VERGE)], np.float32)
     color = base[scene.owner]
@@ -146,7 +146,7 @@ def ground_color(rng: np.random.Generator, scene: Scene, features) -> np.ndarray
 
 
 def feature_color(rng: np.random.Generator, feature) -> np.ndarray:
-    """The base colour of one feature, linear; roofs get theirs later."""
+    """The base color of one feature, linear; roofs get theirs later."""
     if feature.class_value == CULTIVATED:
         return tinted(rng, CROPS[rng.integers(len(CROPS))], 0.12)
     if feature.class_value == GRASS and feature.zorder == ZORDER["parcel"]:
@@ -245,7 +245,7 @@ def plant_tree(rng: np.random.Generator, scene: Scene, at_rc, radius_m: float, c
     reach = int(radius + 1)
     rows = slice(max(at_rc[0] - reach, 0), at_rc[0] + reach + 1)
     columns = slice(max(at_rc[1] - reach, 0), at_rc[1] + reach + 1)
-    y, x = np.ogrid[rows.start:min(rows.stop, color.shape[0]), columns.start:min(columns.stop, color.shape[1])]
+    y, x = np.ogrid[rows.start : min(rows.stop, color.shape[0]), columns.start : min(columns.stop, color.shape[1])]
     crown = np.clip(1 - ((y - at_rc[0]) ** 2 + (x - at_rc[1]) ** 2) / radius**2, 0, 1).astype(np.float32)
     crown *= scene.kind[rows, columns] == GRASS
     cover = np.clip(3 * crown, 0, 1)[..., None]
@@ -255,7 +255,7 @@ def plant_tree(rng: np.random.Generator, scene: Scene, at_rc, radius_m: float, c
 
 
 def build_roofs(rng: np.random.Generator, scene: Scene, features, frame, color, relief, height) -> None:
-    """Roofs: gables with a ridge along the longer side, halls flat; each with its colour, courses and wear."""
+    """Roofs: gables with a ridge along the longer side, halls flat; each with its color, courses and wear."""
     px = scene.pixel_m
     grain = shapes.noise(rng, scene.owner.shape, 2.5 / px, 2)
     west, north, width, rows_count = frame
@@ -277,7 +277,7 @@ def build_roofs(rng: np.random.Generator, scene: Scene, features, frame, color, 
 
 @dataclass(frozen=True)
 class Roof:
-    """Colour (3,), height of the eaves in metres, and on the pixels around it relief in metres and streaks of light."""
+    """Color (3,), height of the eaves in meters, and on the pixels around it relief in meters and streaks of light."""
 
     color: np.ndarray
     eaves: float
@@ -326,7 +326,7 @@ def shadow(height: np.ndarray, sun: Sun, pixel_m: float) -> np.ndarray:
 
 
 def developed(rng: np.random.Generator, color, light, shade, pixel_m: float) -> np.ndarray:
-    """Light on colour, seen through air and lens, as (H, W, 3) uint8 sRGB."""
+    """Light on color, seen through air and lens, as (H, W, 3) uint8 sRGB."""
     sky = np.float32(0.30)
     direct = (light * (1 - shade))[..., None]
     seen = color * (sky * SHADOW_LIGHT / SHADOW_LIGHT.mean() + (1 - sky) * direct)

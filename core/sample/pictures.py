@@ -1,7 +1,7 @@
 """Views of the map as an aircraft would have them: on windows, turned, scaled, and off the grid.
 
 A view is cut from any raster of the landscape, labels (h, w) or photo (h, w, 3): always real ground, never padding.
-Pixel coordinates are (column, row), (0.5, 0.5) at the centre of the first pixel. Heading is in degrees clockwise from
+Pixel coordinates are (column, row), (0.5, 0.5) at the center of the first pixel. Heading is in degrees clockwise from
 grid north, of the image's top: with 90 the top of the image lies in the east.
 """
 
@@ -25,7 +25,7 @@ PHOTO_COUNT = 12
 
 @dataclass(frozen=True)
 class View:
-    """One picture: where its centre is in map pixels, its heading, and map pixels per image pixel."""
+    """One picture: where its center is in map pixels, its heading, and map pixels per image pixel."""
 
     name: str  # file name
     kind: str
@@ -33,12 +33,12 @@ class View:
     row: float
     heading_deg: float = 0.0
     scale: float = 1.0
-    window: str = ""  # the window it is centred on, if any
+    window: str = ""  # the window it is centered on, if any
     in_color: bool = False
 
 
 def cut(raster: np.ndarray, view: View, size_px: int = WINDOW_PX) -> np.ndarray:
-    """The view's picture, (size, size[, bands]), by nearest neighbour; raises ValueError when it leaves the map."""
+    """The view's picture, (size, size[, bands]), by nearest neighbor; raises ValueError when it leaves the map."""
     offset = (np.arange(size_px) + 0.5 - size_px / 2) * view.scale
     right, down = np.meshgrid(offset, offset)
     turn = np.deg2rad(view.heading_deg)
@@ -52,7 +52,7 @@ def cut(raster: np.ndarray, view: View, size_px: int = WINDOW_PX) -> np.ndarray:
 
 
 def colored(labels_hw: np.ndarray) -> np.ndarray:
-    """RGB picture (h, w, 3) of a label map in the class colours; unlabelled is black."""
+    """RGB picture (h, w, 3) of a label map in the class colors; unlabeled is black."""
     table = np.zeros((256, 3), np.uint8)
     for entry in CLASSES:
         table[entry.value] = entry.rgb
@@ -116,7 +116,7 @@ def _windows(rng: np.random.Generator, shape_hw, margin: float, count: int) -> l
 
 
 def _nearest_window(column: float, row: float, shape_hw, reach: float) -> tuple[int, int]:
-    """The window nearest to a pixel whose neighbourhood of `reach` pixels lies on the map."""
+    """The window nearest to a pixel whose neighborhood of `reach` pixels lies on the map."""
     return min(
         _grid(shape_hw, reach - WINDOW_PX / 2),
         key=lambda at: np.hypot(at[0] + WINDOW_PX / 2 - column, at[1] + WINDOW_PX / 2 - row),

@@ -28,7 +28,7 @@ BETWEEN_STREETS_M = 46.0  # two rows of houses with their gardens fit between
 
 @dataclass(frozen=True)
 class Settlement:
-    """A place people live in: kind as in SETTLEMENT_KINDS, centre (x, y) and radius in metres."""
+    """A place people live in: kind as in SETTLEMENT_KINDS, center (x, y) and radius in meters."""
 
     kind: str
     center_xy: tuple[float, float]
@@ -37,7 +37,7 @@ class Settlement:
 
 @dataclass(frozen=True)
 class Road:
-    """A centre line and the width of the surface, in metres."""
+    """A center line and the width of the surface, in meters."""
 
     line: LineString
     width: float
@@ -68,10 +68,10 @@ def settle(rng: np.random.Generator, size_xy: tuple[float, float], river_line: L
 
 
 def connect(rng: np.random.Generator, settlements: list[Settlement], size_xy, river_line: LineString) -> list[Road]:
-    """Roads between neighbouring settlements (their Gabriel graph, with few bridges) and out of the map."""
+    """Roads between neighboring settlements (their Gabriel graph, with few bridges) and out of the map."""
     width, height = size_xy
     ghosts = []
-    for k in range(EXITS):  # neighbours beyond the rim give the roads somewhere to go
+    for k in range(EXITS):  # neighbors beyond the rim give the roads somewhere to go
         angle = 2 * np.pi * (k + rng.uniform(0.2, 0.8)) / EXITS
         ghosts.append((width / 2 + 0.78 * width * np.cos(angle), height / 2 + 0.78 * height * np.sin(angle)))
     nodes = np.array([s.center_xy for s in settlements] + ghosts)

@@ -9,7 +9,7 @@ from shapely.geometry import Polygon, box
 from shapely.geometry.base import BaseGeometry
 from shapely.prepared import prep
 
-CELL_M = 100.0  # of the grid that finds neighbours; about two farmyards
+CELL_M = 100.0  # of the grid that finds neighbors; about two farmyards
 TRIES = 60
 
 

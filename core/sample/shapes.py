@@ -1,4 +1,4 @@
-"""Curves, blobs and noise that landscapes are drawn with. Lengths in metres, angles in radians from +x to +y."""
+"""Curves, blobs and noise that landscapes are drawn with. Lengths in meters, angles in radians from +x to +y."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def polygons_of(geometry: BaseGeometry | None, min_area: float = 0.0) -> list[Po
 
 
 def mask_polygons(mask_hw: np.ndarray, pixel: float, min_area: float) -> list[Polygon]:
-    """Outlines with their holes of a mask whose first row is the southernmost; pixel edge in metres."""
+    """Outlines with their holes of a mask whose first row is the southernmost; pixel edge in meters."""
     padded = np.pad(mask_hw.astype(np.uint8), 2, mode="edge")  # so that outlines pass the map's edge
     padded = np.pad(padded, 1)
     contours, tree = cv2.findContours(padded, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)

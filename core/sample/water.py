@@ -20,7 +20,7 @@ FISHPOND_ROWS = 4
 
 @dataclass(frozen=True)
 class Rivers:
-    """Centre lines (LineString) and surfaces (one polygon each) of the running waters."""
+    """Center lines (LineString) and surfaces (one polygon each) of the running waters."""
 
     river_line: LineString
     river: BaseGeometry
@@ -36,7 +36,7 @@ def banked(rng: np.random.Generator, points_xy: np.ndarray, width: float, variat
     """A water surface along a line whose width varies by ± `variation` × width."""
     wave = np.interp(np.arange(len(points_xy)), np.linspace(0, len(points_xy), 60), rng.uniform(-1, 1, 60))
     half = 0.5 * width * (1 + variation * wave)
-    pieces = [LineString(points_xy[i:i + 2]).buffer(half[i], 5) for i in range(len(points_xy) - 1)]
+    pieces = [LineString(points_xy[i : i + 2]).buffer(half[i], 5) for i in range(len(points_xy) - 1)]
     return unary_union(pieces).simplify(0.4)
 
 

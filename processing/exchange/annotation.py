@@ -21,8 +21,8 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ...core.class_table import ClassTable, LandCoverClass, class_table_from_names, class_table_from_values
 from ...core.errors import AnnotationError
+from ...core.labels.class_table import ClassTable, LandCoverClass, class_table_from_names, class_table_from_values
 from ..compat import POLYGON_GEOMETRY, is_null
 
 _NO_PRIORITY = float("-inf")
@@ -32,14 +32,14 @@ _NAMED_AT_MOST = 5
 """Unknown class values that a message names."""
 
 StyledClass = Tuple[Tuple[object, ...], str, str]
-"""Raw values of the class field that one class stands for, its name, its colour or an empty text."""
+"""Raw values of the class field that one class stands for, its name, its color or an empty text."""
 
 
 @dataclass(frozen=True)
 class AnnotationSource:
     """A snapshot of an annotation layer that a worker thread may read while the layer is edited or removed.
 
-    ``styled``: the classes of the layer's categorised renderer (raw values, label, colour), if it classifies
+    ``styled``: the classes of the layer's categorised renderer (raw values, label, color), if it classifies
     ``class_field``; ``unstyled_allowed``: whether that renderer has a category for all other values.
     """
 

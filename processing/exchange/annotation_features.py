@@ -18,7 +18,7 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ...core.annotation_findings import (
+from ...core.annotation.findings import (
     ERROR,
     INFORMATION,
     NO_CLASS,
@@ -29,7 +29,7 @@ from ...core.annotation_findings import (
     WARNING,
     Finding,
 )
-from ...core.annotation_polygons import AnnotatedFeature
+from ...core.annotation.polygons import AnnotatedFeature
 from ..compat import is_null
 from .annotation import AnnotationSource, ClassLookup, drawing_priority, raw_text
 from .reference_systems import WGS84

@@ -15,11 +15,11 @@ from qgis.core import (
 from ..translation import tr
 
 COLORS = ("#00204d", "#46516c", "#7c7b78", "#bcad6c", "#ffea46")
-"""Cividis (Nuñez et al. 2018) at even steps, dark to light; told apart by the colour-blind and in grey."""
+"""Cividis (Nuñez et al. 2018) at even steps, dark to light; told apart by the color-blind and in grey."""
 
 
 def success_classes(threshold: float) -> List[Tuple[float, float, str, str]]:
-    """(from, to, colour, legend text) of five classes of success 0…1; the upper two are good enough."""
+    """(from, to, color, legend text) of five classes of success 0…1; the upper two are good enough."""
     edges = [0.0, threshold / 3, 2 * threshold / 3, threshold, (1 + threshold) / 2, 1.0]
     words = [tr("hardly ever"), tr("sometimes"), tr("often"), tr("reliably"), tr("very reliably")]
     return [
@@ -29,7 +29,7 @@ def success_classes(threshold: float) -> List[Tuple[float, float, str, str]]:
 
 
 def cell_renderer(threshold: float, footprint: float, is_only: bool) -> QgsGraduatedSymbolRenderer:
-    """Squares coloured by success; of several footprints in one layer those of ``footprint`` alone."""
+    """Squares colored by success; of several footprints in one layer those of ``footprint`` alone."""
     value = "success" if is_only else f'if("footprint" = {footprint!r}, "success", NULL)'
     return _graduated(
         value, threshold, lambda color: QgsFillSymbol.createSimple({"color": color, "outline_style": "no"})
@@ -37,7 +37,7 @@ def cell_renderer(threshold: float, footprint: float, is_only: bool) -> QgsGradu
 
 
 def point_renderer(threshold: float) -> QgsGraduatedSymbolRenderer:
-    """Points along a route, coloured by success."""
+    """Points along a route, colored by success."""
     return _graduated(
         "success",
         threshold,
@@ -48,8 +48,6 @@ def point_renderer(threshold: float) -> QgsGraduatedSymbolRenderer:
 
 
 def _graduated(value: str, threshold: float, symbol: Callable[[str], QgsSymbol]) -> QgsGraduatedSymbolRenderer:
-    ranges = [
-        QgsRendererRange(low, high, symbol(color), text) for low, high, color, text in success_classes(threshold)
-    ]
+    ranges = [QgsRendererRange(low, high, symbol(color), text) for low, high, color, text in success_classes(threshold)]
     # From good to bad, as a legend is read.
     return QgsGraduatedSymbolRenderer(value, ranges[::-1])

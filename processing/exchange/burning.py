@@ -8,10 +8,10 @@ from typing import Iterator, List, Tuple
 import numpy as np
 from osgeo import gdal, ogr, osr
 
-from ...core.class_table import ClassTable
-from ...core.label_counts import count_labels
+from ...core.labels.class_table import ClassTable
+from ...core.labels.counts import count_labels
+from ...storage.label_map_file import TILE_ROWS, LabelMapFile
 from .annotation import BurnPolygon
-from .label_map_file import TILE_ROWS, LabelMapFile
 
 STRIP_PIXELS = 16_000_000
 """Pixels burnt and written at a time."""

@@ -10,7 +10,8 @@ from datetime import datetime, timezone
 from math import isfinite
 from typing import Dict, List, Optional, Tuple
 
-from ...core.attitude import (
+from ...core.errors import LabelMapError, ParameterError
+from ...core.geometry.leveling import (
     Attitude,
     Leveling,
     attitude_from_gimbal,
@@ -18,7 +19,6 @@ from ...core.attitude import (
     focal_length_from_view,
     leveling,
 )
-from ...core.errors import LabelMapError, ParameterError
 from ..translation import tr
 from .rasters import open_raster
 

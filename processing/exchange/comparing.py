@@ -11,7 +11,7 @@ from osgeo import gdal, ogr
 from qgis.core import QgsGeometry
 
 from ...core.errors import LabelMapError
-from .gdal_errors import gdal_failure, gdal_failures
+from ...storage.gdal_errors import gdal_failure, gdal_failures
 from .rasters import GdalLabels, LabelMapLayer
 from .reference_systems import describe_crs
 
@@ -24,7 +24,7 @@ _PIXELS_AT_ONCE = 8_000_000
 class LabelMapPair:
     """An annotated and a predicted label map, read on the grid of the annotated one where both have ground.
 
-    ``geotransform``: of what they share. A pixel takes the predicted label at its centre. Raises LabelMapError when
+    ``geotransform``: of what they share. A pixel takes the predicted label at its center. Raises LabelMapError when
     the maps don't lie on each other.
     """
 
@@ -45,7 +45,7 @@ class LabelMapPair:
         grid, other = (transform or PIXEL_TRANSFORM for transform in grids)
         if grid != other and any(transform[2] or transform[4] for transform in (grid, other)):
             raise LabelMapError("One of the maps is rotated against the other; warp both to a north-up grid first.")
-        # Of each pixel of REFERENCE along an axis, the pixel of PREDICTED at its centre.
+        # Of each pixel of REFERENCE along an axis, the pixel of PREDICTED at its center.
         columns = _pixels_at(grid[0], grid[1], width, other[0], other[1])
         rows = _pixels_at(grid[3], grid[5], height, other[3], other[5])
         self._first_column, self._columns = _inside(columns, other_width)
@@ -66,7 +66,7 @@ class LabelMapPair:
         at_once = max(1, _PIXELS_AT_ONCE // width)
         left, right = min(self._columns), max(self._columns)
         for first in range(0, height, at_once):
-            rows = self._rows[first:first + at_once]
+            rows = self._rows[first : first + at_once]
             top, bottom = min(rows), max(rows)
             annotated = self.reference.read(self._first_column, self._first_row + first, width, len(rows))
             predicted = self.predicted.read(int(left), int(top), int(right - left) + 1, int(bottom - top) + 1)
@@ -75,7 +75,7 @@ class LabelMapPair:
 
 def _pixels_at(origin: float, step: float, count: int, other_origin: float, other_step: float) -> np.ndarray:
     centers = origin + (np.arange(count) + 0.5) * step
-    # A centre on the edge between two pixels must not fall to either side by rounding.
+    # A center on the edge between two pixels must not fall to either side by rounding.
     return np.floor((centers - other_origin) / other_step + 1e-6).astype(np.int64)
 
 

@@ -17,8 +17,8 @@ from qgis.core import (
 )
 
 from ...core.errors import ImageError, LabelMapError
+from ...storage.gdal_errors import gdal_failure
 from ..compat import is_metric
-from .gdal_errors import gdal_failure
 from .rasters import open_raster
 
 WAVELENGTHS_UM = (0.665, 0.560, 0.490)
@@ -115,9 +115,18 @@ class GdalImage:
         pixels = np.empty((height, width, 3), np.uint8)
         spaces = 3, 3 * width, 1  # bytes from pixel to pixel, from line to line, from band to band
         self._read(
-            self._view.ReadRaster, column, row, width, height, width, height, gdal.GDT_Byte, list(self.bands), *spaces,
+            self._view.ReadRaster,
+            column,
+            row,
+            width,
+            height,
+            width,
+            height,
+            gdal.GDT_Byte,
+            list(self.bands),
+            *spaces,
             buf_obj=pixels,
-        )  # fmt: skip
+        )
         return pixels
 
     def _stretched(self, window) -> np.ndarray:
@@ -171,7 +180,7 @@ def _stretched(values: np.ndarray, least: float, most: float) -> np.ndarray:
 def color_bands(dataset: gdal.Dataset) -> Tuple[int, int, int]:
     """Numbers of the red, green and blue band; one grey band stands for all three.
 
-    By colour interpretation, else by the wavelengths that the bands state, else the first three.
+    By color interpretation, else by the wavelengths that the bands state, else the first three.
     """
     bands = [dataset.GetRasterBand(number) for number in range(1, dataset.RasterCount + 1)]
     meanings = [band.GetColorInterpretation() for band in bands]
@@ -188,7 +197,7 @@ def color_bands(dataset: gdal.Dataset) -> Tuple[int, int, int]:
 
 
 def _wavelength_um(band: gdal.Band) -> Optional[float]:
-    """Micrometres, as ENVI's headers or (from GDAL 3.10 on) the domain IMAGERY tell them; None for none."""
+    """Micrometers, as ENVI's headers or (from GDAL 3.10 on) the domain IMAGERY tell them; None for none."""
     text = band.GetMetadataItem("wavelength") or band.GetMetadataItem("CENTRAL_WAVELENGTH_UM", "IMAGERY") or ""
     try:
         length = float(text)
@@ -221,7 +230,7 @@ def stated_crs(path: str) -> QgsCoordinateReferenceSystem:
 def resampled_size(
     image: GdalImage, crs: QgsCoordinateReferenceSystem, resolution_m: float
 ) -> Optional[Tuple[int, int]]:
-    """(width, height) that give the image pixels of ``resolution_m`` metres; None when it may stay as it is.
+    """(width, height) that give the image pixels of ``resolution_m`` meters; None when it may stay as it is.
 
     That is so when the image has no georeference or nearly that resolution. Raises ImageError when nothing is left.
     """
@@ -231,14 +240,12 @@ def resampled_size(
     height, width = image.shape_hw
     width, height = (round(size * edge / resolution_m) for size, edge in zip(pixel_m, (width, height)))
     if min(width, height) < 1:
-        raise ImageError(
-            f"At {100 * resolution_m:g} cm a pixel nothing is left of the image; give another RESOLUTION."
-        )
+        raise ImageError(f"At {100 * resolution_m:g} cm a pixel nothing is left of the image; give another RESOLUTION.")
     return width, height
 
 
 def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> Optional[Tuple[float, float]]:
-    """Ground metres along a row and a column of a pixel, measured in the middle; None without georeference."""
+    """Ground meters along a row and a column of a pixel, measured in the middle; None without georeference."""
     transform = image.geotransform
     if transform is None or not crs.isValid():
         return None

@@ -14,16 +14,22 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
-from ...core.build import MapFrame
-from ...core.class_table import ClassTable, LandCoverClass, class_table_from_csv, class_table_from_values, default_color
-from ...core.color_labels import decode_colors
+from ...core.database.build import MapFrame
 from ...core.errors import ClassTableError, LabelMapError
-from ...core.image_files import MAXIMUM_IMAGE_PIXELS
-from ...core.label_counts import count_labels
-from ...core.label_source import ArrayLabels, LabelSource
+from ...core.labels.class_table import (
+    ClassTable,
+    LandCoverClass,
+    class_table_from_csv,
+    class_table_from_values,
+    default_color,
+)
+from ...core.labels.color_labels import decode_colors
+from ...core.labels.counts import count_labels
+from ...core.labels.image_files import MAXIMUM_IMAGE_PIXELS
+from ...core.labels.sources import ArrayLabels, LabelSource
+from ...storage.gdal_errors import gdal_failure
+from ...storage.label_map_file import CLASS_TABLE_ITEM
 from ..compat import is_metric, wkt_for_gdal
-from .gdal_errors import gdal_failure
-from .label_map_file import CLASS_TABLE_ITEM
 from .reference_systems import describe_crs
 
 HELD_PIXELS = 400_000_000
@@ -146,7 +152,7 @@ def _styled_classes(layer: QgsRasterLayer) -> Tuple[LandCoverClass, ...]:
     found: Dict[int, LandCoverClass] = {}
     for entry in renderer.classes():
         value = int(entry.value)
-        # 0 is unlabelled whatever the palette calls it; labels repeat in palettes that were made automatically.
+        # 0 is unlabeled whatever the palette calls it; labels repeat in palettes that were made automatically.
         if 0 < value <= 255:
             found[value] = LandCoverClass(value, entry.label or str(value), entry.color.name())
     names = [c.name for c in found.values()]
@@ -160,7 +166,7 @@ def stored_class_table(dataset: gdal.Dataset, path: str) -> Optional[ClassTable]
 
 
 def named_classes(dataset: gdal.Dataset) -> Tuple[LandCoverClass, ...]:
-    """Classes from GDAL's category names and colour table."""
+    """Classes from GDAL's category names and color table."""
     band = dataset.GetRasterBand(1)
     colors = band.GetRasterColorTable()
     found = []
@@ -222,9 +228,9 @@ def map_frame(labels: GdalLabels, layer: LabelMapLayer) -> MapFrame:
 
 
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:
-    """A query image's labels (H, W) uint8: single-band values, or three and more bands decoded by colour.
+    """A query image's labels (H, W) uint8: single-band values, or three and more bands decoded by color.
 
-    Colours are decoded by the table's HSV ranges if it has any, else by nearest colour. Raises LabelMapError.
+    Colors are decoded by the table's HSV ranges if it has any, else by nearest color. Raises LabelMapError.
     """
     dataset = open_raster(path, "Image")
     width, height = dataset.RasterXSize, dataset.RasterYSize

@@ -15,7 +15,7 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
-from ...core.lon_lat import LonLatPolynomial, fit_lon_lat
+from ...core.geometry.lon_lat import LonLatPolynomial, fit_lon_lat
 from ..compat import is_metric
 
 WGS84 = "EPSG:4326"

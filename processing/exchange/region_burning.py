@@ -6,8 +6,8 @@ from typing import Iterator, List, Sequence, Tuple
 
 from osgeo import gdal
 
-from ...core.annotation_check import DrawnRegion
-from ...core.region_pixels import RegionRuns, join_runs, runs_of_strip
+from ...core.annotation.check import DrawnRegion
+from ...core.annotation.raster_losses import RegionRuns, join_runs, runs_of_strip
 from .annotation import BurnPolygon
 from .burning import STRIP_PIXELS, TILE_ROWS, BurnLayer
 

@@ -7,7 +7,7 @@ from typing import Optional, Tuple
 from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
 
 from ...core.errors import ParameterError
-from .files import written_beside
+from ...storage.files import written_beside
 
 TABLES = ("positions", "footprints", "possible_places")
 

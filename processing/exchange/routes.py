@@ -21,8 +21,8 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ...storage.gdal_errors import gdal_failures
 from ..compat import LINE_GEOMETRY
-from .gdal_errors import gdal_failures
 from .reference_systems import describe_crs
 
 WAYPOINT_FILES = (".gpx", ".kml", ".kmz", ".plan", ".waypoints", ".mission")

@@ -23,16 +23,16 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtXml import QDomDocument
 
-from ...core.annotation_findings import ERROR, INFORMATION, WARNING
-from ...core.class_table import ClassTable
-from ..annotation_messages import severity_title
-from .files import written_beside
-from .geopackage import stored_style
+from ...core.annotation.findings import ERROR, INFORMATION, WARNING
+from ...core.labels.class_table import ClassTable
+from ...storage.files import written_beside
+from ...storage.geopackage import stored_style
+from ..wording.annotation_messages import severity_title
 
 WINDOW_COLOR = "#1f5fbf"
 
 SEVERITY_STYLES = ((ERROR, "#d7263d", "0.6"), (WARNING, "#e08a00", "0.5"), (INFORMATION, "#4a7fb5", "0.3"))
-"""Severity of a finding, colour, width of its outline in millimetres."""
+"""Severity of a finding, color, width of its outline in millimeters."""
 
 _OURS = "semref/style"
 """Custom property that marks a style file as written by SemRef, so that it may be replaced."""
@@ -56,7 +56,7 @@ def windows_renderer() -> QgsSingleSymbolRenderer:
 
 
 def references_renderer(table: ClassTable) -> QgsCategorizedSymbolRenderer:
-    """Dots coloured by class; the legend shows the reference classes by name."""
+    """Dots colored by class; the legend shows the reference classes by name."""
     categories = []
     for c in table.references:
         symbol = QgsMarkerSymbol.createSimple(
@@ -67,7 +67,7 @@ def references_renderer(table: ClassTable) -> QgsCategorizedSymbolRenderer:
 
 
 def annotation_renderer(table: ClassTable, class_field: str, priority_field: str) -> QgsCategorizedSymbolRenderer:
-    """Polygons in the class colours, without outlines; higher priorities on top."""
+    """Polygons in the class colors, without outlines; higher priorities on top."""
     categories = []
     for c in table:
         symbol = QgsFillSymbol.createSimple({"color": c.color, "outline_style": "no"})
@@ -98,7 +98,7 @@ def issues_renderer() -> QgsCategorizedSymbolRenderer:
 def write_label_map_style(path: str, table: ClassTable) -> None:
     """Writes the style that QGIS finds beside a label map: only the map's own classes, 0 transparent.
 
-    Without it the legend lists all 256 entries of the GeoTIFF's colour table. A style that somebody else put
+    Without it the legend lists all 256 entries of the GeoTIFF's color table. A style that somebody else put
     there stays.
     """
     style = Path(path).with_suffix(".qml")
@@ -112,7 +112,7 @@ def write_label_map_style(path: str, table: ClassTable) -> None:
 
 
 def label_renderer(layer: QgsRasterLayer, table: ClassTable) -> QgsPalettedRasterRenderer:
-    """Class colours and names for a raster of class values."""
+    """Class colors and names for a raster of class values."""
     classes = [QgsPalettedRasterRenderer.Class(c.value, QColor(c.color), c.name) for c in table if c.value]
     return QgsPalettedRasterRenderer(layer.dataProvider(), 1, classes)
 
@@ -147,7 +147,7 @@ def _qml(geometry: str, fields: str, renderer) -> str:
 
 def _exported(layer: QgsMapLayer) -> str:
     document = QDomDocument()
-    # The other categories hold colours that QGIS draws by lot.
+    # The other categories hold colors that QGIS draws by lot.
     categories = QgsMapLayer.StyleCategory.Symbology | QgsMapLayer.StyleCategory.CustomProperties
     error = layer.exportNamedStyle(document, QgsReadWriteContext(), categories)
     if document.isNull():

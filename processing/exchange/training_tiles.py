@@ -9,14 +9,14 @@ from typing import Dict, Iterator, List, Optional, Tuple
 import numpy as np
 from osgeo import gdal
 
-from ...core.class_table import UNLABELED, ClassTable
 from ...core.errors import ClassTableError, LabelMapError, ParameterError
-from ...core.label_counts import count_labels
-from ...core.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
+from ...core.labels.class_table import UNLABELED, ClassTable
+from ...core.labels.counts import count_labels
+from ...core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
+from ...storage.gdal_errors import gdal_failure, gdal_failures
+from ...storage.pictures import write_png, write_tiff
 from ..compat import is_metric, wkt_for_gdal
-from .gdal_errors import gdal_failure, gdal_failures
 from .images import GdalImage
-from .pictures import write_png, write_tiff
 from .rasters import GdalLabels, LabelMapLayer, class_table_of_map, class_table_of_values, open_raster
 
 MANIFEST = "manifest.json"
@@ -64,7 +64,7 @@ class ImageBands:
 
     @property
     def as_png(self) -> bool:
-        """Whether tiles can be PNG: 8 bits, grey or three colours."""
+        """Whether tiles can be PNG: 8 bits, grey or three colors."""
         return self.kind == gdal.GDT_Byte and len(self.bands) in (1, 3)
 
     def read(self, column: int, row: int, size: int) -> np.ndarray:
@@ -82,7 +82,7 @@ class ImageBands:
 
 
 class LabelsOnImage:
-    """A label map on an image's grid, nearest neighbour where the grids differ; 0 beyond the label map.
+    """A label map on an image's grid, nearest neighbor where the grids differ; 0 beyond the label map.
 
     A LabelSource. Raises LabelMapError when one of the two has no place on the ground and their sizes differ.
     """
@@ -110,7 +110,7 @@ class LabelsOnImage:
         piece = gdal.GetDriverByName("MEM").Create("", width, height, 1, source.GetRasterBand(1).DataType)
         piece.SetGeoTransform((corner_x, dx_column, dx_row, corner_y, dy_column, dy_row))
         with gdal_failures() as failures:
-            gdal.ReprojectImage(source, piece, *self._crs, gdal.GRA_NearestNeighbour)
+            gdal.ReprojectImage(source, piece, *self._crs, gdal.GRA_NearestNeighbor)
         if failures:
             raise LabelMapError(f"The labels can’t be brought onto the image: {failures[0]}.")
         values = piece.ReadAsArray()
@@ -151,7 +151,7 @@ class TileExport:
         for number, (row, column) in enumerate(np.ndindex(labeled.shape)):
             for counted in self._block_counts(row * self._block, column * self._block):
                 values += counted
-                labeled[row, column] += counted[UNLABELED + 1:].sum()
+                labeled[row, column] += counted[UNLABELED + 1 :].sum()
                 yield "Counting labels", COUNTING_SHARE * number / labeled.size
         table = table or class_table_of_map(self._labels.labels, self._layers[1]) or class_table_of_values(values)
         _require_known_values(values, table)
@@ -207,9 +207,7 @@ class TileExport:
 
     def _require_tiles(self, labeled: np.ndarray) -> None:
         if not labeled.any():
-            raise ParameterError(
-                "No pixel of the image is labeled; check that image and labels show the same ground."
-            )
+            raise ParameterError("No pixel of the image is labeled; check that image and labels show the same ground.")
         if not self.counts[TRAIN] or (self._fraction and not self.counts[VALIDATION]):
             raise ParameterError(
                 f"The labels leave {self.counts[TRAIN]} tiles for training and {self.counts[VALIDATION]} for "

@@ -6,9 +6,9 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import Dict, List, Sequence
 
-from ...core.annotation_findings import CHECKED_KINDS, ERROR, NOTHING, SEVERITIES, Finding
-from ..annotation_messages import sentence, severity_title
+from ...core.annotation.findings import CHECKED_KINDS, ERROR, NOTHING, SEVERITIES, Finding
 from ..translation import tr
+from ..wording.annotation_messages import sentence, severity_title
 from . import charts, page
 from .charts import Series
 

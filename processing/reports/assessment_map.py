@@ -1,4 +1,4 @@
-"""Squares of ground as a picture: inline SVG in the colours of the layer's style."""
+"""Squares of ground as a picture: inline SVG in the colors of the layer's style."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ def cell_map(
     classes: Sequence[Tuple[float, float, str, str]],
     name: str,
 ) -> str:
-    """Squares at columns (C,) and rows (C,) coloured by success (C,) 0…1; classes: (from, to, colour, text)."""
+    """Squares at columns (C,) and rows (C,) colored by success (C,) 0…1; classes: (from, to, color, text)."""
     number = sum((success >= low).astype(int) for low, *_ in classes[1:])
     width, height = int(columns.max()) + 1, int(rows.max()) + 1
     parts = []
     for column, row, length, kind in _runs(columns, rows, number):
-        # A hair wider than they are, so that no gaps show between neighbours.
+        # A hair wider than they are, so that no gaps show between neighbors.
         parts.append(
             f'<rect x="{column}" y="{row}" width="{length + 0.03:g}" height="1.03" fill="{classes[kind][2]}"/>'
         )
@@ -44,7 +44,7 @@ def legend(classes: Sequence[Tuple[float, float, str, str]]) -> str:
 
 
 def _runs(columns: np.ndarray, rows: np.ndarray, kinds: np.ndarray) -> List[Tuple[int, int, int, int]]:
-    """(first column, row, length, kind) of neighbours of one kind in a row."""
+    """(first column, row, length, kind) of neighbors of one kind in a row."""
     order = np.lexsort((columns, rows))
     columns, rows, kinds = columns[order], rows[order], kinds[order]
     breaks = (np.diff(columns) != 1) | (np.diff(rows) != 0) | (np.diff(kinds) != 0)

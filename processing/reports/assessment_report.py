@@ -8,13 +8,13 @@ from typing import Dict, List, Sequence, Tuple
 
 import numpy as np
 
-from ...core.assessment import Estimates
-from ...core.assessment_cells import Cells
-from ...core.assessment_images import AssessmentNoise, SimulatedFix
-from ...core.assessment_model import SuccessModel
-from ...core.assessment_summary import brier_score, calibration, success_by_landmarks
-from ...core.database import ReferenceDatabase
-from ...core.rates import rate_of
+from ...core.assessment.assessment import Estimates
+from ...core.assessment.cells import Cells
+from ...core.assessment.images import AssessmentNoise, SimulatedFix
+from ...core.assessment.model import SuccessModel
+from ...core.assessment.summary import brier_score, calibration, success_by_landmarks
+from ...core.database.model import ReferenceDatabase
+from ...core.evaluation.rates import rate_of
 from ..exchange.assessment_styles import success_classes
 from ..translation import tr
 from . import charts, page
@@ -91,9 +91,14 @@ class AssessmentReport:
 
     def _footprints(self) -> str:
         header = [
-            tr("Footprint"), tr("localizable"), tr("expected success"), tr("expected error"),
-            tr("landmarks in view"), tr("simulated: right"), tr("simulated: wrong"),
-        ]  # fmt: skip
+            tr("Footprint"),
+            tr("localizable"),
+            tr("expected success"),
+            tr("expected error"),
+            tr("landmarks in view"),
+            tr("simulated: right"),
+            tr("simulated: wrong"),
+        ]
         rows = [
             [
                 f"{r.footprint:g}",

@@ -1,6 +1,6 @@
-"""Charts as inline SVG, drawn in the colours of the page's style: lines with bands, bars, heat maps, reliability.
+"""Charts as inline SVG, drawn in the colors of the page's style: lines with bands, bars, heat maps, reliability.
 
-Series differ in colour, dash and marker, so they can be told apart by everyone and in black and white.
+Series differ in color, dash and marker, so they can be told apart by everyone and in black and white.
 """
 
 from __future__ import annotations
@@ -10,17 +10,17 @@ from dataclasses import dataclass
 from html import escape
 from typing import List, Optional, Sequence, Tuple
 
-from ...core.evaluation_summary import RateAt
+from ...core.evaluation.summary import RateAt
 
 WIDTH, HEIGHT = 480, 300
 LEFT, RIGHT, TOP, BOTTOM = 64, 24, 14, 44
 LEGEND_ROW = 20
 SERIES = 4
-"""Series that have a colour of their own; more repeat them."""
+"""Series that have a color of their own; more repeat them."""
 
 DASHES = ("", "6 3", "2 3", "9 3 2 3")
 CIVIDIS = ("#00204d", "#31446b", "#666970", "#958f78", "#cbba69", "#ffea46")
-"""Evenly perceived steps from dark to light that the colour-blind see alike (Nuñez et al. 2018)."""
+"""Evenly perceived steps from dark to light that the color-blind see alike (Nuñez et al. 2018)."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ def logarithmic_axis(title: str, smallest: float, largest: float) -> Axis:
     """Whole decades around smallest and largest, both above 0."""
     first, last = math.floor(math.log10(smallest)), math.ceil(math.log10(largest))
     last = max(last, first + 1)
-    ticks = [(10.0**n, f"{10.0 ** n:,g}") for n in range(first, last + 1)]
+    ticks = [(10.0**n, f"{10.0**n:,g}") for n in range(first, last + 1)]
     return Axis(title, (10.0**first, 10.0**last), ticks, True)
 
 
@@ -128,7 +128,7 @@ def heat_map(
     x_title: str,
     name: str,
 ) -> str:
-    """Cells coloured from 0 (dark) to 1 (light) with their texts; the first row lies at the bottom."""
+    """Cells colored from 0 (dark) to 1 (light) with their texts; the first row lies at the bottom."""
     x_axis = Axis(x_title, (0, len(column_names)), [(n + 0.5, text) for n, text in enumerate(column_names)])
     y_axis = Axis(y_title, (0, len(row_names)), [(n + 0.5, text) for n, text in enumerate(row_names)])
     frame = _Frame(x_axis, y_axis, 0)
@@ -151,7 +151,7 @@ def reliability_diagram(series: Sequence[Series], x_title: str, y_title: str, na
 
 
 def ramp(value: float) -> Tuple[str, str]:
-    """(colour of a cell, colour of the text on it) for a value of 0…1."""
+    """(color of a cell, color of the text on it) for a value of 0…1."""
     place = min(max(value, 0.0), 1.0) * (len(CIVIDIS) - 1)
     first = min(int(place), len(CIVIDIS) - 2)
     low, high = (_channels(CIVIDIS[n]) for n in (first, first + 1))
@@ -161,7 +161,7 @@ def ramp(value: float) -> Tuple[str, str]:
 
 
 def _channels(color: str) -> List[int]:
-    return [int(color[n:n + 2], 16) for n in (1, 3, 5)]
+    return [int(color[n : n + 2], 16) for n in (1, 3, 5)]
 
 
 class _Frame:

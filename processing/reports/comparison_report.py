@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from ...core.label_comparison import ClassMatch, LabelComparison
+from ...core.labels.comparison import ClassMatch, LabelComparison
 from ..translation import tr
 from . import page
 from .confusion_matrix import confusion_matrix

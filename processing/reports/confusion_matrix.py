@@ -24,7 +24,7 @@ def confusion_matrix(
     x_title: str,
     name: str,
 ) -> str:
-    """Cells coloured from 0 (dark) to 1 (light) with their texts; the first row lies at the top, as in a table."""
+    """Cells colored from 0 (dark) to 1 (light) with their texts; the first row lies at the top, as in a table."""
     rows, columns = ([_cut(text) for text in names] for names in (row_names, column_names))
     left = _TITLE + 10 + CHARACTER * max(map(_room, rows))
     # Names of columns stand aslant above them.
@@ -49,7 +49,7 @@ def confusion_matrix(
 
 
 def _cut(name: str) -> str:
-    return name if len(name) <= NAME_LENGTH else name[:NAME_LENGTH - 1] + "…"
+    return name if len(name) <= NAME_LENGTH else name[: NAME_LENGTH - 1] + "…"
 
 
 def _room(name: str) -> float:

@@ -6,8 +6,9 @@ import json
 from dataclasses import asdict
 from typing import Any, Dict, Sequence
 
-from ...core.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING, Outcome
-from ...core.evaluation_summary import (
+from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING, Outcome
+from ...core.evaluation.rates import Rate
+from ...core.evaluation.summary import (
     RateAt,
     noise_rates,
     of_method,
@@ -16,7 +17,6 @@ from ...core.evaluation_summary import (
     success_by_offset,
     summarize,
 )
-from ...core.rates import Rate
 
 FORMAT = "semref evaluation 1"
 

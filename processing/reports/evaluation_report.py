@@ -7,8 +7,8 @@ from typing import Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from ...core.evaluation import NOISE_LEVELS, ROTATION, SCALING, Outcome
-from ...core.evaluation_summary import (
+from ...core.evaluation.evaluation import NOISE_LEVELS, ROTATION, SCALING, Outcome
+from ...core.evaluation.summary import (
     MethodSummary,
     error_curve,
     noise_rates,
@@ -64,8 +64,10 @@ class EvaluationReport:
             page.section(
                 tr("Scale (Table 4 of He & Wu 2025)"),
                 page.paragraph(
-                    tr("Windows seen from 2 to 0.5 times their size, without noise. The method of the paper compares "
-                       "vectors: a distance above 2 is no match.")
+                    tr(
+                        "Windows seen from 2 to 0.5 times their size, without noise. The method of the paper compares "
+                        "vectors: a distance above 2 is no match."
+                    )
                 ),
                 self._paper_table(SCALING, tr("Scale"), lambda query: f"{query.scale:.2f}"),
             ),
@@ -90,9 +92,16 @@ class EvaluationReport:
 
     def _methods_table(self, summaries: Sequence[MethodSummary]) -> str:
         header = [
-            tr("Method"), tr("right fixes"), tr("wrong fixes"), tr("false accepts"), "CEP50",
-            "CEP95", tr("heading"), tr("scale"), tr("in the 95 % ellipse"),
-        ]  # fmt: skip
+            tr("Method"),
+            tr("right fixes"),
+            tr("wrong fixes"),
+            tr("false accepts"),
+            "CEP50",
+            "CEP95",
+            tr("heading"),
+            tr("scale"),
+            tr("in the 95 % ellipse"),
+        ]
         rows = [
             [
                 self.methods[s.method],

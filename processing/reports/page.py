@@ -8,7 +8,7 @@ from __future__ import annotations
 from html import escape
 from typing import Sequence, Tuple
 
-from ...core.rates import Rate
+from ...core.evaluation.rates import Rate
 
 NOTHING = "–"
 """Stands where nothing is known."""

@@ -9,9 +9,9 @@ from typing import List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from ...core.assessment import Estimates
-from ...core.assessment_images import AssessmentNoise
-from ...core.assessment_route import Gap, RoutePoints, ShiftHint
+from ...core.assessment.assessment import Estimates
+from ...core.assessment.images import AssessmentNoise
+from ...core.assessment.route import Gap, RoutePoints, ShiftHint
 from ..translation import tr
 from . import page
 from .assessment_report import assumed, reason_titles
@@ -137,9 +137,15 @@ def _gap_table(route: AssessedRoute) -> List[str]:
     if not route.stretches:
         return [page.paragraph(tr("None: a fix is expected everywhere."))]
     header = [
-        tr("Route"), tr("from (m)"), tr("to (m)"), tr("length (m)"), *([tr("seconds")] if route.speed else []),
-        tr("landmarks in view"), tr("reason"), tr("hint"),
-    ]  # fmt: skip
+        tr("Route"),
+        tr("from (m)"),
+        tr("to (m)"),
+        tr("length (m)"),
+        *([tr("seconds")] if route.speed else []),
+        tr("landmarks in view"),
+        tr("reason"),
+        tr("hint"),
+    ]
     rows = []
     for gap, hint in sorted(zip(route.stretches, route.hints), key=lambda pair: -pair[0].length):
         rows.append(
@@ -188,7 +194,7 @@ def _round_up(value: float) -> float:
 
 
 def _ticks(length: float) -> List[float]:
-    """Some six round distances, metres."""
+    """Some six round distances, meters."""
     raw = length / 6
     decade = 10 ** math.floor(math.log10(raw))
     step = next(s * decade for s in (1, 2, 5, 10) if raw <= s * decade)

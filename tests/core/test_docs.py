@@ -39,7 +39,7 @@ def anchors(page: Path) -> set[str]:
 def registered_algorithms() -> set[str]:
     """Ids in the sources of the provider: an ID of every algorithm, the name of every model that ships."""
     found = set()
-    for path in (ROOT / "processing").glob("*.py"):
+    for path in (ROOT / "processing" / "algorithms").glob("*.py"):
         found |= set(re.findall(r'^    ID = "(\w+)"', path.read_text(encoding="utf-8"), flags=re.MULTILINE))
     for path in (ROOT / "models").glob("*.model3"):
         found |= set(re.findall(r'name="model_name" type="QString" value="(\w+)"', path.read_text(encoding="utf-8")))

@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from semref.core.rates import Rate
+from semref.core.evaluation.rates import Rate
 from semref.processing.reports import charts, page
 from semref.processing.reports.charts import Series
 from semref.processing.reports.confusion_matrix import confusion_matrix

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ("core", "processing", "ui")
+ROOMS = ("core", "storage", "processing", "ui")
 QT = {"PyQt5", "PyQt6", "PySide2", "PySide6"}
 NEVER_SHIPPED = {"pickle", "random", "subprocess", "marshal", "shelve"} | QT
 CORE_MAY_IMPORT = set(sys.stdlib_module_names) | {"numpy", "cv2", "shapely", "onnxruntime", "core"}
@@ -102,9 +102,7 @@ def test_shipped_code_has_no_assert(path):
 @each_shipped_file
 def test_shipped_code_swallows_no_exception(path):
     handlers = [
-        node
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(node, ast.ExceptHandler)
+        node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.ExceptHandler)
     ]
     silent = [node.lineno for node in handlers if all(isinstance(part, (ast.Pass, ast.Continue)) for part in node.body)]
     bare = [node.lineno for node in handlers if node.type is None]

@@ -8,11 +8,11 @@ import shapely
 
 pytest.importorskip("onnxruntime")
 
-from semref.core.image_source import ArrayImage
+from semref.core.labels.image_source import ArrayImage
 from semref.core.sample import landscape, photo
 from semref.core.sample.classes import CLASSES
-from semref.core.segmentation_model import SegmentationModel
-from semref.core.segmenter import segment
+from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.tiling import segment
 
 ROOT = Path(__file__).parents[2]
 MODEL = ROOT / "models" / "sample_area.onnx"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from semref.core.annotation_polygons import AnnotatedFeature
+from semref.core.annotation.polygons import AnnotatedFeature
 
 WEST, SOUTH = 550_000.0, 5_220_000.0
 
@@ -33,7 +33,7 @@ def numbered(features) -> list:
 def random_features(kind: str, seed: int, count: int = 25) -> list:
     """Features of classes 1 to 4 that overlap, touch and cross themselves.
 
-    kind: "stars" anywhere, "bowties" that cross themselves, "blocks" with corners on whole metres, "shaken" blocks
+    kind: "stars" anywhere, "bowties" that cross themselves, "blocks" with corners on whole meters, "shaken" blocks
     with edges up to 10 µm apart, "strips" thinner than a gap that counts, "stacked" equal ones.
     """
     random = np.random.default_rng(seed)
@@ -76,6 +76,11 @@ def _stacked(random):
 
 
 _SHAPES = {
-    "stars": _star, "bowties": _bowtie, "blocks": _block, "shaken": _shaken, "strips": _strip, "stacked": _stacked,
-}  # fmt: skip
+    "stars": _star,
+    "bowties": _bowtie,
+    "blocks": _block,
+    "shaken": _shaken,
+    "strips": _strip,
+    "stacked": _stacked,
+}
 KINDS = tuple(_SHAPES)

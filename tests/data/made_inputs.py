@@ -147,7 +147,7 @@ def turned_view(
     angle = np.radians(heading)
     right, down = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
     steps = (np.arange(size) + 0.5 - size / 2) * scale
-    # OpenCV counts from the centre of the first pixel.
+    # OpenCV counts from the center of the first pixel.
     xs = column + steps[None, :] * right[0] + steps[:, None] * down[0] - 0.5
     ys = row + steps[None, :] * right[1] + steps[:, None] * down[1] - 0.5
     return cv2.remap(labels, xs.astype(np.float32), ys.astype(np.float32), cv2.INTER_NEAREST)

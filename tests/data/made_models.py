@@ -1,4 +1,4 @@
-"""Tiny segmentation networks with known answers: every pixel's class is its brightest colour."""
+"""Tiny segmentation networks with known answers: every pixel's class is its brightest color."""
 
 from __future__ import annotations
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from semref.core.sample import landscape
 
 SIZE_XY = (1500.0, 1300.0)
-"""Metres; hardly less holds a photo turned by any angle."""
+"""Meters; hardly less holds a photo turned by any angle."""
 
 
 def make_small(monkeypatch) -> None:

@@ -10,8 +10,8 @@ import pytest
 @pytest.fixture
 def lacking(monkeypatch):
     """OpenCV and ONNX Runtime are missing until taken out of this list."""
-    from semref.processing import components
-    from semref.ui import components_page
+    from semref.processing.packages import components
+    from semref.ui.packages import components_page
 
     packages = [components.OPENCV, components.ONNXRUNTIME]
     for module in (components, components_page):
@@ -51,7 +51,7 @@ def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticke
     from qgis.core import QgsApplication
     from qgis.PyQt.QtCore import Qt
 
-    from semref.processing.components import ONNXRUNTIME, install_command
+    from semref.processing.packages.components import ONNXRUNTIME, install_command
 
     states = [page.list.topLevelItem(row).text(2) for row in range(page.list.topLevelItemCount())]
     assert states == ["Missing", "Ready", "Missing"]
@@ -73,7 +73,7 @@ def test_a_failure_is_shown_on_the_page_and_in_the_message_bar(page, iface, plug
 
 
 def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lacking):
-    from semref.ui.components_page import PAGE
+    from semref.ui.packages.components_page import PAGE
 
     iface.tool_bar_actions[0].trigger()
     dock = iface.docks[0]

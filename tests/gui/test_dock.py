@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gc
-import sys
 import threading
 import time
 from dataclasses import replace
@@ -12,8 +11,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_models import RGB, metadata, painted, write_model
 
 PIXELS = 600
@@ -108,7 +105,7 @@ def dock(plugin, iface):
 @pytest.fixture
 def slow(monkeypatch, area):
     """Makes a run as long as a thousand images; a cancel is heeded between two of them."""
-    from semref.processing import localize_images
+    from semref.processing.algorithms import localize_images
     from semref.processing.exchange import rasters
 
     localize = localize_images._localize
@@ -239,7 +236,7 @@ def test_the_automatic_method_tells_heading_pixel_size_and_error(dock, iface, ar
 
 
 def test_the_method_is_remembered(dock, qgis_app):
-    from semref.ui.inputs import MethodRow
+    from semref.ui.tabs.inputs import MethodRow
 
     choose_method(dock, TOPOLOGY_VECTOR)
     assert MethodRow().method() == TOPOLOGY_VECTOR
@@ -334,7 +331,7 @@ def test_a_file_that_is_no_database_gives_one_sentence(dock, iface, area):
 def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeypatch):
     from qgis.core import QgsApplication
 
-    from semref.processing import localize_images
+    from semref.processing.algorithms import localize_images
 
     def break_down(*_arguments):
         raise ZeroDivisionError("a made mistake")
@@ -356,8 +353,8 @@ def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeyp
 
 
 def test_a_missing_package_is_named(dock, iface, area, monkeypatch):
-    from semref.processing import base
-    from semref.processing.components import OPENCV
+    from semref.processing.framework import base
+    from semref.processing.packages.components import OPENCV
 
     monkeypatch.setattr(base, "missing", lambda _packages: [OPENCV])
     start(dock, area.database, [area.image])
@@ -500,9 +497,9 @@ def test_the_database_is_remembered(plugin, dock, iface, area):
 
 
 def test_every_status_has_words(qgis_app):
-    from semref.core import localizer
-    from semref.processing.localized_image import ERROR
-    from semref.ui.findings import FIX, TOPOLOGY_VECTOR, status_text
+    from semref.core.localizer.localizer import localizer
+    from semref.processing.framework.localized_image import ERROR
+    from semref.ui.tabs.findings import FIX, TOPOLOGY_VECTOR, status_text
 
     assert localizer.FIX == FIX
     assert localizer.TOPOLOGY_VECTOR == TOPOLOGY_VECTOR
@@ -832,7 +829,7 @@ def test_a_key_goes_from_image_to_image(dock, iface, area):
 def test_going_through_many_images_quickly_reads_the_first_and_the_last(dock, area, monkeypatch, tmp_path):
     import shutil
 
-    from semref.ui import image_picture
+    from semref.ui.tabs import image_picture
 
     images = [str(shutil.copy(area.image, tmp_path / f"{number:02d}.tif")) for number in range(30)]
     read, read_picture, go_on = [], image_picture.read_picture, threading.Event()
@@ -1048,7 +1045,7 @@ def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_n
 
 
 def test_unloading_while_pictures_are_read_leaves_nothing(plugin, dock, iface, area, monkeypatch):
-    from semref.ui import image_picture
+    from semref.ui.tabs import image_picture
 
     read_picture = image_picture.read_picture
 
@@ -1067,10 +1064,10 @@ def test_unloading_while_pictures_are_read_leaves_nothing(plugin, dock, iface, a
 
 
 def test_photos_without_onnx_runtime_point_to_the_installer(plugin, dock, iface, area, monkeypatch, tmp_path):
-    from semref.processing import photo_labels
-    from semref.processing.components import ONNXRUNTIME
-    from semref.ui import missing_notice
-    from semref.ui.components_page import PAGE
+    from semref.processing.framework import photo_labels
+    from semref.processing.packages.components import ONNXRUNTIME
+    from semref.ui.packages import missing_notice
+    from semref.ui.packages.components_page import PAGE
 
     for module in (photo_labels, missing_notice):
         monkeypatch.setattr(module, "missing", lambda packages: [p for p in packages if p is ONNXRUNTIME])
@@ -1104,7 +1101,7 @@ def test_what_a_run_says_is_in_the_log_panel_and_a_hidden_dock_tells_the_outcome
 
 
 def test_tab_and_sizes_are_remembered(plugin, dock, iface, area):
-    from semref.ui.dock import INSPECT, LOCALIZE
+    from semref.ui.dock.dock import INSPECT, LOCALIZE
 
     parts = dock.results.parts
     parts.setSizes([300, 200, 100])
@@ -1155,7 +1152,7 @@ def test_pictures_need_no_conversion_to_be_shown(qgis_app):
     import numpy as np
     from qgis.PyQt.QtGui import QColor, QImage
 
-    from semref.ui.image_picture import label_picture
+    from semref.ui.tabs.image_picture import label_picture
 
     image = label_picture(np.array([[0, 1], [2, 1]], np.uint8), {1: (250, 20, 30), 2: (1, 2, 200)})
     assert image.format() == QImage.Format.Format_ARGB32_Premultiplied

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from pathlib import Path
 
 import pytest
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from small_sample import make_small
 
 DEADLINE_S = 300
@@ -100,9 +97,13 @@ def test_the_sample_project_opens_styled_with_the_dock_ready_on_the_first_photo(
     assert Path(project.fileName()) == folder / "semref_sample.qgz"
     assert (project.crs().authid(), project.isDirty()) == ("EPSG:25832", False)
     assert layers() == {
-        "Landmarks": True, "Windows": False, "Overview": False,
-        "Land cover": True, "Label map": False, "Orthophoto": True,
-    }  # fmt: skip
+        "Landmarks": True,
+        "Windows": False,
+        "Overview": False,
+        "Land cover": True,
+        "Label map": False,
+        "Orthophoto": True,
+    }
     cover = project.mapLayersByName("Land cover")[0]
     assert {c.value(): c.symbol().color().name() for c in cover.renderer().categories()}["building"] == "#e3211c"
     assert cover.renderer().orderByEnabled()

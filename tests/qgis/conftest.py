@@ -1,12 +1,8 @@
 """QGIS without a display."""
 
 import os
-import sys
-from pathlib import Path
 
 import pytest
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import write_raster
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from pathlib import Path
 
 import pytest
+from made_inputs import landmarks_in_the_west
 from osgeo import gdal
 from qgis.core import (
     QgsApplication,
@@ -16,9 +16,6 @@ from qgis.core import (
     QgsProject,
     QgsVectorLayer,
 )
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import landmarks_in_the_west
 
 ASSESS = "semref:assessdatabase"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]

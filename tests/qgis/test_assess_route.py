@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from made_inputs import NORTH, WEST, landmarks_in_the_west, write_layer
 from osgeo import gdal
 from qgis.core import (
     QgsApplication,
@@ -20,9 +20,6 @@ from qgis.core import (
     QgsProcessingFeatureSourceDefinition,
     QgsVectorLayer,
 )
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import NORTH, WEST, landmarks_in_the_west, write_layer
 
 ASSESS = "semref:assessroute"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -209,9 +206,13 @@ def test_a_stretch_beside_landmarks_is_hinted_there(run_algorithm, database, tmp
     # Northwards along the empty east: the landmarks lie to the left.
     layer = write_layer(tmp_path / "route.gpkg", [(line([(640, 400), (640, 100)]), "a")])
     parameters = {
-        "DATABASE": database, "ROUTE": str(layer), "SPACING": 100, "TRIALS": 4, "SHIFT": 300,
+        "DATABASE": database,
+        "ROUTE": str(layer),
+        "SPACING": 100,
+        "TRIALS": 4,
+        "SHIFT": 300,
         "OUTPUT": str(tmp_path / "points.gpkg"),
-    }  # fmt: skip
+    }
     results = run_algorithm(ASSESS, parameters, feedback)
     dataset = gdal.OpenEx(results["OUTPUT"])
     rows = [feature.items() for feature in dataset.GetLayer(0)]

@@ -13,18 +13,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from osgeo import gdal, ogr
-from qgis.core import (
-    QgsApplication,
-    QgsProcessingContext,
-    QgsProcessingException,
-    QgsProcessingFeedback,
-    QgsProject,
-    QgsRasterLayer,
-    QgsVectorLayer,
-)
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import (
     CLASSES_CSV,
     NORTH,
@@ -36,8 +24,18 @@ from made_inputs import (
     write_text,
 )
 from made_models import brightest_color, metadata, write_model
+from osgeo import gdal, ogr
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsProject,
+    QgsRasterLayer,
+    QgsVectorLayer,
+)
 
-from semref.processing import components
+from semref.processing.packages import components
 
 RASTERIZE, DECODE, BUILD = "semref:rasterizeannotation", "semref:decodecolorlabels", "semref:builddatabase"
 DESCRIBE, LOCALIZE = "semref:describeimage", "semref:localizeimages"
@@ -227,7 +225,7 @@ def test_a_target_crs_that_is_not_metric_is_named(refused, target):
     assert target in sentence and "meters" in sentence
 
 
-def test_metres_that_are_declared_as_degrees_are_refused(refused, tmp_path):
+def test_meters_that_are_declared_as_degrees_are_refused(refused, tmp_path):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field")], crs=4326)
     sentence = refused(RASTERIZE, INPUT=str(layer))
     assert "EPSG:4326" in sentence
@@ -694,7 +692,7 @@ def test_a_missing_onnxruntime_is_told_with_how_to_install_it(qgis_app, monkeypa
     registry = QgsApplication.processingRegistry()
     possible, reason = registry.createAlgorithmById(SEGMENT).canExecute()
     assert not possible
-    assert "pip install --no-deps \"onnxruntime" in reason and "python3-onnxruntime" in reason
+    assert 'pip install --no-deps "onnxruntime' in reason and "python3-onnxruntime" in reason
     assert registry.createAlgorithmById(LOCALIZE).canExecute() == (True, "")
 
 

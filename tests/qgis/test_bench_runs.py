@@ -1,4 +1,4 @@
-"""Benchmarks of localisation from database file to table, as `tools/bench` runs them."""
+"""Benchmarks of localization from database file to table, as `tools/bench` runs them."""
 
 from __future__ import annotations
 

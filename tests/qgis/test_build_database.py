@@ -8,11 +8,11 @@ import shutil
 import sqlite3
 import struct
 import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from made_inputs import CLASSES_CSV, METRIC_CRS, NORTH, WEST, scattered_objects, spatial_reference, write_raster
 from osgeo import gdal, ogr, osr
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
@@ -21,9 +21,6 @@ from qgis.core import (
     QgsSingleSymbolRenderer,
     QgsVectorLayer,
 )
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import CLASSES_CSV, METRIC_CRS, NORTH, WEST, scattered_objects, spatial_reference, write_raster
 
 BUILD = "semref:builddatabase"
 HEIGHT, WIDTH, SIZE, STRIDE, MINIMUM_AREA = 300, 420, 120, 50, 40
@@ -222,7 +219,7 @@ def test_longitude_and_latitude_are_those_of_the_center(query):
 
 
 def test_the_vector_is_that_of_the_cut_out_window_to_the_last_bit(query):
-    from semref.core.localizer import describe_image
+    from semref.core.localizer.localizer import describe_image
 
     labels = map_labels()
     for name, count, blob in query("SELECT name, reference_count, vector FROM windows"):
@@ -270,9 +267,9 @@ def test_levels_multiply_window_and_stride(build, label_map):
 
 
 def test_the_references_are_the_objects_of_the_whole_map(built, database):
-    from semref.core.reference_objects import extract_reference_objects
+    from semref.core.landmarks.landmarks import extract_landmarks
 
-    objects = extract_reference_objects(map_labels(), (1, 2, 3), MINIMUM_AREA)
+    objects = extract_landmarks(map_labels(), (1, 2, 3), MINIMUM_AREA)
     source = ogr.Open(database)
     layer = source.GetLayerByName("references")
     assert layer.GetFeatureCount() == len(objects) == built["REFERENCE_COUNT"]

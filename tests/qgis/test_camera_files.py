@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import struct
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
-from osgeo import gdal
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import write_raster, write_text
+from osgeo import gdal
 
 from semref.core.errors import ParameterError
 from semref.processing.exchange.camera_files import read_cameras

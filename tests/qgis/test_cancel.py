@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import os
-import sys
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
-from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import CLASSES_CSV, scattered_objects, square, write_layer, write_raster, write_text
 from made_models import write_model
+from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
 
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 OLDER = b"an older output"
@@ -116,7 +113,7 @@ def jobs(run_algorithm, tmp_path_factory):
 @pytest.fixture
 def small_steps(monkeypatch):
     """Small slices, so that small inputs take many steps."""
-    from semref.processing import decode_color_labels
+    from semref.processing.algorithms import decode_color_labels
     from semref.processing.exchange import burning, comparing
 
     monkeypatch.setattr(comparing, "_PIXELS_AT_ONCE", 10_000)
@@ -159,7 +156,7 @@ def test_cancel_leaves_nothing_where_nothing_was(jobs, small_steps, tmp_path, na
 @pytest.mark.parametrize("percent", [50, 90])
 def test_files_are_closed_before_they_are_removed(jobs, small_steps, tmp_path, monkeypatch, name, percent):
     """Windows removes no file that is open."""
-    from semref.processing.exchange import files
+    from semref.storage import files
 
     remove, still_open = files._remove, []
 

@@ -1,19 +1,16 @@
-"""semref:checkannotation: what is wrong with a layer is told as features, and agrees with what rasterising does."""
+"""semref:checkannotation: what is wrong with a layer is told as features, and agrees with what rasterizing does."""
 
 from __future__ import annotations
 
 import re
-import sys
 from collections import Counter
 from pathlib import Path
 
 import numpy as np
 import pytest
+from made_inputs import CLASSES_CSV, NORTH, WEST, polygon, rectangle, square, write_layer, write_text
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeatureSourceDefinition, QgsVectorLayer
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import CLASSES_CSV, NORTH, WEST, polygon, rectangle, square, write_layer, write_text
 
 CHECK, RASTERIZE = "semref:checkannotation", "semref:rasterizeannotation"
 
@@ -158,9 +155,26 @@ def test_landmarks_that_pixels_lose_merge_and_split_are_told_with_a_pixel_size(i
         (rectangle(0, 0, 1.2, 40), "building"),
         (square(20, 0, 10), "water"),
         (square(30.3, 0, 10), "water"),
-        (polygon([(60, 0), (70, 0), (70, 10), (80, 10), (80, 0), (90, 0), (90, 20), (80, 20), (80, 10.2), (70, 10.2),
-                  (70, 20), (60, 20)]), "bare_land"),
-    ]  # fmt: skip
+        (
+            polygon(
+                [
+                    (60, 0),
+                    (70, 0),
+                    (70, 10),
+                    (80, 10),
+                    (80, 0),
+                    (90, 0),
+                    (90, 20),
+                    (80, 20),
+                    (80, 10.2),
+                    (70, 10.2),
+                    (70, 20),
+                    (60, 20),
+                ]
+            ),
+            "bare_land",
+        ),
+    ]
     layer = write_layer(tmp_path / "a.gpkg", features)
     assert issues(layer, CLASS_TABLE=classes_csv, MINIMUM_AREA=20) == []
     rows = issues(layer, CLASS_TABLE=classes_csv, MINIMUM_AREA=20, PIXEL_SIZE=1)
@@ -209,7 +223,7 @@ def test_the_report_counts_by_kind_and_class_and_tells_the_largest(check, tmp_pa
     results = check(layer, CLASS_TABLE=classes_csv, REPORT=str(tmp_path / "report.html"))
     text = Path(results["REPORT"]).read_text(encoding="utf-8")
     assert "a: 3 features" in text and "claim the same 40.00 m²" in text
-    bad = "</td><td class=\"number bad\">1</td>"
+    bad = '</td><td class="number bad">1</td>'
     for cells in (f"<td>overlap{bad}", f"<td>no class{bad}"):
         assert cells in text
     assert not re.search(r"(?i)<script|http(?!://www\.w3\.org/2000/svg)", text)
@@ -226,10 +240,10 @@ def test_the_report_of_a_clean_layer_says_so(check, tmp_path):
 
 def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_path):
     """Regions as the check draws them and burns them, against what Rasterize annotation makes of the same layer."""
-    from semref.core.annotation_check import AnnotationCheck, CheckSettings
-    from semref.core.annotation_polygons import AnnotatedFeature
+    from semref.core.annotation.check import AnnotationCheck, CheckSettings
+    from semref.core.annotation.polygons import AnnotatedFeature
+    from semref.processing.algorithms.rasterize_annotation import pixel_grid
     from semref.processing.exchange.region_burning import RegionBurning
-    from semref.processing.rasterize_annotation import pixel_grid
 
     random = np.random.default_rng(8)
     features = []

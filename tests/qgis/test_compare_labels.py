@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
+from made_inputs import NORTH, WEST, scattered_objects, write_raster
 from osgeo import ogr
 from qgis.core import QgsProcessingException
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import NORTH, WEST, scattered_objects, write_raster
 
 COMPARE = "semref:comparelabels"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]

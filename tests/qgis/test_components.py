@@ -15,9 +15,10 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QCoreApplication
 from qgis.PyQt.QtNetwork import QNetworkProxy
 
-from semref.processing import component_install, components
-from semref.processing.components import ONNXRUNTIME, OPENCV, SHAPELY, Package
-from semref.ui.component_installer import ComponentInstaller
+from semref.processing.packages import components
+from semref.processing.packages import install as component_install
+from semref.processing.packages.components import ONNXRUNTIME, OPENCV, SHAPELY, Package
+from semref.ui.packages.component_installer import ComponentInstaller
 
 needs_pip = pytest.mark.skipif(importlib.util.find_spec("pip") is None, reason="this Python has no pip")
 

@@ -1,18 +1,15 @@
-"""semref:decodecolorlabels: every colour becomes its class, on the grid of the image."""
+"""semref:decodecolorlabels: every color becomes its class, on the grid of the image."""
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
+from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
 from osgeo import gdal
 from qgis.core import QgsRasterLayer
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
 
 DECODE = "semref:decodecolorlabels"
 HSV_RANGES, NEAREST_COLOR = 0, 1
@@ -149,7 +146,7 @@ def test_a_layer_will_do_as_input(decode, tmp_path):
 
 
 def test_an_image_of_several_slices_equals_one_decoded_at_once(decode, tmp_path, monkeypatch):
-    from semref.processing import decode_color_labels
+    from semref.processing.algorithms import decode_color_labels
 
     image = write_raster(tmp_path / "a.tif", painted(LABELS))
     monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 7 * LABELS.shape[1])

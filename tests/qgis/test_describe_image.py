@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
-from osgeo import gdal, ogr
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import CLASSES_CSV, METRIC_CRS, NORTH, WEST, scattered_objects, write_raster, write_text
+from osgeo import gdal, ogr
 
 DESCRIBE = "semref:describeimage"
 PIXEL = 2.0
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 WIDE = scattered_objects(150, 210, 60, seed=7)
-"""Labels of an image that is wider than high: its centred square are the columns 30 to 180."""
+"""Labels of an image that is wider than high: its centered square are the columns 30 to 180."""
 
 SQUARE = WIDE[:, 30:180]
 
@@ -51,9 +48,9 @@ def points(path) -> list:
 
 
 def expected_objects(labels: np.ndarray, minimum_area_px: float):
-    from semref.core.reference_objects import extract_reference_objects
+    from semref.core.landmarks.landmarks import extract_landmarks
 
-    return extract_reference_objects(np.ascontiguousarray(labels), (1, 2, 3), minimum_area_px)
+    return extract_landmarks(np.ascontiguousarray(labels), (1, 2, 3), minimum_area_px)
 
 
 @pytest.fixture
@@ -101,7 +98,7 @@ def test_points_of_an_image_without_georeference_are_pixels_with_y_up(describe, 
 
 
 def test_the_vector_is_that_of_the_core(describe, georeferenced):
-    from semref.core.localizer import describe_image
+    from semref.core.localizer.localizer import describe_image
 
     _, vector, _ = describe(georeferenced)
     expected = describe_image(WIDE, (1, 2, 3), 40 / PIXEL**2 / 150**2, 10).vector

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from osgeo import gdal, osr
 
-from semref.core.attitude import Attitude, leveling
 from semref.core.errors import LabelMapError
-from semref.core.footprint import image_corners, on_ground
-from semref.processing.exchange.draped import write_draped
+from semref.core.geometry.footprint import image_corners, on_ground
+from semref.core.geometry.leveling import Attitude, leveling
+from semref.storage.draped import write_draped
 
 SHAPE_HW = (300, 400)
 MIDDLE = np.array([400_000.0, 5_400_000.0])
@@ -54,7 +54,7 @@ def test_each_pixel_lies_where_a_camera_without_distortion_saw_it(photo, tmp_pat
     seen = np.column_stack([columns[picked], rows[picked]]) + 0.5
     places = np.column_stack([x0 + (where[:, 1] + 0.5) * dx, y0 + (where[:, 0] + 0.5) * dy])
     away = np.hypot(*(on_ground(seen, footprint, SHAPE_HW) - places).T)
-    # Nearest neighbour: as far as half a pixel's diagonal on the ground, whose size a tilted camera stretches.
+    # Nearest neighbor: as far as half a pixel's diagonal on the ground, whose size a tilted camera stretches.
     steps = on_ground(seen + (0.5, 0.5), footprint, SHAPE_HW) - on_ground(seen - (0.5, 0.5), footprint, SHAPE_HW)
     others = on_ground(seen + (0.5, -0.5), footprint, SHAPE_HW) - on_ground(seen - (0.5, -0.5), footprint, SHAPE_HW)
     half = np.maximum(np.hypot(*steps.T), np.hypot(*others.T)) / 2

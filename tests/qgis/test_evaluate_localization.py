@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import json
-import sys
 import threading
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
+from made_inputs import METRIC_CRS, NORTH, WEST, scattered_objects, write_raster
 from osgeo import ogr
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import METRIC_CRS, NORTH, WEST, scattered_objects, write_raster
 
 EVALUATE = "semref:evaluatelocalization"
 SIZE, STRIDE = 160, 40
@@ -242,7 +239,7 @@ def test_cancel_stops_at_once_and_leaves_nothing(inputs, tmp_path, percent):
 
 
 def test_a_cancel_during_one_image_is_heeded_before_it_ends(inputs, tmp_path, monkeypatch):
-    from semref.core.evaluation import Evaluation
+    from semref.core.evaluation.evaluation import Evaluation
 
     monkeypatch.setattr(Evaluation, "run", lambda self, query, methods: time.sleep(3))
     feedback = QgsProcessingFeedback(False)

@@ -1,4 +1,4 @@
-"""semref:exportonboard: a file that localises as the database does, and never silently takes another's place."""
+"""semref:exportonboard: a file that localizes as the database does, and never silently takes another's place."""
 
 from __future__ import annotations
 
@@ -12,12 +12,10 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from osgeo import gdal
-from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingException
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_layer, write_raster
 from made_models import metadata, painted, write_model, writer
+from osgeo import gdal
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingException
 
 EXPORT, LOCALIZE = "semref:exportonboard", "semref:localizeimages"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -39,13 +37,13 @@ def export(run_algorithm, database, tmp_path, feedback):
 
 
 def whole(path):
-    from semref.processing.exchange.geopackage import read_database
+    from semref.storage.geopackage import read_database
 
     return read_database(path, with_overview=True)
 
 
 def onboard(path):
-    from semref.core.onboard_file import read_onboard
+    from semref.core.onboard.format import read_onboard
 
     return read_onboard(path)
 
@@ -267,7 +265,7 @@ FORMATS = {
 
 @pytest.mark.parametrize("name", list(FORMATS))
 def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
-    from semref.core.image_files import read_label_image
+    from semref.core.labels.image_files import read_label_image
     from semref.processing.exchange.rasters import read_label_image as read_with_gdal
 
     path = paletted(tmp_path / f"labels.{name}", LABELS, FORMATS[name][0], FORMATS[name][1])
@@ -278,7 +276,7 @@ def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
 
 
 def test_nodata_of_a_tiff_is_unlabeled_as_with_gdal(database, tmp_path):
-    from semref.core.image_files import read_label_image
+    from semref.core.labels.image_files import read_label_image
 
     path = str(write_raster(tmp_path / "nodata.tif", np.where(LABELS == 4, 255, LABELS), nodata=255))
     np.testing.assert_array_equal(read_label_image(path, whole(database).class_table), np.where(LABELS == 4, 0, LABELS))

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
 from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsProcessingFeedback
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
 
 EXPORT = "semref:exporttrainingtiles"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -60,7 +57,7 @@ def test_every_tile_is_the_piece_of_image_and_labels_that_its_name_says(export):
     result, manifest = export()
     assert result["TILE_COUNT"] == len(manifest["tiles"]) > 50
     for tile, image, labels in tile_pairs(result["OUTPUT"], manifest):
-        part = np.s_[tile["row"]:tile["row"] + TILE, tile["column"]:tile["column"] + TILE]
+        part = np.s_[tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
         np.testing.assert_array_equal(labels, LABELS[part])
         np.testing.assert_array_equal(image, photo_of(LABELS)[(..., *part)])
         assert tile["name"] == f"{tile['column']}_{tile['row']}"
@@ -72,7 +69,7 @@ def test_no_pixel_is_in_both_training_and_validation(export, stride):
     _, manifest = export(STRIDE=stride)
     used = {subset: np.zeros((HEIGHT, WIDTH), bool) for subset in ("train", "validation")}
     for tile in manifest["tiles"]:
-        used[tile["subset"]][tile["row"]:tile["row"] + TILE, tile["column"]:tile["column"] + TILE] = True
+        used[tile["subset"]][tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE] = True
     assert used["train"].any() and used["validation"].any()
     assert not (used["train"] & used["validation"]).any()
 
@@ -136,7 +133,7 @@ def test_labels_on_another_grid_are_brought_onto_the_image(export, tmp_path):
     padded = np.pad(coarse, ((0, 2), (0, 3)))  # beyond the label map nothing is labeled
     expected = padded[np.ix_(rows.astype(int), columns.astype(int))]
     for tile, _, found in tile_pairs(result["OUTPUT"], manifest):
-        part = np.s_[tile["row"]:tile["row"] + TILE, tile["column"]:tile["column"] + TILE]
+        part = np.s_[tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
         np.testing.assert_array_equal(found, expected[part])
 
 
@@ -146,7 +143,7 @@ def test_labels_in_another_crs_are_brought_onto_the_image(export, tmp_path):
     result, manifest = export(labels=tmp_path / "other.tif")
     agree = total = 0
     for tile, _, found in tile_pairs(result["OUTPUT"], manifest):
-        part = np.s_[tile["row"]:tile["row"] + TILE, tile["column"]:tile["column"] + TILE]
+        part = np.s_[tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
         agree, total = agree + int((found == LABELS[part]).sum()), total + found.size
     assert agree > 0.97 * total
 
@@ -172,7 +169,7 @@ def test_sixteen_bits_and_four_bands_become_geotiffs_with_all_values(export, tmp
     result, manifest = export(image=deep)
     assert (manifest["band_count"], manifest["data_type"]) == (4, "UInt16")
     for tile, found, _ in tile_pairs(result["OUTPUT"], manifest, "tif"):
-        part = np.s_[tile["row"]:tile["row"] + TILE, tile["column"]:tile["column"] + TILE]
+        part = np.s_[tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE]
         np.testing.assert_array_equal(found, image[(..., *part)])
 
 

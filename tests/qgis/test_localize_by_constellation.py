@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
-from osgeo import ogr
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
+from osgeo import ogr
 
 LOCALIZE = "semref:localizeimages"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]

@@ -5,16 +5,12 @@ from __future__ import annotations
 import contextlib
 import shutil
 import sqlite3
-import sys
-from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
-from osgeo import ogr
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import NORTH, WEST, turned_view, write_raster
+from osgeo import ogr
 
 LOCALIZE = "semref:localizeimages"
 NAMES = ["unlabeled", "building", "water", "forest", "field"]
@@ -110,7 +106,7 @@ def database_without_overview(database, tmp_path):
 def test_automatic_says_that_a_database_without_overview_leaves_the_constellation_alone(
     localize, database_without_overview, feedback
 ):
-    found = localize(LABELS[300:300 + SIZE, 400:400 + SIZE].copy(), METHOD=0, DATABASE=database_without_overview)
+    found = localize(LABELS[300 : 300 + SIZE, 400 : 400 + SIZE].copy(), METHOD=0, DATABASE=database_without_overview)
     assert found["status"] == "fix" and found["method"] == "constellation"
     said = feedback.textLog()
     assert "Automatic uses the constellation alone, without map correlation: " in said and "overview" in said

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
+from made_inputs import NORTH, WEST, scattered_objects, write_raster, write_text
 from osgeo import ogr
 from qgis.core import QgsProcessingException
 
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import NORTH, WEST, scattered_objects, write_raster, write_text
-
-from semref.core.label_source import ArrayLabels
-from semref.core.trials import View, cut_view, map_coordinates
+from semref.core.labels.sources import ArrayLabels
+from semref.core.simulation.views import View, cut_view, map_coordinates
 
 LOCALIZE = "semref:localizeimages"
 LABELS = scattered_objects(900, 1000, 1300, seed=5)

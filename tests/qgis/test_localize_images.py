@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from made_inputs import METRIC_CRS, NORTH, WEST, scattered_objects, spatial_reference, write_raster
 from osgeo import gdal, ogr, osr
 from qgis.core import QgsVectorLayer
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import METRIC_CRS, NORTH, WEST, scattered_objects, spatial_reference, write_raster
 
 LOCALIZE = "semref:localizeimages"
 SIZE, STRIDE = 120, 40
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 COLORS = {0: (0, 0, 0), 1: (204, 102, 119), 2: (51, 34, 136), 3: (221, 204, 119), 4: (17, 119, 51)}
-"""Colours (red, green, blue) that the class names above are given."""
+"""Colors (red, green, blue) that the class names above are given."""
 
 FIELDS = (
     "image String, status String, x Real, y Real, longitude Real, latitude Real, heading Real, pixel_size Real, "

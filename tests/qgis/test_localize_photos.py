@@ -1,18 +1,15 @@
-"""semref:localizeimages with MODEL: photos are segmented, then localised; the classes are the database's by name."""
+"""semref:localizeimages with MODEL: photos are segmented, then localized; the classes are the database's by name."""
 
 from __future__ import annotations
 
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
-from osgeo import ogr
-from qgis.core import QgsProcessingException
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
 from made_models import metadata, painted, write_model, writer
+from osgeo import ogr
+from qgis.core import QgsProcessingException
 
 LOCALIZE = "semref:localizeimages"
 SIZE = 160
@@ -20,7 +17,7 @@ NAMES = ["unlabeled", "water", "Building", "bare_land"]
 """Other values than the model's channels, and another spelling."""
 LABELS = scattered_objects(500, 600, 380, seed=7, background=0)
 TO_MODEL = np.array([0, 2, 1, 3], np.uint8)
-"""Label of this map → colour of made_models, whose first class is building."""
+"""Label of this map → color of made_models, whose first class is building."""
 
 
 CLASSES = ["ground", "building", "water", "bare_land"]
@@ -77,9 +74,7 @@ def test_a_photo_is_found_where_it_was_taken(localize, tmp_path, heading):
 
 
 def test_a_photo_of_another_resolution_keeps_its_own_pixel_size(localize, folder, tmp_path):
-    model = write_model(
-        tmp_path / "m.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES, resolution=50)
-    )
+    model = write_model(tmp_path / "m.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES, resolution=50))
     view = turned_view(LABELS, SIZE, 311.4, 207.8, 0)
     photo = write_raster(tmp_path / "a.tif", photo_of(view))  # pixels of 1 m, the model wants 0.5 m
     (found,) = localize([photo], MODEL=str(model))

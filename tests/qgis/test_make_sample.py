@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import csv
-import sys
 import time
 from math import hypot
 from pathlib import Path
 
 import pytest
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from small_sample import SIZE_XY, make_small
 
 SEED = 5

@@ -3,11 +3,22 @@
 from __future__ import annotations
 
 import re
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from made_inputs import (
+    CLASSES_CSV,
+    NORTH,
+    WEST,
+    polygon,
+    read_pixels,
+    rectangle,
+    ring,
+    square,
+    write_layer,
+    write_text,
+)
 from osgeo import gdal, ogr
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
@@ -21,20 +32,6 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtGui import QColor
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import (
-    CLASSES_CSV,
-    NORTH,
-    WEST,
-    polygon,
-    read_pixels,
-    rectangle,
-    ring,
-    square,
-    write_layer,
-    write_text,
-)
 
 RASTERIZE = "semref:rasterizeannotation"
 
@@ -280,7 +277,7 @@ def test_integer_classes_that_are_no_pixel_values_are_numbered_and_keep_their_nu
 
 
 def styled_layer(path: Path, categories) -> QgsVectorLayer:
-    """A layer with a categorised style on ``class``: (value, label, colour) each."""
+    """A layer with a categorised style on ``class``: (value, label, color) each."""
     layer = QgsVectorLayer(str(path), path.stem, "ogr")
     found = []
     for value, label, color in categories:
@@ -429,7 +426,7 @@ def test_the_utm_zone_is_right_on_both_halves_of_the_earth(rasterize, tmp_path, 
     assert QgsRasterLayer(rasterize(layer, PIXEL_SIZE=10)["OUTPUT"]).crs().authid() == zone
 
 
-def test_a_crs_in_feet_becomes_metres_and_that_is_said(rasterize, tmp_path, feedback):
+def test_a_crs_in_feet_becomes_meters_and_that_is_said(rasterize, tmp_path, feedback):
     # EPSG:2263 is New York Long Island in US survey feet; 1000 ft are 304.8 m.
     feet = "POLYGON ((985000 200000, 986000 200000, 986000 201000, 985000 201000, 985000 200000))"
     results = rasterize(write_layer(tmp_path / "a.gpkg", [(feet, "field")], crs=2263))

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from made_inputs import CLASSES_CSV, WEST, polygon, rectangle, ring, square, write_layer, write_text
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import CLASSES_CSV, WEST, polygon, rectangle, ring, square, write_layer, write_text
 
 REPAIR, CHECK, RASTERIZE = "semref:repairannotation", "semref:checkannotation", "semref:rasterizeannotation"
 FIELDS = [("class", "text"), ("zorder", "integer"), ("note", "text")]

@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 import sqlite3
-import sys
 from pathlib import Path
 
 import pytest
+from made_inputs import read_pixels
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
 
 from semref.core.sample import landscape as landscape_module
 from semref.core.sample.classes import CLASSES
-from semref.processing.exchange import sample_files
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import read_pixels
+from semref.storage import sample_files
 
 FIND, APPLY = "semref:orthophototodisagreements", "semref:correctiontodatabase"
 BUILDING = next(entry for entry in CLASSES if entry.name == "building")
 SIZE_XY = (620.0, 520.0)
-"""Metres of a sample area that is made in seconds."""
+"""Meters of a sample area that is made in seconds."""
 
 
 @pytest.fixture(scope="module")

@@ -8,13 +8,13 @@ import re
 import shutil
 import sqlite3
 import subprocess
-import sys
 import sysconfig
 from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from made_inputs import CLASSES_CSV, read_pixels, square, write_layer, write_raster, write_text
 from osgeo import gdal, ogr
 from qgis.core import (
     QgsApplication,
@@ -23,9 +23,6 @@ from qgis.core import (
     QgsProcessingFeedback,
     QgsProcessingModelAlgorithm,
 )
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import CLASSES_CSV, read_pixels, square, write_layer, write_raster, write_text
 
 TIMEOUT_S = 120
 MOMENTS = {"last_change", "update_time", "timestamp"}

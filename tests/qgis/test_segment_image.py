@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
-from osgeo import gdal
-from qgis.core import QgsProcessingException, QgsRasterLayer
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
 from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
 from made_models import brightest_color, metadata, painted, write_model
+from osgeo import gdal
+from qgis.core import QgsProcessingException, QgsRasterLayer
 
 SEGMENT = "semref:segmentimage"
 LABELS = scattered_objects(170, 230, 60, seed=3, background=0)

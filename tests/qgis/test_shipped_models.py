@@ -8,7 +8,7 @@ import sys
 import pytest
 from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
 
-from semref.processing import shipped_models
+from semref.processing.framework import shipped_models
 
 FILES = ("annotation_to_database", "correction_to_database", "orthophoto_to_disagreements")
 IDS = tuple(name.replace("_", "") for name in FILES)

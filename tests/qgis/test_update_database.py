@@ -6,16 +6,13 @@ import contextlib
 import os
 import shutil
 import sqlite3
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
-
-sys.path.append(str(Path(__file__).parents[1] / "data"))
-from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
 
 BUILD, UPDATE = "semref:builddatabase", "semref:updatedatabase"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]

@@ -25,9 +25,20 @@ ROOT = TOOLS.parent
 sys.path[0] = str(TOOLS)
 
 NAMES = (
-    "rasterize", "build", "memory", "matching", "sizes", "published",
-    "localization", "two_dates", "elsewhere", "catalogue_sizes", "correlation_times", "astroalign", "segment",
-)  # fmt: skip
+    "rasterize",
+    "build",
+    "memory",
+    "matching",
+    "sizes",
+    "published",
+    "localization",
+    "two_dates",
+    "elsewhere",
+    "catalogue_sizes",
+    "correlation_times",
+    "astroalign",
+    "segment",
+)
 MINIMUM_REPETITIONS = 5
 
 
@@ -62,7 +73,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="the real data's folder")
     parser.add_argument("--work", type=Path, help="folder that keeps label maps and databases between runs")
     parser.add_argument("--repetitions", type=int, default=MINIMUM_REPETITIONS, help="turns; default %(default)s")
-    parser.add_argument("--count", type=int, help="images or trials a case, for benchmarks that localise")
+    parser.add_argument("--count", type=int, help="images or trials a case, for benchmarks that localize")
     parser.add_argument("--sample", action="store_true", help="measure the sample area though the real data is here")
     parser.add_argument("--quick", action="store_true", help="smaller cases, to try the benchmark itself")
     parser.add_argument("--write", action="store_true", help="write the results into docs/")

@@ -21,8 +21,8 @@ from bench import inputs, page
 from bench.localization_trials import rate
 
 if TYPE_CHECKING:
-    from semref.core.reference_objects import ReferenceObjects
-    from semref.core.trials import View
+    from semref.core.landmarks.landmarks import Landmarks
+    from semref.core.simulation.views import View
 
 PAGE = "benchmarks.md"
 SEED = 1671
@@ -64,7 +64,7 @@ class Query:
     """Where an image was taken, and its objects after noise."""
 
     view: View
-    objects: ReferenceObjects
+    objects: Landmarks
 
     @property
     def place(self) -> complex:
@@ -73,7 +73,7 @@ class Query:
 
 @dataclass(frozen=True)
 class Answer:
-    """Where the image's centre is said to lie (complex map pixels; None without an answer), and processor seconds."""
+    """Where the image's center is said to lie (complex map pixels; None without an answer), and processor seconds."""
 
     place: Optional[complex]
     seconds: float
@@ -100,9 +100,15 @@ def measure(run: inputs.Run) -> dict[str, str]:
             rows.append([constellation.ROWS[noise].name, *cells])
             print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
     header = [
-        "images", "catalogue, objects (median)", "", "right", "wrong", "no answer", "out of time",
+        "images",
+        "catalogue, objects (median)",
+        "",
+        "right",
+        "wrong",
+        "no answer",
+        "out of time",
         "s median, p95",
-    ]  # fmt: skip
+    ]
     known = dict(zip(("piece", "larger", "limit", "whole_limit"), (*PIECES, *_limits(run.quick))))
     version = importlib.metadata.version("astroalign")
     about = _ABOUT.format(version=version, count=count, right=RIGHT_PX, **known)
@@ -111,13 +117,13 @@ def measure(run: inputs.Run) -> dict[str, str]:
 
 _ABOUT = """\
 [astroalign](https://github.com/quatrope/astroalign) {version} aligns pictures of stars by triangles of near
-neighbours, as the constellation does, but knows neither classes nor areas and does not judge what it finds against
+neighbors, as the constellation does, but knows neither classes nor areas and does not judge what it finds against
 chance. Same points for both: objects of the map of Liechtenstein and of images from its southern half (1,280 px, any
 heading, scale 0.8–1.25 unless said otherwise, ≥ 20 objects in view, perturbed as named), {count} images a row,
 largest objects first. The catalogue is a piece around the true place, {piece:g} or {larger:g} × the footprint wide,
 as if the place were roughly known, or the whole map. astroalign has its defaults (50 points, 2 px), or more points
 with a tolerance that fits the noise; an answer may take {limit:g} s ({whole_limit:g} s with the whole map). Its
-search isn't seeded: a second run differs a little. Right: the image's centre within {right:g} m. Times: processor,
+search isn't seeded: a second run differs a little. Right: the image's center within {right:g} m. Times: processor,
 with indexing of the piece for both, but not of the whole map for the constellation, which is done once."""
 
 
@@ -207,8 +213,8 @@ def in_time(limit_s: float, work: Callable):
 
 
 def _ours(objects, index_of: Callable) -> Answer:
-    from semref.core.constellation import localize
-    from semref.core.hypotheses import Prior
+    from semref.core.constellation.hypotheses import Prior
+    from semref.core.constellation.solver import localize
 
     started = time.process_time()
     found = localize(objects, IMAGE_PX, IMAGE_PX, index_of(), Prior(pixel_size_range=PIXEL_SIZES_M))
@@ -217,7 +223,7 @@ def _ours(objects, index_of: Callable) -> Answer:
 
 
 def _index(references):
-    from semref.core.constellation_index import build_index
+    from semref.core.constellation.index import build_index
 
     return build_index(references, 1.0)
 

@@ -50,7 +50,7 @@ class Comparison:
         self.overviews: list[float] = []
 
     def ours(self, threads: int) -> float:
-        """Seconds of core's building: reading, reference objects, overview, hash, windows, vectors."""
+        """Seconds of core's building: reading, landmarks, overview, hash, windows, vectors."""
         cv2.setNumThreads(threads)
         begin = time.perf_counter()
         builder = self._builder(threads)
@@ -60,7 +60,7 @@ class Comparison:
                 parts[what] = time.perf_counter() - begin
         whole = time.perf_counter() - begin
         self.database = builder.database
-        first = parts["Finding reference objects"]
+        first = parts["Finding landmarks"]
         self.parts.append((first, whole - first))
         self.overviews.append(sum(overview))
         return whole
@@ -93,7 +93,7 @@ class Comparison:
     def _builder(self, threads: int):
         from osgeo import gdal
 
-        from semref.core.build import BuildSettings, DatabaseBuilder, MapFrame
+        from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
         from semref.processing.exchange.rasters import GdalLabels, HeldLabels, read_class_table
 
         dataset = gdal.Open(str(self._path))
@@ -118,7 +118,7 @@ class Comparison:
 @contextlib.contextmanager
 def _timed_overview() -> Iterator[list[float]]:
     """A list that fills with the seconds core spends on reducing the map for the overview."""
-    from semref.core import build as core_build
+    from semref.core.database.model import build as core_build
 
     reduce, seconds = core_build.most_frequent_labels, []
 
@@ -148,9 +148,16 @@ def measure(run: inputs.Run) -> dict[str, str]:
         rows.append(_row(run, stride, comparison, seconds, GOALS[kind]))
         notes.append(_note(run, stride, comparison, seconds))
     header = [
-        "window / stride", "windows", "goal", "× faster, 1 thread", "2 threads", "same work, 1 thread", "2 threads",
-        "largest difference of vectors", "unequal counts",
-    ]  # fmt: skip
+        "window / stride",
+        "windows",
+        "goal",
+        "× faster, 1 thread",
+        "2 threads",
+        "same work, 1 thread",
+        "2 threads",
+        "largest difference of vectors",
+        "unequal counts",
+    ]
     body = f"{page.table(header, rows)}\n\n" + "\n".join(f"- {note}" for note in notes)
     return {"build": f"{_ABOUT.format(turns=run.repetitions)}\n\n{body}"}
 
@@ -205,7 +212,7 @@ def _note(run, stride, comparison: Comparison, seconds) -> str:
     distinct = time.perf_counter() - begin
     return (
         f"Stride {stride:g} m, median seconds: ours {np.median(seconds[ONE]):.1f} with 1 thread, "
-        f"{np.median(seconds[TWO]):.1f} with 2 (reference objects and hash {first - overview:.1f}, overview "
+        f"{np.median(seconds[TWO]):.1f} with 2 (landmarks and hash {first - overview:.1f}, overview "
         f"{overview:.1f}, windows and vectors {rest:.1f}, medians over both); plain loop: reading {reading:.1f}, "
         f"references {references:.1f}, windows and vectors {windows:.1f}{scaled}. "
         f"Distinctiveness of {int(database.windows.described.sum()):,} vectors: {distinct:.1f} s, once."
@@ -213,7 +220,7 @@ def _note(run, stride, comparison: Comparison, seconds) -> str:
 
 
 def _distinctiveness(windows):
-    from semref.core.distinctiveness import distinctiveness
+    from semref.core.windows.distinctiveness import distinctiveness
 
     index = windows.described
     return distinctiveness(windows.vectors[index], windows.centers[index], windows.sizes[index])

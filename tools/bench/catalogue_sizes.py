@@ -54,9 +54,16 @@ def measure(run: inputs.Run) -> dict[str, str]:
             )
             print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
     header = [
-        "objects", "images", "ms median", "p95", "goal p95", "right fixes", "wrong fixes", "s to index",
+        "objects",
+        "images",
+        "ms median",
+        "p95",
+        "goal p95",
+        "right fixes",
+        "wrong fixes",
+        "s to index",
         "time per object × the first row's",
-    ]  # fmt: skip
+    ]
     return {"catalogue sizes": f"{_ABOUT.format(count=count)}\n\n{page.table(header, rows)}"}
 
 
@@ -67,7 +74,7 @@ places, other sizes). Indexing happens once, when a database is first used."""
 
 
 def _built(references):
-    from semref.core.constellation_index import build_index
+    from semref.core.constellation.index import build_index
 
     started = time.process_time()
     index = build_index(references, 1.0)

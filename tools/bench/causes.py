@@ -9,18 +9,27 @@ from bench.rates import share
 from bench.trials import Ground
 from semref.core.sample.pictures import View
 
-CASES = (("rotation 30°", 30, 1.0), ("rotation 60°", 60, 1.0), ("view radius 1.2 ×", 0, 1.2),
-         ("view radius 0.8 ×", 0, 0.8), ("view radius 1.5 ×", 0, 1.5), ("view radius 0.65 ×", 0, 0.65))  # fmt: skip
+CASES = (
+    ("rotation 30°", 30, 1.0),
+    ("rotation 60°", 60, 1.0),
+    ("view radius 1.2 ×", 0, 1.2),
+    ("view radius 0.8 ×", 0, 0.8),
+    ("view radius 1.5 ×", 0, 1.5),
+    ("view radius 0.65 ×", 0, 0.65),
+)
 
 SAME_WITHIN_PX = 4.0
-"""Centres of one object in two pictures differ by less than this (map pixels), unless the object itself changed."""
+"""Centers of one object in two pictures differ by less than this (map pixels), unless the object itself changed."""
 
 NEAR_THRESHOLD = 1.6
 """Objects up to this many times the larger of both minimum areas may fall below it when pixels or the view change."""
 
 BORDER, THRESHOLD, OTHER, SAME = (
-    "object cut by a border", "object near the minimum area", "object merged, split or else", "same objects",
-)  # fmt: skip
+    "object cut by a border",
+    "object near the minimum area",
+    "object merged, split or else",
+    "same objects",
+)
 
 
 def measure(ground: Ground, windows: np.ndarray) -> str:
@@ -59,7 +68,7 @@ def _reasons(ground: Ground, window: View, view: View) -> set[str]:
 
 
 def _kept(ground: Ground, view: View, everything: bool = False) -> dict:
-    """The objects nearest to a view's centre, in map pixels: places, corners of boxes, classes, areas, touches."""
+    """The objects nearest to a view's center, in map pixels: places, corners of boxes, classes, areas, touches."""
     described = ground.localizer.describe(ground.cut(view), ground.database.parameters.window_size)
     objects, size = described.objects, ground.size_px
     offsets = objects.centers_xy - size / 2
@@ -79,7 +88,7 @@ def _kept(ground: Ground, view: View, everything: bool = False) -> dict:
 
 
 def _on_map(view: View, offsets: np.ndarray) -> np.ndarray:
-    """Map pixels (…, 2) of offsets (…, 2) from a view's centre in its own pixels."""
+    """Map pixels (…, 2) of offsets (…, 2) from a view's center in its own pixels."""
     turn = np.deg2rad(view.heading_deg)
     c, s = np.cos(turn) * view.scale, np.sin(turn) * view.scale
     right, down = offsets[..., 0], offsets[..., 1]

@@ -81,7 +81,7 @@ def _kept(run: inputs.Run, kind: str, part: int, size: int) -> Path:
 
 
 def _index(area, kind: str):
-    from semref.core.constellation_index import build_index
+    from semref.core.constellation.index import build_index
 
     references = area.references()
     if kind == OTHER_HALF:

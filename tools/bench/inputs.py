@@ -23,7 +23,7 @@ _TILE_ROWS = 256
 
 @dataclass(frozen=True)
 class Area:
-    """An annotated area: shapefile with the fields class, class_id and zorder; window and stride in metres."""
+    """An annotated area: shapefile with the fields class, class_id and zorder; window and stride in meters."""
 
     name: str
     sentence: str
@@ -138,7 +138,7 @@ def write_labels(
     """
     from osgeo import gdal
 
-    from semref.processing.exchange.label_map_file import CLASS_TABLE_ITEM
+    from semref.storage.label_map_file import CLASS_TABLE_ITEM
 
     source = gdal.Open(str(template))
     options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]

@@ -1,4 +1,4 @@
-"""Constellation localisation by DESIGN's goals, end to end: a database file and a label image in, a fix out."""
+"""Constellation localization by DESIGN's goals, end to end: a database file and a label image in, a fix out."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ ROTATIONS_DEG = tuple(range(0, 360, 30))
 
 RIGHT_M = 10.0
 RIGHT_TILTED = 0.02
-"""A fix is right within so many metres; of a tilted camera within this share of its footprint."""
+"""A fix is right within so many meters; of a tilted camera within this share of its footprint."""
 
 NOISES = {"none": (0, 0, 0), "goal": (0.2, 0.2, 0.05), "hard": (0.4, 0.4, 0.1)}
 """Shares of the objects missed, invented, misnamed."""
 
 JITTER_PX, AREA_NOISE = 1.5, 0.1
-"""Of objects' centres and ln area, where they are perturbed themselves. In label images the edges move instead."""
+"""Of objects' centers and ln area, where they are perturbed themselves. In label images the edges move instead."""
 
 RAGGED_PX = 1.5
 
@@ -100,7 +100,7 @@ _ABOUT = """\
 Constellation, end to end: `semref:builddatabase`'s file is read, a label image is cut from the map at any place and
 heading (scale 0.8–1.25 and ≥ 20 whole objects in view unless said otherwise), spoilt, and given to `core.localizer`.
 Noise in the label image: objects erased, objects of elsewhere drawn in, objects given another class, edges moved by σ
-{ragged:g} px; “perturbed as objects”: the same shares of the objects found in the clean image, centres moved by σ
+{ragged:g} px; “perturbed as objects”: the same shares of the objects found in the clean image, centers moved by σ
 {jitter:g} px, ln area by σ {area:g}. {count} images a row. Right: within {right:g} m, with a tilted camera within
 {tilted:g} % of the footprint. Liechtenstein: images from the southern half, the method's constants are from the
 northern. Goals of accuracy: position ≤ 0.3 % of the footprint, heading ≤ 0.3°, scale ≤ 0.5 % (medians); the ellipse
@@ -122,14 +122,21 @@ def _table(run: inputs.Run, southern: bool) -> str:
         rows.append(row(case, outcomes))
         print("  " + " | ".join(map(str, rows[-1])), file=sys.stderr, flush=True)
     header = [
-        "images", "goal", "right fixes", "wrong fixes", "objects in view → found (medians)",
-        "median error, heading, scale", "in the 95 % ellipse", "ms median, p95", "no fix",
-    ]  # fmt: skip
+        "images",
+        "goal",
+        "right fixes",
+        "wrong fixes",
+        "objects in view → found (medians)",
+        "median error, heading, scale",
+        "in the 95 % ellipse",
+        "ms median, p95",
+        "no fix",
+    ]
     return page.table(header, rows)
 
 
 def attempt(area: QueryMap, case: Case, rng: np.random.Generator) -> Outcome:
-    """One image of a case, cut, spoilt and localised."""
+    """One image of a case, cut, spoilt and localized."""
     view, labels, count = area.draw(case.wanted, rng)
     if case.in_labels:
         return area.localize(view, spoil(area, case, view, labels, rng), count, "constellation")
@@ -138,7 +145,7 @@ def attempt(area: QueryMap, case: Case, rng: np.random.Generator) -> Outcome:
 
 def spoil(area: QueryMap, case: Case, view, labels: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     """The label image with the case's noise; invented objects are of another view at about this scale."""
-    from semref.core import trials
+    from semref.core.simulation import views as trials
 
     missed, invented, misnamed = NOISES[case.noise]
     if not missed:
@@ -151,9 +158,9 @@ def spoil(area: QueryMap, case: Case, view, labels: np.ndarray, rng: np.random.G
 
 
 def _localize_objects(area: QueryMap, case: Case, view, labels, count: int, rng: np.random.Generator) -> Outcome:
-    from semref.core import trials
-    from semref.core.constellation import localize
-    from semref.core.localizer import SCALES, Prior
+    from semref.core.constellation.solver import localize
+    from semref.core.localizer.localizer import SCALES, Prior
+    from semref.core.simulation import views as trials
 
     size = (view.width_px, view.height_px)
     noise = trials.ObjectNoise(*NOISES[case.noise], jitter_px=JITTER_PX, area=AREA_NOISE)

@@ -11,14 +11,20 @@ SOURCE = "lcdb5_christchurch/lcdb5_christchurch.gpkg"
 PIXEL_SIZE_M = 10.0
 MINIMUM_AREA_M2 = 5_000.0
 NOT_LAND = 255
-"""LCDB's code of it is 0, which means unlabelled in a label map."""
+"""LCDB's code of it is 0, which means unlabeled in a label map."""
 
 BEFORE, AFTER = 1996, 2018
 
 PATCHES = (
-    "Urban Parkland/Open Space", "Surface Mine or Dump", "Lake or Pond", "Orchard, Vineyard or Other Perennial Crop",
-    "Gorse and/or Broom", "Broadleaved Indigenous Hardwoods", "Deciduous Hardwoods", "Exotic Forest",
-)  # fmt: skip
+    "Urban Parkland/Open Space",
+    "Surface Mine or Dump",
+    "Lake or Pond",
+    "Orchard, Vineyard or Other Perennial Crop",
+    "Gorse and/or Broom",
+    "Broadleaved Indigenous Hardwoods",
+    "Deciduous Hardwoods",
+    "Exotic Forest",
+)
 """Reference classes: those that lie as separate patches in what fills the map (settlement, pasture, cropland)."""
 
 

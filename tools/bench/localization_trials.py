@@ -1,4 +1,4 @@
-"""Label images cut from a map at known places, localised through a database, and how far off the results are."""
+"""Label images cut from a map at known places, localized through a database, and how far off the results are."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ import numpy as np
 from bench.rates import share
 
 if TYPE_CHECKING:  # the package is loaded by bench.plugin, after this module may be imported
-    from semref.core.constellation import ConstellationResult
-    from semref.core.localizer import Localization
-    from semref.core.reference_objects import ReferenceObjects
-    from semref.core.trials import View
+    from semref.core.constellation.solver import ConstellationResult
+    from semref.core.landmarks.landmarks import Landmarks
+    from semref.core.localizer.localizer import Localization
+    from semref.core.simulation.views import View
 
 SMALLEST_OBJECT_PX = 9.0
 LARGEST_TRIES = 20_000
@@ -28,7 +28,7 @@ class Outcome:
     """One image's result: errors of the place named (NaN without a fix), footprint in map units, what was in view.
 
     ratio: of the error to the 95 % ellipse in its direction, at most 1 inside; objects: whole ones in view before any
-    noise; references: those the localiser used; seconds: processor time.
+    noise; references: those the localizer used; seconds: processor time.
     """
 
     status: str
@@ -65,18 +65,18 @@ class Wanted:
 
 
 class QueryMap:
-    """The label map that images are cut from, with the database they are localised in.
+    """The label map that images are cut from, with the database they are localized in.
 
-    rows: (first, last) that centres of images come from; the database may be of another date than the labels.
+    rows: (first, last) that centers of images come from; the database may be of another date than the labels.
     """
 
     def __init__(
         self, labels_hw: np.ndarray, database_path: Path, size_px: int, rows: Optional[Sequence[int]] = None
     ) -> None:
-        from semref.core.label_source import ArrayLabels
-        from semref.core.localizer import Localizer
-        from semref.core.reference_objects import extract_reference_objects
-        from semref.processing.exchange.geopackage import read_database
+        from semref.core.labels.sources import ArrayLabels
+        from semref.core.landmarks.landmarks import extract_landmarks
+        from semref.core.localizer.localizer import Localizer
+        from semref.storage.geopackage import read_database
 
         database = read_database(str(database_path), with_overview=True)
         parameters = database.parameters
@@ -88,7 +88,7 @@ class QueryMap:
         self.origin = parameters.geotransform[0], parameters.geotransform[3]
         self.minimum_area_px = parameters.minimum_area / self.pixel_size**2
         self.labels = ArrayLabels(labels_hw)
-        self.objects = extract_reference_objects(labels_hw, self.values, self.minimum_area_px)
+        self.objects = extract_landmarks(labels_hw, self.values, self.minimum_area_px)
         height, width = labels_hw.shape
         first, last = rows or (0, height)
         self.extent = 0, first, width, last
@@ -97,7 +97,7 @@ class QueryMap:
         """A view as wanted, its (H, W) labels and how many whole objects it shows; ValueError where there is none."""
         from dataclasses import replace
 
-        from semref.core import trials
+        from semref.core.simulation import views as trials
 
         for _ in range(LARGEST_TRIES):
             view = trials.random_view(rng, self.extent, (self.size_px, self.size_px), wanted.scales)
@@ -114,20 +114,20 @@ class QueryMap:
                 return view, labels, count
         raise ValueError(f"{LARGEST_TRIES} places of the map have no view with {wanted.objects[0]} objects.")
 
-    def objects_of(self, labels_hw: np.ndarray, scale: float) -> ReferenceObjects:
-        """Reference objects of an image, from the smallest that the localiser would look for at that scale."""
-        from semref.core.reference_objects import extract_reference_objects
+    def objects_of(self, labels_hw: np.ndarray, scale: float) -> Landmarks:
+        """Landmarks of an image, from the smallest that the localizer would look for at that scale."""
+        from semref.core.landmarks.landmarks import extract_landmarks
 
         smallest = max(self.minimum_area_px / scale**2, SMALLEST_OBJECT_PX)
-        return extract_reference_objects(labels_hw, self.values, smallest)
+        return extract_landmarks(labels_hw, self.values, smallest)
 
-    def whole_objects(self, labels_hw: np.ndarray, scale: float) -> ReferenceObjects:
+    def whole_objects(self, labels_hw: np.ndarray, scale: float) -> Landmarks:
         """Those of ``objects_of`` that the image's border doesn't cut."""
         objects = self.objects_of(labels_hw, scale)
         return objects.select(~objects.touches_edge)
 
     def position(self, view: View) -> tuple[float, float]:
-        """Map coordinates of a view's centre."""
+        """Map coordinates of a view's center."""
         return self.origin[0] + view.column * self.pixel_size, self.origin[1] - view.row * self.pixel_size
 
     def localize(self, view: View, labels_hw: np.ndarray, count: int, method: str) -> Outcome:
@@ -140,7 +140,7 @@ class QueryMap:
         self, view: View, found: Union[Localization, ConstellationResult], place, count: int, seconds: float
     ) -> Outcome:
         """How far ``place`` (position, heading_deg, pixel_size_m), of a fix, is from where the view really is."""
-        from semref.core.evaluation import ellipse_ratio
+        from semref.core.evaluation.evaluation import ellipse_ratio
 
         footprint = view.width_px * view.scale * self.pixel_size
         known = {"objects": count, "references": found.references, "seconds": seconds, "footprint_m": footprint}

@@ -46,7 +46,7 @@ def versions() -> str:
 def revision() -> str:
     """The commit of the plugin's code, and whether shipped code was changed since."""
     commit = _git("rev-parse", "--short", "HEAD")
-    changed = _git("status", "--porcelain", "--", "core", "processing")
+    changed = _git("status", "--porcelain", "--", "core", "storage", "processing")
     return f"commit {commit or 'unknown'}{' with changes' if changed else ''}"
 
 

@@ -10,7 +10,7 @@ from bench import inputs, page, plugin
 
 
 def measure(run: inputs.Run) -> str:
-    from semref.processing.exchange.geopackage import read_database
+    from semref.storage.geopackage import read_database
 
     labels, database = run.work / "main_job.tif", run.work / "main_job.gpkg"
     begin = time.perf_counter()
@@ -29,11 +29,19 @@ def measure(run: inputs.Run) -> str:
     lacking = int((~windows.described).sum())
     empty = int((windows.counts == 0).sum())
     rows = [
-        ["`semref:rasterizeannotation`", f"{between - begin:.1f}", page.size(labels.stat().st_size),
-         f"{width:,} × {height:,} pixels, {(pixels > 0).mean():.1%} labelled"],
-        ["`semref:builddatabase`", f"{end - between:.1f}", page.size(database.stat().st_size),
-         f"{len(windows):,} windows, {len(references):,} landmarks ({classes})"],
-    ]  # fmt: skip
+        [
+            "`semref:rasterizeannotation`",
+            f"{between - begin:.1f}",
+            page.size(labels.stat().st_size),
+            f"{width:,} × {height:,} pixels, {(pixels > 0).mean():.1%} labeled",
+        ],
+        [
+            "`semref:builddatabase`",
+            f"{end - between:.1f}",
+            page.size(database.stat().st_size),
+            f"{len(windows):,} windows, {len(references):,} landmarks ({classes})",
+        ],
+    ]
     said = "\n".join(f"> {line}  " for line in (*_said(rasterized.log), *_said(built.log)))
     lacking_text = (
         f"{lacking:,} of {len(windows):,} windows ({lacking / len(windows):.0%}) show fewer than three landmarks and "

@@ -14,7 +14,7 @@ SEED = 1671
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
-    from semref.processing.exchange.geopackage import read_database
+    from semref.storage.geopackage import read_database
 
     rows = []
     for path in _databases(run):
@@ -59,7 +59,7 @@ def _databases(run: inputs.Run):
 
 
 def _time_ours(queries: np.ndarray, vectors: np.ndarray) -> float:
-    from semref.core.matching import vector_distances
+    from semref.core.windows.matching import vector_distances
 
     return _time(lambda: [vector_distances(query, vectors).argmin() for query in queries]) / len(queries)
 
@@ -75,7 +75,7 @@ def _time(work) -> float:
 
 
 def _largest_difference(queries: np.ndarray, vectors: np.ndarray) -> float:
-    from semref.core.matching import vector_distances
+    from semref.core.windows.matching import vector_distances
 
     exact = np.linalg.norm(vectors.astype(np.float64) - queries[0].astype(np.float64), axis=1)
     return float(np.abs(vector_distances(queries[0], vectors) - exact).max())

@@ -1,4 +1,4 @@
-"""Annotation of other makes, rasterised: what the algorithm repaired, skipped and chose, from its own log."""
+"""Annotation of other makes, rasterized: what the algorithm repaired, skipped and chose, from its own log."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from bench import inputs, page, plugin
 
 @dataclass(frozen=True)
 class Case:
-    """A layer of the real data, its class field, and a pixel size in metres."""
+    """A layer of the real data, its class field, and a pixel size in meters."""
 
     title: str
     source: str
@@ -36,9 +36,16 @@ def measure(run: inputs.Run) -> str:
             continue
         rows.append(_row(run, case))
     header = [
-        "layer (field, pixel)", "features used", "multipart", "repaired", "skipped", "CRS of the label map",
-        "pixels", "classes on the map", "s",
-    ]  # fmt: skip
+        "layer (field, pixel)",
+        "features used",
+        "multipart",
+        "repaired",
+        "skipped",
+        "CRS of the label map",
+        "pixels",
+        "classes on the map",
+        "s",
+    ]
     return page.table(header, rows)
 
 

@@ -16,7 +16,7 @@ FEWEST = 3
 
 
 def regions(labels_hw: np.ndarray, classes: Sequence[int], minimum_area: float) -> tuple[np.ndarray, np.ndarray]:
-    """Centres of gravity (N, 2) and ranks 1, 2, … (N,) of the regions of an image (paper §2.2.2 (2))."""
+    """Centers of gravity (N, 2) and ranks 1, 2, … (N,) of the regions of an image (paper §2.2.2 (2))."""
     centers, ranks = [], []
     for rank, value in enumerate(sorted(classes), start=1):
         mask = (labels_hw == value).view(np.uint8)

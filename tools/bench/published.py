@@ -14,16 +14,33 @@ ROTATIONS_DEG = tuple(range(0, 360, 30))
 SCALES = (2.0, 1.8, 1.5, 1.2, 1.0, 0.8, 0.75, 0.65, 0.6, 0.5)
 
 PAPER_SCALES = {
-    2.0: (2.674882, 0.0), 1.8: (1.650056, 0.17), 1.5: (1.404390, 0.30), 1.2: (0.209932, 0.90), 1.0: (0.0, 1.0),
-    0.8: (0.086993, 0.96), 0.75: (0.151239, 0.92), 0.65: (0.276655, 0.86), 0.6: (0.303107, 0.85), 0.5: (2.720949, 0.0),
-}  # fmt: skip
+    2.0: (2.674882, 0.0),
+    1.8: (1.650056, 0.17),
+    1.5: (1.404390, 0.30),
+    1.2: (0.209932, 0.90),
+    1.0: (0.0, 1.0),
+    0.8: (0.086993, 0.96),
+    0.75: (0.151239, 0.92),
+    0.65: (0.276655, 0.86),
+    0.6: (0.303107, 0.85),
+    0.5: (2.720949, 0.0),
+}
 """Table 4 of the paper: scale → distance, confidence, of its one image 5950_2100."""
 
 PAPER_ROTATIONS = {
-    0: (0.0, 1.0), 30: (0.031209, 0.98), 60: (0.103701, 0.95), 90: (0.000403, 1.0), 120: (0.059721, 0.97),
-    150: (0.108878, 0.95), 180: (0.000754, 1.0), 210: (0.044473, 0.98), 240: (0.10018, 0.95), 270: (0.000679, 1.0),
-    300: (0.0421, 0.98), 330: (0.107759, 0.95),
-}  # fmt: skip
+    0: (0.0, 1.0),
+    30: (0.031209, 0.98),
+    60: (0.103701, 0.95),
+    90: (0.000403, 1.0),
+    120: (0.059721, 0.97),
+    150: (0.108878, 0.95),
+    180: (0.000754, 1.0),
+    210: (0.044473, 0.98),
+    240: (0.10018, 0.95),
+    270: (0.000679, 1.0),
+    300: (0.0421, 0.98),
+    330: (0.107759, 0.95),
+}
 """Table 5 of the paper, the same for rotations in degrees."""
 
 MOVES_PER_WINDOW = 10
@@ -56,9 +73,16 @@ def measure(run: inputs.Run) -> dict[str, str]:
 def _transformed(what: str, found: dict, paper: dict, form: str, more: dict[str, dict]) -> str:
     """One row a rotation or scale; `more`: other ways to treat the same views, of which the share found is told."""
     header = [
-        what, "paper: distance", "paper: confidence", "median distance", "median confidence", "right window",
-        "accepted (d ≤ 2)", "accepted, wrong", "too few landmarks",
-    ]  # fmt: skip
+        what,
+        "paper: distance",
+        "paper: confidence",
+        "median distance",
+        "median confidence",
+        "right window",
+        "accepted (d ≤ 2)",
+        "accepted, wrong",
+        "too few landmarks",
+    ]
     rows = []
     for value, results in found.items():
         number = len(results)
@@ -116,9 +140,15 @@ def _off_grid(ground: Ground, windows: np.ndarray) -> str:
     farthest = np.hypot(half, half) * ground.pixel_size
     half_m = half * ground.pixel_size
     header = [
-        "", "images", "right window", "within 10 m", f"within {half_m:g} m", "accepted (d ≤ 2)",
-        f"wrong but accepted (> {farthest:.0f} m off)", "median error of accepted",
-    ]  # fmt: skip
+        "",
+        "images",
+        "right window",
+        "within 10 m",
+        f"within {half_m:g} m",
+        "accepted (d ≤ 2)",
+        f"wrong but accepted (> {farthest:.0f} m off)",
+        "median error of accepted",
+    ]
     rows = []
     for name, results in cases.items():
         accepted = [t for t in results if t.accepted]
@@ -168,7 +198,7 @@ def _sample_crops(ground: Ground, map_is_first: bool):
     `map_is_first`: the map itself is the first of these landscapes, so that elsewhere begins with the second.
     """
     from semref.core.sample.landscape import make_landscape
-    from semref.processing.exchange.sample_files import rasterize
+    from semref.storage.sample_files import rasterize
 
     rng = np.random.default_rng([trials.SEED, 2])
     reach = ground.size_px / np.sqrt(2) + 2

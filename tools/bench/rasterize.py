@@ -62,7 +62,7 @@ _ABOUT = """\
 {table}
 
 Ratios: median (least–most) of {turns} turns. The algorithm's time is all it does in a QGIS that runs (reading,
-checking and repairing polygons, counting classes, writing class table and colours); `gdal_rasterize`'s is its process
+checking and repairing polygons, counting classes, writing class table and colors); `gdal_rasterize`'s is its process
 from start to end: `-tap -tr 1 1 -ot Byte -co TILED=YES -co COMPRESS=DEFLATE -sql "… ORDER BY zorder"`. Our writer
 compresses one strip while the next is burnt. Given all CPUs, `gdal_rasterize` writes its tiles several times, as time
 and file size tell."""
@@ -72,10 +72,26 @@ def _gdal_rasterize(program: str, run: inputs.Run, output, more: tuple[str, ...]
     layer = run.area.annotation.stem
     pixel = str(inputs.PIXEL_SIZE)
     command = [
-        program, "-q", "-a", "class_id", "-sql", f'SELECT class_id FROM "{layer}" ORDER BY zorder',
-        "-tap", "-tr", pixel, pixel, "-ot", "Byte", "-co", "TILED=YES", "-co", "COMPRESS=DEFLATE",
-        *more, str(run.area.annotation), str(output),
-    ]  # fmt: skip
+        program,
+        "-q",
+        "-a",
+        "class_id",
+        "-sql",
+        f'SELECT class_id FROM "{layer}" ORDER BY zorder',
+        "-tap",
+        "-tr",
+        pixel,
+        pixel,
+        "-ot",
+        "Byte",
+        "-co",
+        "TILED=YES",
+        "-co",
+        "COMPRESS=DEFLATE",
+        *more,
+        str(run.area.annotation),
+        str(output),
+    ]
     output.unlink(missing_ok=True)
     subprocess.run(command, check=True)
 

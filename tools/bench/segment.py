@@ -47,11 +47,18 @@ def measure(run: inputs.Run) -> dict[str, str]:
     parameters = {"INPUT": str(wide), "MODEL": str(SMALL), "OUTPUT": str(folder / "labels.tif")}
     found = child.run_in_child("segmentimage", parameters)
     text = _ABOUT.format(
-        edge=edge, tiles=tiles, table=page.table(["network", "segmentimage, tiles/s", "onnxruntime", "ratio"], rows),
-        goal=GOAL_RATIO, large=large, peak=page.size(found["peak_bytes"]),
-        goal_bytes=page.size(GOAL_BYTES), seconds=found["seconds"], start=page.size(child.run_in_child()["peak_bytes"]),
-        version=onnxruntime_version(), threads=threads(),
-    )  # fmt: skip
+        edge=edge,
+        tiles=tiles,
+        table=page.table(["network", "segmentimage, tiles/s", "onnxruntime", "ratio"], rows),
+        goal=GOAL_RATIO,
+        large=large,
+        peak=page.size(found["peak_bytes"]),
+        goal_bytes=page.size(GOAL_BYTES),
+        seconds=found["seconds"],
+        start=page.size(child.run_in_child()["peak_bytes"]),
+        version=onnxruntime_version(),
+        threads=threads(),
+    )
     return {"segment": text}
 
 
@@ -89,10 +96,13 @@ def write_usual_network(path: Path) -> int:
     scales = network.weight("scales", np.array([1, 1, 4, 4], np.float32))
     network.add("Resize", network.last, "", scales, mode="linear")
     metadata = {
-        "class_names": {str(n): name for n, name in enumerate("abcdefg")}, "tile_size": TILE_PX,
-        "tiles_overlap": OVERLAP_PERCENT, "resolution": 100 * PIXEL_SIZE,
-        "standardization_mean": [0.5] * 3, "standardization_std": [0.25] * 3,
-    }  # fmt: skip
+        "class_names": {str(n): name for n, name in enumerate("abcdefg")},
+        "tile_size": TILE_PX,
+        "tiles_overlap": OVERLAP_PERCENT,
+        "resolution": 100 * PIXEL_SIZE,
+        "standardization_mean": [0.5] * 3,
+        "standardization_std": [0.25] * 3,
+    }
     shapes = [1, 3, TILE_PX, TILE_PX], [1, 7, TILE_PX, TILE_PX]
     texts = {key: json.dumps(value) for key, value in metadata.items()}
     path.write_bytes(onnx_writer.model_bytes(network, *shapes, texts))
@@ -103,7 +113,7 @@ def bare_runner(model: Path, image: Path):
     """(number of tiles, function that runs onnxruntime on them and returns its seconds)."""
     import onnxruntime
 
-    from semref.core.segmenter import tile_starts
+    from semref.core.segmentation.tiling import tile_starts
 
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = threads()
@@ -133,7 +143,7 @@ def write_photo(path: Path, edge: int) -> Path:
 
     from semref.core.sample.landscape import make_landscape
     from semref.core.sample.photo import render
-    from semref.processing.exchange.sample_files import grid_of
+    from semref.storage.sample_files import grid_of
 
     if path.exists():
         return path

@@ -27,9 +27,16 @@ def measure(run: inputs.Run) -> dict[str, str]:
         sample = replace(run, area=inputs.sample_area(run.work))
         cases.append((f"sample area, stride {sample.area.stride:g} m", sample.database(sample.area.stride)))
     header = [
-        "database", "windows", "with vector", "vectors alone", "landmarks", "GeoPackage", "windows layer",
-        "references layer", "overview",
-    ]  # fmt: skip
+        "database",
+        "windows",
+        "with vector",
+        "vectors alone",
+        "landmarks",
+        "GeoPackage",
+        "windows layer",
+        "references layer",
+        "overview",
+    ]
     rows = [[name, *_row(path)] for name, path in cases]
     return {"sizes": f"{_ABOUT.format(paper=page.size(PAPER_BYTES))}\n\n{page.table(header, rows)}"}
 

@@ -1,4 +1,4 @@
-"""Images cut from a map with known truth, localised with the published method, and how the results are judged."""
+"""Images cut from a map with known truth, localized with the published method, and how the results are judged."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SEED = 1671
 
 @dataclass(frozen=True)
 class Trial:
-    """One image's result: `right`, whether the window nearest to its centre was matched; error_m, of the position."""
+    """One image's result: `right`, whether the window nearest to its center was matched; error_m, of the position."""
 
     status: str
     right: bool
@@ -35,8 +35,8 @@ class Ground:
     """A label map, its database and windows chosen for trials."""
 
     def __init__(self, labels_hw: np.ndarray, database_path: Path) -> None:
-        from semref.core.localizer import Localizer
-        from semref.processing.exchange.geopackage import read_database
+        from semref.core.localizer.localizer import Localizer
+        from semref.storage.geopackage import read_database
 
         self.labels_hw = labels_hw
         self.database = read_database(str(database_path))
@@ -84,7 +84,7 @@ class Ground:
 
     def try_with_ground_area(self, view: View) -> Trial:
         """As `try_view`, but the minimum area is measured on the ground, as if the image's scale were known."""
-        from semref.core.localizer import Localizer
+        from semref.core.localizer.localizer import Localizer
 
         class KnownScale(Localizer):
             def describe(self, labels_hw, window_size):
@@ -93,7 +93,7 @@ class Ground:
         return self.judge(view, KnownScale(self.database).localize_by_topology_vector(self.cut(view)))
 
     def judge(self, view: View, result) -> Trial:
-        """Compares a localisation with where the view really is."""
+        """Compares a localization with where the view really is."""
         away = np.hypot(*(self.centers_px - (view.column, view.row)).T)
         matched = result.window_index
         return Trial(

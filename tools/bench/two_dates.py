@@ -50,9 +50,16 @@ def measure(run: inputs.Run) -> dict[str, str]:
                 if kind in by_objects:
                     by_objects[kind][method] += outcomes
     header = [
-        "footprint, images of", "method", "objects in view, median (5–95 %)", "right fixes", "wrong fixes",
-        "near", "median error, heading, scale", "in the 95 % ellipse", "ms median, p95",
-    ]  # fmt: skip
+        "footprint, images of",
+        "method",
+        "objects in view, median (5–95 %)",
+        "right fixes",
+        "wrong fixes",
+        "near",
+        "median error, heading, scale",
+        "in the 95 % ellipse",
+        "ms median, p95",
+    ]
     text = [_about(count, before, after), page.table(header, by_footprint)]
     for kind, found in by_objects.items():
         text += [f"Images of {kind}, by the number of whole objects in view:", _by_objects(found)]

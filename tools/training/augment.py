@@ -1,4 +1,4 @@
-"""Changes that a photo may undergo without its labels changing: turns, flips, scale, light, colour, blur, noise."""
+"""Changes that a photo may undergo without its labels changing: turns, flips, scale, light, color, blur, noise."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def random_piece(rng: np.random.Generator, image: np.ndarray, labels: np.ndarray
 def random_light(rng: np.random.Generator, image: np.ndarray, strength: float = 1.0) -> np.ndarray:
     """Other exposure, contrast, gamma, saturation and white balance, now and then blur and noise; float32 in 0…1.
 
-    ``strength``: factor of all deviations of light and colour, not of blur and noise.
+    ``strength``: factor of all deviations of light and color, not of blur and noise.
     """
     image = image * np.float32(np.exp(strength * rng.normal(0, 0.2)))
     image = image * np.exp(strength * rng.normal(0, 0.06, 3)).astype(np.float32)

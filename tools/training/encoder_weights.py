@@ -17,9 +17,13 @@ LITE0_FIRST = "_blocks.0._depthwise_conv.weight"  # tells that naming
 STEM = {"_conv_stem": "conv_stem", "_bn0": "bn1"}
 FIRST_BLOCK = {"_depthwise_conv": "conv_dw", "_bn1": "bn1", "_project_conv": "conv_pw", "_bn2": "bn2"}
 OTHER_BLOCKS = {
-    "_expand_conv": "conv_pw", "_bn0": "bn1", "_depthwise_conv": "conv_dw", "_bn1": "bn2",
-    "_project_conv": "conv_pwl", "_bn2": "bn3",
-}  # fmt: skip
+    "_expand_conv": "conv_pw",
+    "_bn0": "bn1",
+    "_depthwise_conv": "conv_dw",
+    "_bn1": "bn2",
+    "_project_conv": "conv_pwl",
+    "_bn2": "bn3",
+}
 CLASSIFIERS = ("_conv_head.", "_bn1.", "_fc.", "conv_head.", "bn2.", "classifier.", "fc.", "head.")
 """What comes after an encoder's last features; a file may have it, it is left out."""
 

@@ -35,9 +35,9 @@ def write_onnx(network: torch.nn.Module, tile_size: int, target: Path) -> None:
 
 
 def add_metadata(target: Path, classes: list[ClassRow], mean, deviation, tile_size: int, overlap: int, pixel_size):
-    """Metadata as the Deepness plugin names it, and the classes' values, colours and roles as SemRef does.
+    """Metadata as the Deepness plugin names it, and the classes' values, colors and roles as SemRef does.
 
-    classes: one row an output channel. pixel_size: metres; None leaves the resolution out. overlap: percent.
+    classes: one row an output channel. pixel_size: meters; None leaves the resolution out. overlap: percent.
     """
     model = onnx.load(target)
     model.ir_version = IR_VERSION
@@ -62,7 +62,7 @@ def add_metadata(target: Path, classes: list[ClassRow], mean, deviation, tile_si
 
 
 def largest_difference(network: torch.nn.Module, target: Path, images: list[np.ndarray]) -> float:
-    """Largest difference of the logits for standardised images (3, H, W). Raises TrainingError when it is too large."""
+    """Largest difference of the logits for standardized images (3, H, W). Raises TrainingError when it is too large."""
     session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
     network = network.cpu().eval()
     largest = 0.0

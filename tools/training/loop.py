@@ -37,7 +37,7 @@ class Settings:
     channels_last: bool
     workers: int
     seed: int
-    light: float = 1.0  # how much light and colour of the pieces vary
+    light: float = 1.0  # how much light and color of the pieces vary
 
 
 class Pieces(torch.utils.data.Dataset):

@@ -78,8 +78,7 @@ def band_statistics(folders: list[TileFolder]) -> tuple[np.ndarray, np.ndarray]:
     """Mean and deviation (3,) of red, green and blue in 0…1, over all folders' training tiles."""
     counts = np.array([len(folder.tiles("train")) for folder in folders], float)[:, None]
     means, deviations = (
-        np.array([folder.manifest["statistics"][key] for folder in folders])
-        for key in ("band_mean", "band_std")
+        np.array([folder.manifest["statistics"][key] for folder in folders]) for key in ("band_mean", "band_std")
     )
     mean = (counts * means).sum(axis=0) / counts.sum()
     return mean, np.sqrt((counts * (deviations**2 + means**2)).sum(axis=0) / counts.sum() - mean**2)

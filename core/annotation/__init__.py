@@ -1,0 +1,1 @@
+"""Annotations checked and repaired."""

@@ -1,0 +1,79 @@
+"""What can be wrong with an annotation: kinds of findings and how severe they are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Optional
+
+ERROR, WARNING, INFORMATION = "error", "warning", "information"
+SEVERITIES = (ERROR, WARNING, INFORMATION)
+
+NOTHING = -1
+"""Class of places that no polygon covers, and of features without a class; 0 is a class value like others."""
+
+INVALID = "invalid"
+NO_GEOMETRY = "no_geometry"
+NO_AREA = "no_area"
+THREE_DIMENSIONAL = "three_dimensional"
+OUTSIDE_CRS = "outside_crs"
+NO_CLASS = "no_class"
+UNKNOWN_CLASS = "unknown_class"
+OVERLAP = "overlap"
+DUPLICATE = "duplicate"
+HIDDEN = "hidden"
+GAP = "gap"
+SLIVER = "sliver"
+SMALL = "small"
+SAME_CLASS_NEIGHBORS = "same_class_neighbors"
+LOST = "lost"
+MERGED = "merged"
+SPLIT = "split"
+
+CHECKED_KINDS = (
+    INVALID,
+    NO_GEOMETRY,
+    NO_AREA,
+    THREE_DIMENSIONAL,
+    OUTSIDE_CRS,
+    NO_CLASS,
+    UNKNOWN_CLASS,
+    OVERLAP,
+    DUPLICATE,
+    HIDDEN,
+    GAP,
+    SLIVER,
+    SMALL,
+    SAME_CLASS_NEIGHBORS,
+    LOST,
+    MERGED,
+    SPLIT,
+)
+
+DISSOLVED = "dissolved"
+"""Only of repairs: polygons of one class that touched are one now."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One finding; ``wkb`` is a (multi)polygon in meters, None where there is none to show.
+
+    feature_id, other_id: ids of the features, None where no feature is concerned
+    class_value, other_class: their class values, NOTHING for none; area: m²
+    reason: why a geometry is invalid, or the value that is no class
+    number: what the kind measures or counts: meters of shared border, pieces, features
+    decided: whether a priority says which of two polygons lies on top
+    is_landmark: of neighbors, whether their class is one of landmarks
+    """
+
+    kind: str
+    severity: str
+    wkb: Optional[bytes] = None
+    feature_id: Optional[int] = None
+    other_id: Optional[int] = None
+    class_value: int = NOTHING
+    other_class: int = NOTHING
+    area: Optional[float] = None
+    reason: str = ""
+    number: float = 0.0
+    decided: bool = False
+    is_landmark: bool = False

@@ -1,0 +1,89 @@
+"""Gaps and slivers between neighbors: which they are, and which neighbor they go to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import List, Tuple
+
+import numpy as np
+
+from .findings import NOTHING
+from .partition import PlanarPartition, Regions, find_regions
+
+THIN_M = 0.25
+"""Gaps and pieces between neighbors with a smaller mean width (m) come from drawing, not from the ground."""
+
+
+@dataclass(frozen=True)
+class MergeSettings:
+    """maximum_gap: enclosed gaps up to this area (m²) are filled; minimum_area: smaller pieces (m²) are merged.
+
+    Thin gaps and pieces are always filled and merged.
+    """
+
+    maximum_gap: float = 1.0
+    minimum_area: float = 0.0
+
+
+@dataclass(frozen=True)
+class Merge:
+    """Faces (their numbers) of class ``from_class`` (NOTHING for a gap) that go to a neighbor's class."""
+
+    faces: np.ndarray
+    from_class: int
+    to_class: int
+
+
+def merge_gaps_and_slivers(
+    partition: PlanarPartition, face_classes: np.ndarray, settings: MergeSettings
+) -> Tuple[np.ndarray, List[Merge]]:
+    """(F,) class values after every gap and sliver went to the neighbor it shares the longest border with.
+
+    ``face_classes``: (F,) class values as seen from above. Neighbors that are no slivers themselves come first.
+    """
+    classes, merges = face_classes.copy(), []
+    while True:
+        regions = find_regions(partition, classes)
+        unwanted = _unwanted(regions, settings)
+        target = _longest_neighbors(regions, unwanted, taking=~unwanted)
+        if (target < 0).all():
+            # What is left has none but its like beside it: the smallest begins.
+            target = _smallest_only(regions, _longest_neighbors(regions, unwanted, taking=np.ones_like(unwanted)))
+        moved = np.flatnonzero(target >= 0)
+        if not len(moved):
+            return classes, merges
+        order = np.argsort(regions.of_face, kind="stable")
+        bounds = np.searchsorted(regions.of_face[order], np.arange(len(regions.classes) + 1))
+        for region in moved.tolist():
+            faces = order[bounds[region] : bounds[region + 1]]
+            merges.append(Merge(faces, int(regions.classes[region]), int(regions.classes[target[region]])))
+            classes[faces] = merges[-1].to_class
+
+
+def _unwanted(regions: Regions, settings: MergeSettings) -> np.ndarray:
+    """(R,) bool"""
+    limits = np.where(regions.classes == NOTHING, settings.maximum_gap, settings.minimum_area)
+    # A gap as large as the limit is filled, a piece as large as the limit stays.
+    too_small = np.where(regions.classes == NOTHING, regions.areas <= limits, regions.areas < limits)
+    return too_small | (regions.mean_widths < THIN_M)
+
+
+def _longest_neighbors(regions: Regions, unwanted: np.ndarray, taking: np.ndarray) -> np.ndarray:
+    """(R,) int64 the neighbor that an unwanted region goes to, of those ``taking``, −1 for none."""
+    target = np.full(len(regions.classes), -1, np.int64)
+    one, other = regions.neighbors.T
+    possible = unwanted[one] & taking[other] & (regions.classes[other] != NOTHING)
+    one, other, lengths = one[possible], other[possible], regions.border_lengths[possible]
+    order = np.lexsort((-other, lengths))
+    # Of several values for one place numpy keeps the last: the longest.
+    target[one[order]] = other[order]
+    return target
+
+
+def _smallest_only(regions: Regions, target: np.ndarray) -> np.ndarray:
+    merging = np.flatnonzero(target >= 0)
+    only = np.full_like(target, -1)
+    if len(merging):
+        smallest = merging[np.argmin(regions.areas[merging])]
+        only[smallest] = target[smallest]
+    return only

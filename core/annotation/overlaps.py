@@ -1,0 +1,166 @@
+"""Polygons that lie on each other: overlaps, duplicates, polygons that nothing is seen of."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from itertools import combinations
+from typing import Dict, FrozenSet, List, Sequence, Tuple
+
+import numpy as np
+import shapely
+
+from ..geometry.well_known_binary import to_wkb
+from .findings import DUPLICATE, ERROR, HIDDEN, INFORMATION, NOTHING, OVERLAP, SAME_CLASS_NEIGHBORS, WARNING, Finding
+from .partition import PlanarPartition, corner_neighbors
+from .polygons import AnnotatedPolygons
+
+NARROWEST_M = 0.001
+"""Overlaps with a smaller mean width (m) are rounding; they are mended, but not worth telling."""
+
+
+def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> Tuple[List[Finding], np.ndarray]:
+    """A finding for each polygon that covers what an earlier one covers, and (N,) bool which these are.
+
+    With different classes it is an error, unless a priority says which lies on top.
+    """
+    first_of: Dict[bytes, int] = {}
+    repeated, found = np.zeros(len(polygons), bool), []
+    order = np.argsort(partition.cover_polygons, kind="stable")
+    bounds = np.searchsorted(partition.cover_polygons[order], np.arange(len(polygons) + 1))
+    faces = partition.cover_faces[order]
+    for n, (start, end) in enumerate(zip(bounds[:-1].tolist(), bounds[1:].tolist())):
+        first = first_of.setdefault(faces[start:end].tobytes(), n) if start < end else n
+        if first == n:
+            continue
+        repeated[n] = True
+        decided = bool(polygons.priorities[first] != polygons.priorities[n])
+        differs = polygons.classes[first] != polygons.classes[n]
+        found.append(_pair(DUPLICATE, ERROR if differs and not decided else WARNING, polygons, n, first, decided))
+    return found, repeated
+
+
+def find_overlaps(
+    polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, ignored: np.ndarray
+) -> List[Finding]:
+    """A finding for each two polygons of different features and classes that share an area, the upper one first.
+
+    Where priorities differ they say what lies on top: information. Else it is an error. ``ranks``: (N,) higher on
+    top; ``ignored``: (N,) bool polygons left out.
+    """
+    faces_of: Dict[Tuple[int, int], List[int]] = defaultdict(list)
+    starts = np.flatnonzero(np.diff(partition.cover_faces, prepend=-1))
+    for start, end in zip(starts, [*starts[1:], len(partition.cover_faces)]):
+        if end - start < 2:
+            continue
+        covering = partition.cover_polygons[start:end]
+        covering = covering[~ignored[covering]].tolist()
+        for first, second in combinations(covering, 2):
+            if polygons.classes[first] != polygons.classes[second]:
+                faces_of[first, second].append(partition.cover_faces[start])
+    return [
+        _overlap(polygons, ranks, pair, shapely.union_all(partition.faces[faces]))
+        for pair, faces in faces_of.items()
+        if 2 * partition.areas[faces].sum() >= NARROWEST_M * partition.perimeters[faces].sum()
+    ]
+
+
+def find_hidden(
+    polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, duplicates: List[Finding]
+) -> List[Finding]:
+    """A finding for each polygon of which nothing is seen from above, with the polygon that covers most of it.
+
+    Those that their own duplicate hides are left out: that is told already.
+    """
+    top = partition.top_polygons(ranks)
+    seen = np.zeros(len(polygons), bool)
+    seen[top[top >= 0]] = True
+    covered: Dict[int, Dict[int, float]] = defaultdict(lambda: defaultdict(float))
+    hidden = ~seen[partition.cover_polygons]
+    for polygon, face in zip(partition.cover_polygons[hidden].tolist(), partition.cover_faces[hidden].tolist()):
+        covered[polygon][int(top[face])] += partition.areas[face]
+    found = [_pair(HIDDEN, WARNING, polygons, n, max(over, key=over.get)) for n, over in sorted(covered.items())]
+    told = {frozenset((duplicate.feature_id, duplicate.other_id)) for duplicate in duplicates}
+    return [hidden for hidden in found if frozenset((hidden.feature_id, hidden.other_id)) not in told]
+
+
+def find_same_class_neighbors(
+    polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, landmark_classes: Sequence[int]
+) -> List[Finding]:
+    """A finding for each two features of one class that touch as seen from above; ``number``: m of shared border.
+
+    Those of ``landmark_classes`` also where they touch in a point only (``number`` is 0): pixels that touch by a
+    corner belong to one object, too.
+    """
+    top = partition.top_polygons(ranks)
+    lengths: Dict[Tuple[int, int], float] = defaultdict(float)
+    pairs, same = _of_one_class(polygons, top, partition.neighbors)
+    for pair, length in zip(pairs, partition.border_lengths[same].tolist()):
+        lengths[pair] += length
+    told = {_features(polygons, pair) for pair in lengths}
+    for pair in _of_one_class(polygons, top, corner_neighbors(partition, classes_of_faces(polygons, top)))[0]:
+        if polygons.classes[pair[0]] in landmark_classes and _features(polygons, pair) not in told:
+            told.add(_features(polygons, pair))
+            lengths[pair] = 0.0
+    areas = shapely.area(polygons.geometries)
+    found = []
+    for pair, length in lengths.items():
+        smaller, larger = sorted(pair, key=lambda n: (areas[n], n))
+        is_landmark = bool(polygons.classes[smaller] in landmark_classes)
+        found.append(
+            _pair(SAME_CLASS_NEIGHBORS, INFORMATION, polygons, smaller, larger, number=length, is_landmark=is_landmark)
+        )
+    return found
+
+
+def classes_of_faces(polygons: AnnotatedPolygons, top: np.ndarray) -> np.ndarray:
+    """(F,) class values of the polygons seen from above, NOTHING where ``top`` is −1."""
+    return np.where(top >= 0, np.append(polygons.classes, NOTHING)[top], NOTHING)
+
+
+def _of_one_class(
+    polygons: AnnotatedPolygons, top: np.ndarray, neighbors: np.ndarray
+) -> Tuple[List[Tuple[int, int]], np.ndarray]:
+    """Pairs of polygons of one class and different features, and (E,) bool which of the ``neighbors`` they are."""
+    pairs = top[neighbors]
+    both = (pairs >= 0).all(axis=1)
+    same = np.zeros(len(pairs), bool)
+    same[both] = polygons.classes[pairs[both, 0]] == polygons.classes[pairs[both, 1]]
+    same[both] &= polygons.features[pairs[both, 0]] != polygons.features[pairs[both, 1]]
+    return [tuple(pair) for pair in np.sort(pairs[same], axis=1).tolist()], same
+
+
+def _features(polygons: AnnotatedPolygons, pair: Tuple[int, int]) -> FrozenSet[int]:
+    return frozenset(polygons.features[list(pair)].tolist())
+
+
+def _overlap(polygons: AnnotatedPolygons, ranks: np.ndarray, pair: Tuple[int, int], shared) -> Finding:
+    upper, lower = sorted(pair, key=lambda n: -ranks[n])
+    decided = bool(polygons.priorities[upper] != polygons.priorities[lower])
+    return _pair(OVERLAP, INFORMATION if decided else ERROR, polygons, upper, lower, decided, geometry=shared)
+
+
+def _pair(
+    kind: str,
+    severity: str,
+    polygons: AnnotatedPolygons,
+    one: int,
+    other: int,
+    decided: bool = False,
+    number: float = 0.0,
+    geometry=None,
+    is_landmark: bool = False,
+) -> Finding:
+    shown = polygons.geometries[one] if geometry is None else geometry
+    return Finding(
+        kind,
+        severity,
+        to_wkb(shown),
+        int(polygons.feature_ids[one]),
+        int(polygons.feature_ids[other]),
+        int(polygons.classes[one]),
+        int(polygons.classes[other]),
+        float(shapely.area(shown)),
+        number=number,
+        decided=decided,
+        is_landmark=is_landmark,
+    )

@@ -1,0 +1,114 @@
+"""Annotated features → valid single polygons, ready to be laid on each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Optional, Sequence, Tuple
+
+import numpy as np
+import shapely
+
+from .findings import NOTHING
+
+FARTHEST_M = 1e8
+"""Coordinates beyond this lie on no map (the Earth's girth is 4·10⁷ m); they are taken for broken ones."""
+
+_POLYGON = 3
+
+
+@dataclass(frozen=True)
+class AnnotatedFeature:
+    """A feature of an annotation layer: WKB of a (multi)polygon in meters, None without one; higher priority on top.
+
+    ``class_value`` is NOTHING for a feature without a class that can be used.
+    """
+
+    feature_id: int
+    wkb: Optional[bytes]
+    class_value: int
+    priority: float = 0.0
+
+
+@dataclass(frozen=True)
+class AnnotatedPolygons:
+    """N valid single polygons of features with a class, in the features' order.
+
+    geometries: (N,) shapely polygons; features: (N,) int64 place of the feature in its list
+    feature_ids: (N,) int64; classes: (N,) int64 class values; priorities: (N,) float64
+    """
+
+    geometries: np.ndarray
+    features: np.ndarray
+    feature_ids: np.ndarray
+    classes: np.ndarray
+    priorities: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.geometries)
+
+    def drawn_ranks(self) -> np.ndarray:
+        """(N,) int64, higher lie on top, as in rasterizing: by priority, among equals the later feature."""
+        return _ranks(np.lexsort((np.arange(len(self)), self.priorities)))
+
+    def repair_ranks(self) -> np.ndarray:
+        """(N,) int64, higher lie on top: by priority, among equals the smaller, then the lower class value."""
+        areas = shapely.area(self.geometries)
+        return _ranks(np.lexsort((np.arange(len(self)), -self.classes, -areas, self.priorities)))
+
+
+@dataclass(frozen=True)
+class FeatureParts:
+    """The polygons of features as they are: (P,) shapely geometries, (P,) int64 place of their feature in the list."""
+
+    geometries: np.ndarray
+    features: np.ndarray
+
+
+def feature_geometries(features: Sequence[AnnotatedFeature]) -> np.ndarray:
+    """(M,) shapely geometries, None for features without one or with one that no library reads."""
+    wkbs = np.array([feature.wkb for feature in features] + [None], object)[:-1]
+    with np.errstate(invalid="ignore"):
+        geometries = shapely.force_2d(shapely.from_wkb(wkbs, on_invalid="ignore"))
+    coordinates, place = shapely.get_coordinates(geometries, return_index=True)
+    usable = (np.isfinite(coordinates) & (np.abs(coordinates) < FARTHEST_M)).all(axis=1)
+    geometries[place[~usable]] = None
+    return geometries
+
+
+def split_parts(geometries: np.ndarray) -> FeatureParts:
+    """(M,) shapely geometries or None → their single parts."""
+    return FeatureParts(*shapely.get_parts(geometries, return_index=True))
+
+
+def valid_polygons(features: Sequence[AnnotatedFeature], parts: FeatureParts) -> AnnotatedPolygons:
+    """The polygons with area of features with a class; invalid ones are made valid as in rasterizing."""
+    geometries, place = _made_valid(parts)
+    classes = np.array([feature.class_value for feature in features], np.int64)[place]
+    keep = (shapely.get_type_id(geometries) == _POLYGON) & (shapely.area(geometries) > 0) & (classes != NOTHING)
+    place = place[keep]
+    return AnnotatedPolygons(
+        geometries[keep],
+        place,
+        np.array([feature.feature_id for feature in features], np.int64)[place],
+        classes[keep],
+        np.array([feature.priority for feature in features], np.float64)[place],
+    )
+
+
+def _made_valid(parts: FeatureParts) -> Tuple[np.ndarray, np.ndarray]:
+    """Single geometries and the place of their feature, in the features' order."""
+    geometries = parts.geometries.copy()
+    broken = ~shapely.is_valid(geometries)
+    geometries[broken] = shapely.make_valid(geometries[broken])
+    place = np.arange(len(geometries))
+    # A collection may hold multipolygons.
+    for _ in range(2):
+        geometries, index = shapely.get_parts(geometries, return_index=True)
+        place = place[index]
+    return geometries, parts.features[place]
+
+
+def _ranks(order: np.ndarray) -> np.ndarray:
+    ranks = np.empty(len(order), np.int64)
+    ranks[order] = np.arange(len(order))
+    return ranks

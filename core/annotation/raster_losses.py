@@ -1,0 +1,107 @@
+"""What pixels make of drawn regions: which the raster loses, merges with a neighbor, or splits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import List, Tuple
+
+import numpy as np
+
+from ..landmarks.landmarks import region_rows
+from .partition import connected_components
+
+LARGEST_MASK_PX = 200_000_000
+"""A region whose bounding box is larger is not measured: it is no landmark that a raster could lose."""
+
+
+@dataclass(frozen=True)
+class RegionRuns:
+    """Pixels of numbered regions as runs along rows, in reading order.
+
+    rows, starts, stops, regions: (K,) int64, pixels ``starts`` … ``stops`` − 1 of a row belong to a region
+    """
+
+    rows: np.ndarray
+    starts: np.ndarray
+    stops: np.ndarray
+    regions: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+
+def runs_of_strip(regions_hw: np.ndarray, first_row: int) -> RegionRuns:
+    """(H, W) region numbers of some rows of a raster, 0 for none → their runs."""
+    height, width = regions_hw.shape
+    begins = np.ones((height, width), bool)
+    begins[:, 1:] = regions_hw[:, 1:] != regions_hw[:, :-1]
+    starts = np.flatnonzero(begins)
+    stops = np.append(starts[1:], regions_hw.size)
+    regions = regions_hw.reshape(-1)[starts].astype(np.int64)
+    starts, stops, regions = (values[regions > 0] for values in (starts, stops, regions))
+    rows = starts // width
+    return RegionRuns(rows + first_row, starts - rows * width, stops - rows * width, regions)
+
+
+def join_runs(strips: List[RegionRuns]) -> RegionRuns:
+    """The runs of strips that follow each other, top first."""
+    names = ("rows", "starts", "stops", "regions")
+    empty = np.empty(0, np.int64)
+    return RegionRuns(*(np.concatenate([empty, *(getattr(s, name) for s in strips)]) for name in names))
+
+
+def merged_regions(runs: RegionRuns, region_classes: np.ndarray) -> np.ndarray:
+    """(P, 2) int64 regions of one class whose pixels touch (8-connected), each pair once; they become one object.
+
+    ``region_classes``: class values by region number.
+    """
+    beside = np.flatnonzero((runs.rows[1:] == runs.rows[:-1]) & (runs.starts[1:] == runs.stops[:-1]))
+    links = np.concatenate([_links_down(runs), np.column_stack([beside, beside + 1])])
+    pairs = runs.regions[links]
+    pairs = pairs[(pairs[:, 0] != pairs[:, 1]) & (region_classes[pairs[:, 0]] == region_classes[pairs[:, 1]])]
+    return np.unique(np.sort(pairs, axis=1), axis=0)
+
+
+def count_pieces(runs: RegionRuns, count: int) -> np.ndarray:
+    """(count,) int64 8-connected pieces of the pixels of each region number; 0 for a region without a pixel."""
+    links = _links_down(runs)
+    links = links[runs.regions[links[:, 0]] == runs.regions[links[:, 1]]]
+    pieces = connected_components(len(runs), links)
+    first_of_piece = np.unique(pieces, return_index=True)[1]
+    return np.bincount(runs.regions[first_of_piece], minlength=count)
+
+
+def lost_regions(runs: RegionRuns, count: int, minimum_area_px: float) -> np.ndarray:
+    """(count,) bool: no piece of the region's pixels has a contour area (``cv2.contourArea``) of that size."""
+    lost = np.ones(count, bool)
+    order = np.argsort(runs.regions, kind="stable")
+    bounds = np.searchsorted(runs.regions[order], np.arange(count + 1))
+    for region in np.unique(runs.regions).tolist():
+        own = order[bounds[region] : bounds[region + 1]]
+        rows, starts, stops = runs.rows[own] - runs.rows[own[0]], runs.starts[own], runs.stops[own]
+        shape = int(rows[-1]) + 1, int(stops.max() - starts.min())
+        large = shape[0] * shape[1] > LARGEST_MASK_PX
+        lost[region] = not large and not len(region_rows(_mask(rows, starts, stops, shape), 1, minimum_area_px))
+    return lost
+
+
+def _mask(rows: np.ndarray, starts: np.ndarray, stops: np.ndarray, shape: Tuple[int, int]) -> np.ndarray:
+    """(H, W) uint8, 1 on the runs."""
+    steps = np.zeros((shape[0], shape[1] + 1), np.int8)
+    left = starts.min()
+    steps[rows, starts - left] = 1
+    steps[rows, stops - left] = -1
+    return np.ascontiguousarray(np.cumsum(steps, axis=1, dtype=np.int8)[:, :-1]).view(np.uint8)
+
+
+def _links_down(runs: RegionRuns) -> np.ndarray:
+    """(L, 2) int64 runs that touch (8-connected) in rows that follow each other, the upper one first."""
+    width = int(runs.stops.max(initial=0)) + 2
+    starts, stops = runs.rows * width + runs.starts, runs.rows * width + runs.stops
+    # In the next row: from the first run that does not end left of this one to the last that begins not right of it.
+    first = np.searchsorted(stops, starts + width, "left")
+    last = np.searchsorted(starts, stops + width, "right")
+    counts = np.maximum(last - first, 0)
+    upper = np.repeat(np.arange(len(runs)), counts)
+    lower = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts) + np.repeat(first, counts)
+    return np.column_stack([upper, lower])

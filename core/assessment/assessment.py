@@ -1,0 +1,288 @@
+"""Where a database will localize: success, error and their reasons at given places, from trials and what they teach.
+
+Trials are planned, run one by one (``run``, and ``run_correlation`` for those without a fix) by whoever shows progress,
+and then estimated (``estimate``). A trial is made from (seed, number) alone.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Dict, List, Optional, Sequence, Tuple
+
+import cv2
+import numpy as np
+
+from ..constellation.verification import DISTRACTORS, center_noise
+from ..correlation.solver import TOO_LITTLE_INFORMATION
+from ..database.model import ReferenceDatabase
+from ..localization import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES
+from ..localizer.localizer import Localizer
+from .images import AssessmentNoise, ImageSimulator, SimulatedFix
+from .model import Chances, SuccessModel, fit_success, local_sums
+
+WRONG = "wrong_fix"
+REASONS = (TOO_FEW_REFERENCES, AMBIGUOUS, NO_MATCH, WRONG)
+"""Why there is no right fix."""
+
+HEADINGS_DEG = (0.0, 30.0, 60.0)
+"""Headings at which a place's landmarks are counted; a square looks alike every 90°."""
+
+TEXTURE_STEPS = 16
+"""Pixels across a footprint in which class areas are compared for a place's texture."""
+
+ERROR_STRENGTH = 2.0
+"""Right fixes nearby that the median error of all is worth in a place's expected error."""
+
+MOST_PARTS = 45_000
+"""Squares are looked at in 3 × 3 parts, as landmarks may lie on one side only; in fewer when there are many squares."""
+
+LOCAL_FIXES = 0.5
+"""Weight of right fixes nearby below which no error is told."""
+
+
+@dataclass(frozen=True)
+class PlannedTrial:
+    """An image to be simulated: its number, the place that it was drawn for, its center (map x, y), its heading."""
+
+    number: int
+    place: int
+    x: float
+    y: float
+    heading_deg: float
+
+
+@dataclass(frozen=True)
+class Estimates:
+    """What to expect at P places, each (P,).
+
+    success: probability of a right fix; low, high: its 95 % interval; error: expected (median), map units, NaN where
+    hardly any image has a fix; trials: simulated for the place itself; objects: whole landmarks in view; classes: that
+    have any in view; look_alikes: share of the trials nearby that were refused because another place or the mirrored
+    image fits almost as well; wrong: share of the trials nearby with a wrong fix; reasons: of REASONS, what keeps most
+    of the others nearby from a fix, '' where none fails.
+    """
+
+    success: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+    error: np.ndarray
+    trials: np.ndarray
+    objects: np.ndarray
+    classes: np.ndarray
+    look_alikes: np.ndarray
+    wrong: np.ndarray
+    reasons: Tuple[str, ...]
+
+    def part(self, chosen: np.ndarray) -> "Estimates":
+        """The estimates of some places, by their numbers."""
+        arrays = {name: getattr(self, name)[chosen] for name in vars(self) if name != "reasons"}
+        return Estimates(**arrays, reasons=tuple(self.reasons[n] for n in np.asarray(chosen).tolist()))
+
+
+class Assessment:
+    """One footprint of a database under stated noise."""
+
+    def __init__(
+        self,
+        database: ReferenceDatabase,
+        localizer: Localizer,
+        footprint: float,
+        noise: AssessmentNoise,
+        seed: int,
+        correlation: bool = False,
+    ) -> None:
+        """footprint: edge of the ground that an image shows, map units; correlation: landmarks first, then map
+        correlation, as the method “automatic” does; needs the overview. Raises ParameterError and DatabaseError."""
+        self.simulator = ImageSimulator(localizer, database, footprint, noise)
+        self.footprint = footprint
+        self.correlation = correlation
+        self._database = database
+        self._localizer = localizer
+        self._seed = seed
+        self._texture = _texture(database, footprint)
+        self.model: Optional[SuccessModel] = None
+        """Of the last estimate, of landmarks alone."""
+
+    def plan(self, places: np.ndarray, spread: float, count: int) -> List[PlannedTrial]:
+        """``count`` trials around places (P, 2), as evenly as may be: in squares of edge ``spread``, any heading."""
+        rng = np.random.default_rng([self._seed, 0, round(1000 * self.footprint)])
+        whole, rest = divmod(count, max(len(places), 1))
+        chosen = np.concatenate([np.tile(np.arange(len(places)), whole), rng.permutation(len(places))[:rest]])
+        offsets = rng.uniform(-spread / 2, spread / 2, (len(chosen), 2))
+        headings = rng.uniform(0, 360, len(chosen))
+        centers = places[chosen] + offsets
+        return [
+            PlannedTrial(number, place, x, y, heading)
+            for number, (place, (x, y), heading) in enumerate(zip(chosen.tolist(), centers.tolist(), headings.tolist()))
+        ]
+
+    def run(self, trial: PlannedTrial) -> SimulatedFix:
+        """The trial, localized by its landmarks."""
+        rng = np.random.default_rng([self._seed, 1, trial.number])
+        return self.simulator.constellation(trial.x, trial.y, trial.heading_deg, rng)
+
+    def run_correlation(self, trial: PlannedTrial) -> SimulatedFix:
+        """The trial, localized by map correlation; takes seconds on a large map."""
+        rng = np.random.default_rng([self._seed, 2, trial.number])
+        return self.simulator.correlation(trial.x, trial.y, trial.heading_deg, rng)
+
+    def to_correlate(self, trials: Sequence[PlannedTrial], fixes: Sequence[SimulatedFix], most: int) -> List[int]:
+        """Numbers, in ``trials``, of those without a fix that map correlation is tried on: ``most``, evenly spread."""
+        failed = [n for n, fix in enumerate(fixes) if not fix.is_fix]
+        order = np.random.default_rng([self._seed, 3]).permutation(len(failed))[:most]
+        return [failed[n] for n in np.sort(order)]
+
+    def estimate(
+        self,
+        places: np.ndarray,
+        trials: Sequence[PlannedTrial],
+        fixes: Sequence[SimulatedFix],
+        correlated: Optional[Dict[int, SimulatedFix]] = None,
+        spread: float = 0.0,
+    ) -> Estimates:
+        """What to expect at places (P, 2), or on average in squares of edge ``spread`` around them, after trials with
+        these fixes; correlated: those of map correlation by their number in ``trials``."""
+        centers = np.array([(trial.x, trial.y) for trial in trials]).reshape(-1, 2)
+        parts, count = _parts(places, spread)
+        features, objects, classes = self.features(parts)
+        trial_features = self.features(centers)[0]
+        right = np.array([fix.right for fix in fixes], bool)
+        self.model = fit_success(trial_features, centers, right, self.footprint)
+        chances = self.model.chances(parts, features)
+        if correlated:
+            chances = chances.either(self._correlation_chances(parts, features, trial_features, centers, correlated))
+        chances = chances.averaged(count)
+        low, high = chances.interval()
+        reach = max(2 * self.model.reach, spread / 2)
+        causes = np.array([[_cause(fix) == reason for reason in REASONS] for fix in fixes], float)
+        counts, sums = local_sums(places, centers, reach, causes)
+        shares = sums / np.maximum(counts, 1e-9)[:, None]
+        reasons = tuple(REASONS[row.argmax()] if row.max() > 0 else "" for row in shares)
+        return Estimates(
+            chances.means,
+            low,
+            high,
+            self._errors(places, centers, [*fixes, *(correlated or {}).values()], correlated or {}, reach),
+            np.bincount([trial.place for trial in trials], minlength=len(places))[: len(places)],
+            objects.reshape(-1, count).mean(axis=1),
+            classes.reshape(-1, count).max(axis=1),
+            shares[:, REASONS.index(AMBIGUOUS)],
+            shares[:, REASONS.index(WRONG)],
+            reasons,
+        )
+
+    def features(self, places: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """(P, F) numbers by which places are told to be alike, (P,) whole landmarks in view, (P,) their classes.
+
+        The numbers: ln(1 + landmarks), ln(1 + evidence they would be if all were found), spread of ln area,
+        share of the commonest class, share of the ground with labels, texture of class areas.
+        """
+        index = self._localizer.index
+        pixel, references = self.simulator.pixel, self._database.references
+        log_areas_px = index.log_areas - 2 * math.log(pixel)
+        chance = 2 * math.pi * center_noise(log_areas_px, pixel) ** 2 * index.densities
+        gains = np.log(DISTRACTORS + (1 - DISTRACTORS) / np.maximum(chance, 1e-12))
+        numbers, objects, classes = [], np.empty(len(places)), np.empty(len(places))
+        for n, (x, y) in enumerate(places.tolist()):
+            views = [self.simulator.whole_objects(x, y, heading)[0] for heading in HEADINGS_DEG]
+            seen = np.concatenate(views)
+            objects[n] = len(seen) / len(views)
+            names, counts = np.unique(references.classes[seen], return_counts=True)
+            classes[n] = len(names)
+            evidence = float(gains[seen].sum()) / len(views)
+            spread = float(index.log_areas[seen].std()) if len(seen) else 0.0
+            commonest = float(counts.max() / counts.sum()) if len(seen) else 1.0
+            numbers.append((math.log1p(objects[n]), math.log1p(max(evidence, 0)), spread, commonest))
+        return np.column_stack([np.array(numbers).reshape(-1, 4), self._texture.at(places)]), objects, classes
+
+    def _correlation_chances(
+        self,
+        places: np.ndarray,
+        features: np.ndarray,
+        trial_features: np.ndarray,
+        centers: np.ndarray,
+        correlated: Dict[int, SimulatedFix],
+    ) -> Chances:
+        chosen = np.array(list(correlated))
+        right = np.array([fix.right for fix in correlated.values()], bool)
+        return fit_success(trial_features[chosen], centers[chosen], right, self.footprint).chances(places, features)
+
+    def _errors(
+        self,
+        places: np.ndarray,
+        centers: np.ndarray,
+        fixes: Sequence[SimulatedFix],
+        correlated: Dict[int, SimulatedFix],
+        reach: float,
+    ) -> np.ndarray:
+        """(P,) expected errors: the mean logarithm of right fixes nearby, drawn to that of all."""
+        where = np.concatenate([np.arange(len(centers)), np.array(list(correlated), int)])
+        right = np.array([fix.right for fix in fixes], bool)
+        if not right.any():
+            return np.full(len(places), np.nan)
+        logs = np.log([max(fix.error, 1e-6) for fix in fixes if fix.right])
+        counts, sums = local_sums(places, centers[where[right]], reach, logs)
+        expected = np.exp((sums + ERROR_STRENGTH * np.median(logs)) / (counts + ERROR_STRENGTH))
+        return np.where(counts >= LOCAL_FIXES, expected, np.nan)
+
+
+def _parts(places: np.ndarray, spread: float) -> Tuple[np.ndarray, int]:
+    """(P · n, 2) middles of the n parts of squares of edge ``spread`` around places (P, 2), and n."""
+    edge = next(k for k in (3, 2, 1) if k == 1 or spread > 0 and k * k * len(places) <= MOST_PARTS)
+    steps = ((np.arange(edge) + 0.5) / edge - 0.5) * spread
+    offsets = np.stack(np.meshgrid(steps, steps), axis=-1).reshape(1, -1, 2)
+    return (places[:, None] + offsets).reshape(-1, 2), edge * edge
+
+
+def _cause(fix: SimulatedFix) -> str:
+    """Of REASONS, '' for a right fix."""
+    if fix.status == FIX:
+        return "" if fix.right else WRONG
+    return TOO_FEW_REFERENCES if fix.status == TOO_LITTLE_INFORMATION else fix.status
+
+
+@dataclass(frozen=True)
+class _Texture:
+    """Labeled share and texture of the ground in (h, w) pixels of edge ``pixel``; origin: map (x, y) of its corner."""
+
+    labeled: np.ndarray
+    texture: np.ndarray
+    origin: Tuple[float, float]
+    pixel: float
+
+    def at(self, places: np.ndarray) -> np.ndarray:
+        """(P, 2) labeled share and texture around places (P, 2)."""
+        columns = np.floor((places[:, 0] - self.origin[0]) / self.pixel).astype(int)
+        rows = np.floor((self.origin[1] - places[:, 1]) / self.pixel).astype(int)
+        height, width = self.labeled.shape
+        rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
+        return np.column_stack([self.labeled[rows, columns], self.texture[rows, columns]])
+
+
+def _texture(database: ReferenceDatabase, footprint: float) -> _Texture:
+    """Over footprints everywhere: share of ground with labels, and standard deviation of the classes' areas in
+    TEXTURE_STEPS² parts, summed over classes. Zeros for a database without overview."""
+    parameters = database.parameters
+    x0, pixel, _, y0, _, _ = parameters.geotransform
+    if database.overview is None:
+        return _Texture(np.zeros((1, 1)), np.zeros((1, 1)), (x0, y0), footprint)
+    overview = database.overview
+    step = max(footprint / TEXTURE_STEPS / (pixel * parameters.overview_factor), 1.0)
+    size = tuple(max(round(length / step), 1) for length in overview.shape[::-1])
+    labeled, variance = np.zeros(size[::-1], np.float32), np.zeros(size[::-1], np.float32)
+    window = max(round(footprint / (pixel * parameters.overview_factor * overview.shape[1] / size[0])), 1)
+    for value in np.unique(overview):
+        if value:
+            table = np.zeros(256, np.uint8)
+            table[value] = 255
+            share = cv2.resize(cv2.LUT(overview, table), size, interpolation=cv2.INTER_AREA).astype(np.float32) / 255
+            # Nothing lies beyond the map.
+            mean, square = (
+                cv2.boxFilter(image, -1, (window, window), borderType=cv2.BORDER_CONSTANT)
+                for image in (share, share**2)
+            )
+            labeled += mean
+            variance += np.maximum(square - mean**2, 0)
+    coarse = pixel * parameters.overview_factor * overview.shape[1] / size[0]
+    return _Texture(labeled, np.sqrt(variance), (x0, y0), coarse)

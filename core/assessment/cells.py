@@ -1,0 +1,70 @@
+"""The squares of ground that an assessment tells about."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from ..database.model import ReferenceDatabase
+from ..errors import ParameterError
+
+MOST_CELLS = 100_000
+"""Squares of an assessment; more take hours and show no more."""
+
+
+@dataclass(frozen=True)
+class Cells:
+    """C squares of ``size`` map units. centers: (C, 2) map x, y; columns, rows: (C,) in the grid, row 0 is north."""
+
+    size: float
+    centers: np.ndarray
+    columns: np.ndarray
+    rows: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.centers)
+
+
+def ground_cells(database: ReferenceDatabase, size: float) -> Cells:
+    """Squares that cover the map, from its upper left corner, but for ground without any label or landmark that the
+    map's edge leads to: a map's frame that its country doesn't fill. Ground without labels inside the map counts.
+
+    Raises ParameterError for a size that can't be used.
+    """
+    if not 0 < size < math.inf:
+        raise ParameterError(f"SPACING is {size:g}; give the edge of a square in map units.")
+    x0, y_low, x1, y0 = database.parameters.extent
+    width, height = (max(math.ceil((b - a) / size - 1e-6), 1) for a, b in ((x0, x1), (y_low, y0)))
+    if width * height > MOST_CELLS:
+        least = math.sqrt((x1 - x0) * (y0 - y_low) / MOST_CELLS)
+        raise ParameterError(
+            f"SPACING is {size:g}, which makes {width * height} squares of the map; give {1.01 * least:.3g} or more."
+        )
+    empty = ~_labeled(database, size, width, height)
+    positions = database.references.positions
+    columns = np.clip(((positions[:, 0] - x0) / size).astype(int), 0, width - 1)
+    rows = np.clip(((y0 - positions[:, 1]) / size).astype(int), 0, height - 1)
+    empty[rows, columns] = False
+    # A frame of empty ground around the map joins all that its edge leads to.
+    framed = np.pad(empty, 1, constant_values=True).astype(np.uint8)
+    _, regions = cv2.connectedComponents(framed, connectivity=4)
+    rows, columns = np.nonzero(regions[1:-1, 1:-1] != regions[0, 0])
+    centers = np.column_stack([x0 + (columns + 0.5) * size, y0 - (rows + 0.5) * size])
+    return Cells(size, centers, columns, rows)
+
+
+def _labeled(database: ReferenceDatabase, size: float, width: int, height: int) -> np.ndarray:
+    """(height, width) bool: squares with a labeled pixel of the overview; all of them without overview."""
+    overview = database.overview
+    if overview is None:
+        return np.ones((height, width), bool)
+    pixel = database.parameters.pixel_size * database.parameters.overview_factor
+    rows, columns = (
+        np.unique(np.minimum((np.arange(count) * size / pixel).astype(int), length - 1), return_inverse=True)
+        for count, length in ((height, overview.shape[0]), (width, overview.shape[1]))
+    )
+    some = np.maximum.reduceat(overview, rows[0], axis=0)
+    return np.maximum.reduceat(some, columns[0], axis=1)[rows[1]][:, columns[1]] > 0

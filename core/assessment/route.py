@@ -1,0 +1,130 @@
+"""A planned route, point by point: where a stretch has no expected fix, how long it is, and where to shift it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import List, Sequence, Tuple
+
+import numpy as np
+
+from ..errors import ParameterError
+
+MOST_POINTS = 20_000
+"""Points of a route; more take hours."""
+
+SHIFTS = (-1.0, -0.5, 0.5, 1.0)
+"""Where else a stretch is tried, as shares of the largest shift; left of the direction of flight below 0."""
+
+WORTH_SHIFTING = 0.1
+"""A shift is told when it raises the mean success of a stretch by so much."""
+
+
+@dataclass(frozen=True)
+class RoutePoints:
+    """N points along lines. lines: (N,) number of the line, from 0; along: (N,) map units from its start; places:
+    (N, 2) map x, y; headings_deg: (N,) direction of flight, clockwise from grid north; lengths: of each line."""
+
+    lines: np.ndarray
+    along: np.ndarray
+    places: np.ndarray
+    headings_deg: np.ndarray
+    lengths: Tuple[float, ...]
+
+    def __len__(self) -> int:
+        return len(self.along)
+
+    def shifted(self, chosen: np.ndarray, offset: float) -> np.ndarray:
+        """(n, 2) chosen points moved by ``offset`` map units, right of the direction of flight; < 0: left of it."""
+        turn = np.radians(self.headings_deg[chosen])
+        return self.places[chosen] + offset * np.column_stack([np.cos(turn), -np.sin(turn)])
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A stretch of a line without an expected fix. start, end: map units from the line's start, from the last good
+    point before to the first one after; points: (n,) numbers of those that are not good enough."""
+
+    line: int
+    start: float
+    end: float
+    points: np.ndarray
+
+    @property
+    def length(self) -> float:
+        return self.end - self.start
+
+
+@dataclass(frozen=True)
+class ShiftHint:
+    """Where a stretch does better. offset: map units to the right of the direction of flight, < 0 to the left;
+    success: mean expected success there, before: on the line itself."""
+
+    offset: float
+    success: float
+    before: float
+
+
+def route_points(lines: Sequence[np.ndarray], spacing: float) -> RoutePoints:
+    """Points every ``spacing`` map units along lines (n, 2), their ends included.
+
+    Raises ParameterError for a spacing that can't be used, and when no line has a length.
+    """
+    if not 0 < spacing < math.inf:
+        raise ParameterError(f"SPACING is {spacing:g}; give the distance between points in map units.")
+    lines = [line for line in lines if len(line) > 1 and _steps(line).sum() > 0]
+    if not lines:
+        raise ParameterError("ROUTE has no line with a length; draw one through two points at least.")
+    lengths = tuple(float(_steps(line).sum()) for line in lines)
+    count = sum(math.ceil(length / spacing) + 1 for length in lengths)
+    if count > MOST_POINTS:
+        least = sum(lengths) / MOST_POINTS
+        raise ParameterError(f"SPACING is {spacing:g}, which makes {count} points; give {1.01 * least:.3g} or more.")
+    numbers, along, places, headings = [], [], [], []
+    for number, (line, length) in enumerate(zip(lines, lengths)):
+        at = np.append(np.arange(0, length - 1e-6 * spacing, spacing), length)
+        ends = np.concatenate([[0.0], np.cumsum(_steps(line))])
+        # The segment that a point ends, so that the last one has a direction too.
+        steps = _steps(line)
+        segment = np.clip(np.searchsorted(ends, at, side="right") - 1, 0, len(steps) - 1)
+        segment = np.where(steps[segment] > 0, segment, np.flatnonzero(steps > 0)[-1])
+        share = (at - ends[segment]) / steps[segment]
+        step = line[segment + 1] - line[segment]
+        numbers.append(np.full(len(at), number))
+        along.append(at)
+        places.append(line[segment] + share[:, None] * step)
+        headings.append(np.degrees(np.arctan2(step[:, 0], step[:, 1])) % 360)
+    return RoutePoints(*(np.concatenate(part) for part in (numbers, along, places, headings)), lengths)
+
+
+def gaps(points: RoutePoints, success: np.ndarray, threshold: float) -> List[Gap]:
+    """Stretches whose points have less success (N,) than ``threshold``, in the order of flight."""
+    good, found = success >= threshold, []
+    for line, length in enumerate(points.lengths):
+        members = np.flatnonzero(points.lines == line)
+        bad = np.flatnonzero(~good[members])
+        for run in np.split(bad, np.flatnonzero(np.diff(bad) > 1) + 1):
+            if len(run):
+                start = points.along[members[run[0] - 1]] if run[0] else 0.0
+                end = points.along[members[run[-1] + 1]] if run[-1] + 1 < len(members) else length
+                found.append(Gap(line, float(start), float(end), members[run]))
+    return found
+
+
+def best_shift(before: np.ndarray, offsets: Sequence[float], successes: Sequence[np.ndarray]):
+    """The ShiftHint of a stretch with success (n,) on the line and (n,) at each offset; None when none is worth it.
+
+    Of shifts that are almost as good the shortest.
+    """
+    means = [float(success.mean()) for success in successes]
+    now = float(before.mean())
+    if not means or max(means) < now + WORTH_SHIFTING:
+        return None
+    near = [n for n, mean in enumerate(means) if mean >= max(means) - WORTH_SHIFTING / 2]
+    best = min(near, key=lambda n: (abs(offsets[n]), -means[n]))
+    return ShiftHint(float(offsets[best]), means[best], now)
+
+
+def _steps(line: np.ndarray) -> np.ndarray:
+    """(n − 1,) lengths of a line's segments."""
+    return np.hypot(*np.diff(line, axis=0).T)

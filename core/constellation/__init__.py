@@ -1,0 +1,1 @@
+"""Constellation localization: landmarks as stars (docs/method.md)."""

@@ -1,0 +1,196 @@
+"""Where an image may be: triangles looked up, turned into poses, gathered into clusters (DESIGN §3)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+
+from ..geometry.pose import fit_similarity
+from .index import ConstellationIndex, expand_ranges, key_ranges, like_triangles
+from .triangles import MINIMUM_SIDE_IN_SIZES, ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
+
+ANCHORS = 70
+"""Objects of an image that make triangles: its largest. More only take time."""
+
+QUERY_NEIGHBORS = 7
+"""One more than in the index, because some neighbors of an image's object are not on the map."""
+
+CENTER_NOISE_PX = 0.7
+CENTER_NOISE_IN_SIZES = 0.1
+"""Noise of a center: pixels, and share of the object's size √area. Calibrated on Liechtenstein 2021, north."""
+
+PLACE_TOLERANCE_IN_NOISE = 3.5
+PLACE_TOLERANCE_MINIMUM, PLACE_TOLERANCE_MAXIMUM = 0.012, 0.06
+"""Tolerance of C in the frame of AB: 2.5 σ of a difference of three noisy centers, over |AB|; triangles that
+need more than the maximum tell too little, and below the minimum the 8-bit numbers of the index end."""
+
+AREA_TOLERANCE = 0.4
+"""Of ln(area / |AB|²): edges off by a pixel or two."""
+
+CELL_OF_IMAGE = 0.04
+CELL_OF_TURN = 0.1
+"""Size of the cells in which poses are gathered: share of the image's diagonal on the ground, radians and ln scale."""
+
+
+@dataclass(frozen=True)
+class Prior:
+    """What is known beforehand, each narrowing the search: position (map x, y) within radius (map units), heading
+    within ± range (degrees), pixel size between two bounds (map units)."""
+
+    position: Optional[tuple] = None
+    radius: Optional[float] = None
+    heading_deg: Optional[float] = None
+    heading_range_deg: float = 180.0
+    pixel_size_range: Optional[tuple] = None
+
+
+@dataclass(frozen=True)
+class Query:
+    """An image's objects as complex points (n,), ranks (n,) −1 unknown class, log_areas (n,) ln px², whole (n,) bool.
+
+    diagonal: of the image in pixels.
+    """
+
+    points: np.ndarray
+    ranks: np.ndarray
+    log_areas: np.ndarray
+    whole: np.ndarray
+    diagonal: float
+
+    def select(self, chosen: np.ndarray) -> "Query":
+        """The chosen objects of the image, in that order."""
+        return Query(self.points[chosen], self.ranks[chosen], self.log_areas[chosen], self.whole[chosen], self.diagonal)
+
+    def mirrored(self) -> "Query":
+        """The image as it can never be seen: same density, same regularity, wrong hand."""
+        return Query(-self.points.conj(), self.ranks, self.log_areas, self.whole, self.diagonal)
+
+
+@dataclass(frozen=True)
+class Seeds:
+    """Clusters of poses, most votes first: centers and turns (S,) complex, votes (S,); capped: hits were left out.
+
+    focuses: (S,) complex, where in the image the triangles are on average.
+    """
+
+    centers: np.ndarray
+    turns: np.ndarray
+    focuses: np.ndarray
+    votes: np.ndarray
+    capped: bool
+
+
+def query_triangles(query: Query) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(Q, 3) objects A, B, C; (Q, 5) descriptors; (Q,) tolerances of the place of C.
+
+    A triangle whose sides are so alike that noise could change their order is given in each order.
+    """
+    usable = np.flatnonzero(query.whole & (query.ranks >= 0))
+    areas = np.exp(query.log_areas[usable])
+    neighbors, exists = triples(query.points[usable], areas, QUERY_NEIGHBORS)
+    exists[np.argsort(-areas, kind="stable")[ANCHORS:]] = False
+    rows, pair = np.nonzero(exists)
+    chosen = np.take_along_axis(neighbors[rows], neighbor_pairs(QUERY_NEIGHBORS)[pair], axis=1)
+    triple = usable[np.column_stack([rows, chosen])].reshape(-1, 3)
+    order, sides = canonical_order(query.points[triple])
+    noise = np.hypot(CENTER_NOISE_PX, CENTER_NOISE_IN_SIZES * np.exp(query.log_areas[triple] / 2).mean(axis=1))
+    tolerance = PLACE_TOLERANCE_IN_NOISE * noise / np.maximum(sides[:, 2], 1e-9)
+    large = sides[:, 2] >= MINIMUM_SIDE_IN_SIZES * np.exp(query.log_areas[triple[:, 0]] / 2)
+    good = large & (tolerance <= PLACE_TOLERANCE_MAXIMUM) & (sides[:, 0] > 0)
+    triple = np.take_along_axis(triple[good], ORDERS[order[good]], axis=1)
+    tolerance, sides = np.maximum(tolerance[good], PLACE_TOLERANCE_MINIMUM), sides[good]
+    alike = tolerance * sides[:, 2]
+    middle = sides[:, 2] - sides[:, 1] < alike
+    short = sides[:, 1] - sides[:, 0] < alike
+    triple = np.concatenate([triple, triple[middle][:, (2, 1, 0)], triple[short][:, (1, 0, 2)]])
+    tolerance = np.concatenate([tolerance, tolerance[middle], tolerance[short]])
+    return triple, describe_triangles(query.points[triple], query.log_areas[triple]), tolerance
+
+
+def find_seeds(
+    index: ConstellationIndex, query: Query, triangles: tuple, prior: Optional[Prior], seed_count: int, cap: int
+) -> Seeds:
+    """The most voted poses of an image; triangles as of ``query_triangles``; at most ``cap`` of the index's are looked
+    at, those of the rarest first."""
+    triple, numbers, place = triangles
+    reach = np.column_stack([place, place, *[np.full(len(place), AREA_TOLERANCE)] * 3])
+    which, first, last = key_ranges(index, numbers, query.ranks[triple], reach)
+    which, first, last, capped = _rarest(which, first, last, len(triple), cap)
+    stretch, hits = expand_ranges(first, last)
+    source = which[stretch]
+    agree = like_triangles(index, hits, source, numbers, reach)
+    source, hits = source[agree], hits[agree]
+    members = index.members(hits)
+    same = (index.ranks[members] == query.ranks[triple[source]]).all(axis=1)
+    members, source = members[same], source[same]
+    image = query.points[triple[source]]
+    centers, turns = fit_similarity(image, index.points[members], np.ones(image.shape))
+    kept = _allowed(index, centers, turns, prior)
+    return _clusters(centers[kept], turns[kept], image[kept].mean(axis=1), query.diagonal, seed_count, capped)
+
+
+def _rarest(which: np.ndarray, first: np.ndarray, last: np.ndarray, count: int, cap: int):
+    """Only the stretches of the triangles with the fewest hits, as many as the cap allows."""
+    hits = np.bincount(which, weights=last - first, minlength=count)
+    order = np.argsort(hits, kind="stable")
+    allowed = np.zeros(count, bool)
+    allowed[order[np.cumsum(hits[order]) <= cap]] = True
+    kept = allowed[which]
+    return which[kept], first[kept], last[kept], not allowed.all()
+
+
+def _allowed(index: ConstellationIndex, centers: np.ndarray, turns: np.ndarray, prior: Optional[Prior]) -> np.ndarray:
+    """(H,) bool: poses that the prior does not exclude."""
+    size = np.abs(turns)
+    kept = size > 0
+    if prior is None:
+        return kept
+    if prior.pixel_size_range is not None:
+        kept &= (size >= prior.pixel_size_range[0]) & (size <= prior.pixel_size_range[1])
+    if prior.position is not None and prior.radius is not None:
+        kept &= np.abs(centers + index.origin - complex(*prior.position)) <= prior.radius
+    if prior.heading_deg is not None:
+        away = (-np.degrees(np.angle(turns)) - prior.heading_deg + 180) % 360 - 180
+        kept &= np.abs(away) <= prior.heading_range_deg
+    return kept
+
+
+def _clusters(centers, turns, focuses, diagonal: float, seed_count: int, capped: bool) -> Seeds:
+    """Means of the poses in the fullest cells; two lattices of cells, so that no cluster is cut by both."""
+    log_size = np.log(np.abs(turns))
+    angle = np.angle(turns)
+    # Cells of position grow with the pixel size in whole steps, so that equal poses share a lattice.
+    cell = CELL_OF_IMAGE * diagonal * np.exp(np.round(log_size / CELL_OF_TURN) * CELL_OF_TURN)
+    around = int(np.ceil(2 * np.pi / CELL_OF_TURN))
+    found = []
+    for shift in (0.0, 0.5):
+        cells = np.column_stack(
+            [
+                np.floor(centers.real / cell + shift),
+                np.floor(centers.imag / cell + shift),
+                np.floor(log_size / CELL_OF_TURN + 0.5),
+                np.floor((angle + np.pi) / (2 * np.pi) * around + shift) % around,
+            ]
+        ).astype(np.int64)
+        found.append(_cell_means(cells, (centers, turns, focuses), seed_count))
+    centers, turns, focuses, votes = (np.concatenate(parts) for parts in zip(*found))
+    order = np.argsort(-votes, kind="stable")
+    return Seeds(centers[order], turns[order], focuses[order], votes[order], capped)
+
+
+def _cell_means(cells: np.ndarray, values: tuple, seed_count: int) -> tuple:
+    """Means of each of the complex values (H,) in the fullest cells (H, D), and their counts."""
+    if not len(cells):
+        return (*(np.empty(0, complex) for _ in values), np.empty(0, np.int64))
+    low = cells.min(axis=0)
+    spans = cells.max(axis=0) - low + 1
+    key = np.zeros(len(cells), np.int64)
+    for column in range(cells.shape[1]):
+        key = key * spans[column] + (cells[:, column] - low[column])
+    order = np.argsort(key, kind="stable")
+    starts = np.flatnonzero(np.concatenate([[True], np.diff(key[order]) != 0]))
+    votes = np.diff(np.append(starts, len(order)))
+    best = np.argsort(-votes, kind="stable")[:seed_count]
+    return (*(np.add.reduceat(value[order], starts)[best] / votes[best] for value in values), votes[best])

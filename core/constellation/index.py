@@ -1,0 +1,249 @@
+"""Index of a catalogue's labeled triangles: which ones look like a triangle of an image (DESIGN §3)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Iterator, Tuple
+
+import numpy as np
+
+from ..database.model import MapLandmarks
+from .neighbors import ClassMatcher, local_density
+from .triangles import MINIMUM_SIDE_IN_SIZES, ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
+
+NEIGHBORS = 6
+"""Nearest larger objects that an object makes triangles with, two at a time: 15 triangles an object."""
+
+LOWEST = np.array([-0.1, -1.0, -10.0, -10.0, -10.0])
+CELL = np.array([0.05, 0.05, 0.5, 0.5, 0.5])
+CELLS = np.array([14, 40, 20, 20, 20], np.int64)
+"""Quantization of a triangle's five numbers; values outside are counted to the outermost cells."""
+
+LABEL_BUCKETS = 900
+"""Label triples share this many buckets, so that a key fits into 32 bits; 9 classes have one bucket a triple."""
+
+FINE_STEPS = 255
+"""The five numbers are also kept in 8 bits each over the whole range, to check a hit without computing it again."""
+
+BUILD_CHUNK = 100_000
+"""Objects whose triangles are described at a time; bounds the memory of a build."""
+
+AREA_BIN = 0.25
+AREA_BINS = np.arange(-5.0, 25.0, AREA_BIN)
+"""Bins of ln area in which each class's sizes are counted."""
+
+FINE_UNIT = CELL * CELLS / FINE_STEPS
+
+
+@dataclass(frozen=True)
+class ConstellationIndex:
+    """A catalogue prepared for localization; N objects, T triangles, K neighbors.
+
+    origin: complex, map coordinates of ``points``' zero; points: (N,) complex128, x + iy in map units;
+    class_values: (C,) uint8; ranks: (N,) int64 place of each object's class there; log_areas: (N,) ln m²;
+    densities: (N,) same-class objects per square map unit nearby; whole: (N,) bool, not cut by the map's edge;
+    minimum_area_m2: smallest of the catalogue; neighbors: (N, K) int32; keys: (T,) uint32 ascending;
+    triangles: (T,) int32 (anchor · P + pair) · 6 + order; fine: (T, 5) uint8;
+    matcher: nearest object of a class; area_densities: (C, B) density of ln area in AREA_BINS;
+    by_easting: (N,) int64 objects from west to east; eastings: (N,) theirs, ascending.
+    """
+
+    origin: complex
+    points: np.ndarray
+    class_values: np.ndarray
+    ranks: np.ndarray
+    log_areas: np.ndarray
+    densities: np.ndarray
+    whole: np.ndarray
+    minimum_area_m2: float
+    neighbors: np.ndarray
+    keys: np.ndarray
+    triangles: np.ndarray
+    fine: np.ndarray
+    matcher: ClassMatcher
+    area_densities: np.ndarray
+    by_easting: np.ndarray
+    eastings: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def members(self, triangles: np.ndarray) -> np.ndarray:
+        """(H, 3) catalogue objects A, B, C of triangles (H,) given by their number in ``triangles``."""
+        codes = self.triangles[triangles].astype(np.int64)
+        pairs = neighbor_pairs(self.neighbors.shape[1])
+        anchors, pair = np.divmod(codes // len(ORDERS), len(pairs))
+        rows = self.neighbors[anchors]
+        chosen = np.take_along_axis(rows, pairs[pair], axis=1)
+        triple = np.column_stack([anchors, chosen])
+        return np.take_along_axis(triple, ORDERS[codes % len(ORDERS)], axis=1)
+
+    def within(self, low: complex, high: complex) -> np.ndarray:
+        """(M,) objects in the box between two corners."""
+        first, last = np.searchsorted(self.eastings, (low.real, high.real))
+        found = self.by_easting[first:last]
+        northings = self.points.imag[found]
+        return found[(northings >= low.imag) & (northings <= high.imag)]
+
+    def rank_of(self, classes: np.ndarray) -> np.ndarray:
+        """(n,) places of class values in ``class_values``, −1 for classes the catalogue does not have."""
+        place = np.searchsorted(self.class_values, classes)
+        place = np.minimum(place, max(len(self.class_values) - 1, 0))
+        known = self.class_values[place] == classes if len(self.class_values) else np.zeros(len(classes), bool)
+        return np.where(known, place, -1).astype(np.int64)
+
+
+def full_area(contour_areas: np.ndarray, pixel: float) -> np.ndarray:
+    """Areas of objects from their contours' areas, which run through pixel centers and so lose half a pixel all around.
+
+    Exact for squares; both in the unit of ``pixel`` squared. Makes areas of images of different scale comparable.
+    """
+    return (np.sqrt(contour_areas) + pixel) ** 2
+
+
+def build_index(references: MapLandmarks, pixel_size_m: float, neighbor_count: int = NEIGHBORS) -> ConstellationIndex:
+    """Indexes all landmarks of a map; ``pixel_size_m`` is the label map's.
+
+    Objects cut by the map's edge take no part in triangles: their centers are not theirs. Seconds at 10⁵ objects.
+    """
+    positions = np.asarray(references.positions, np.float64).reshape(-1, 2)
+    middle = positions.mean(axis=0) if len(positions) else np.zeros(2)
+    points = (positions[:, 0] - middle[0]) + 1j * (positions[:, 1] - middle[1])
+    class_values, ranks = np.unique(references.classes, return_inverse=True)
+    areas = full_area(np.asarray(references.areas_m2, np.float64), pixel_size_m)
+    log_areas = np.log(np.maximum(areas, 1e-12))
+    whole = ~np.asarray(references.touches_edge, bool)
+    neighbors, keys, triangles, fine = _all_triangles(points, ranks, log_areas, whole, neighbor_count)
+    order = np.argsort(keys, kind="stable")
+    by_easting = np.argsort(points.real, kind="stable")
+    return ConstellationIndex(
+        complex(*middle),
+        points,
+        class_values,
+        ranks.astype(np.int64),
+        log_areas,
+        local_density(positions, ranks),
+        whole,
+        float(areas.min()) if len(areas) else 0.0,
+        neighbors,
+        keys[order],
+        triangles[order],
+        fine[order],
+        ClassMatcher(points, ranks),
+        area_densities(ranks, log_areas),
+        by_easting,
+        points.real[by_easting],
+    )
+
+
+def area_densities(ranks: np.ndarray, log_areas: np.ndarray) -> np.ndarray:
+    """(C, B) probability density of ln area of each class, smoothed, never 0."""
+    rows = []
+    for rank in range(int(ranks.max()) + 1 if len(ranks) else 0):
+        counts = np.histogram(log_areas[ranks == rank], np.append(AREA_BINS, np.inf))[0].astype(float)
+        share = np.convolve(counts, (0.25, 0.5, 0.25), "same") / max(counts.sum(), 1)
+        rows.append(0.8 * share / AREA_BIN + 0.2 / 10)
+    return np.array(rows).reshape(-1, len(AREA_BINS))
+
+
+def cell_keys(ranks: np.ndarray, class_count: int, cells: np.ndarray) -> np.ndarray:
+    """(T,) uint32 keys of label ranks (T, 3) and quantized numbers (T, 5) int64; the last number varies fastest."""
+    key = ((ranks[:, 0] * class_count + ranks[:, 1]) * class_count + ranks[:, 2]) % LABEL_BUCKETS
+    for column, count in enumerate(CELLS):
+        key = key * count + cells[:, column]
+    return key.astype(np.uint32)
+
+
+def quantized(numbers: np.ndarray) -> np.ndarray:
+    """(T, 5) int64 cells of descriptors (T, 5)."""
+    return np.clip(np.floor((numbers - LOWEST) / CELL), 0, CELLS - 1).astype(np.int64)
+
+
+def fine_values(numbers: np.ndarray) -> np.ndarray:
+    """(T, 5) float64: descriptors in steps of 1 / 255 of their range, not rounded."""
+    return np.clip((numbers - LOWEST) / FINE_UNIT, 0, FINE_STEPS)
+
+
+def key_ranges(
+    index: ConstellationIndex, numbers: np.ndarray, ranks: np.ndarray, tolerances: np.ndarray
+) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Stretches of the index that may hold triangles like the given ones: (R,) triangle, (R,) first, (R,) last + 1.
+
+    numbers: (Q, 5) descriptors; ranks: (Q, 3) label ranks of A, B, C, all known; tolerances: (Q, 5).
+    """
+    low, high = quantized(numbers - tolerances), quantized(numbers + tolerances)
+    which = np.arange(len(numbers))
+    cells = low.copy()
+    for column in range(len(CELLS) - 1):
+        spans = high[which, column] - low[which, column] + 1
+        repeat = np.repeat(np.arange(len(which)), spans)
+        step = np.arange(len(repeat)) - np.repeat(np.cumsum(spans) - spans, spans)
+        which, cells = which[repeat], cells[repeat]
+        cells[:, column] += step
+    count = len(index.class_values)
+    first_key = cell_keys(ranks[which], count, cells)
+    last_key = first_key + (high[which, -1] - low[which, -1]).astype(np.uint32)
+    # Ascending keys are found several times faster: neighboring searches share their way through the cache.
+    order = np.argsort(first_key, kind="stable")
+    first = np.searchsorted(index.keys, first_key[order], side="left")
+    last = np.searchsorted(index.keys, last_key[order], side="right")
+    some = last > first
+    return which[order][some], first[some], last[some]
+
+
+def expand_ranges(first: np.ndarray, last: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """(H,) which stretch, (H,) every number in it, of stretches first … last − 1."""
+    spans = last - first
+    which = np.repeat(np.arange(len(first)), spans)
+    return which, np.arange(len(which)) + np.repeat(first - (np.cumsum(spans) - spans), spans)
+
+
+def like_triangles(
+    index: ConstellationIndex, hits: np.ndarray, source: np.ndarray, numbers: np.ndarray, tolerances: np.ndarray
+) -> np.ndarray:
+    """Those of the hits (H,) whose five numbers agree with those of their triangle, as positions in ``hits``.
+
+    source: (H,) triangle of each hit; numbers, tolerances: (Q, 5) of the triangles.
+    """
+    wanted = fine_values(numbers)
+    reach = tolerances / FINE_UNIT + 0.5
+    low = np.clip(np.ceil(wanted - reach), 0, FINE_STEPS).astype(np.uint8)
+    high = np.clip(np.floor(wanted + reach), 0, FINE_STEPS).astype(np.uint8)
+    left = np.arange(len(hits))
+    for column in range(len(CELLS)):
+        value, which = index.fine[hits[left], column], source[left]
+        left = left[(value >= low[which, column]) & (value <= high[which, column])]
+    return left
+
+
+def _all_triangles(points, ranks, log_areas, whole, neighbor_count):
+    """Neighbors (N, K), and keys, codes and fine numbers of all triangles of the catalogue."""
+    usable = np.flatnonzero(whole)
+    neighbors = np.full((len(points), neighbor_count), -1, np.int32)
+    near, exists = triples(points[usable], np.exp(log_areas[usable]), neighbor_count)
+    neighbors[usable] = np.where(near >= 0, usable[near].astype(np.int32) if len(usable) else near, -1)
+    pairs = neighbor_pairs(neighbor_count)
+    count = int(ranks.max()) + 1 if len(ranks) else 0
+    parts = [_NO_TRIANGLES]
+    for chunk, mask in _chunks(usable, exists):
+        rows, pair = np.nonzero(mask)
+        anchors = chunk[rows]
+        triple = np.column_stack([anchors, np.take_along_axis(neighbors[anchors], pairs[pair], axis=1)])
+        order, sides = canonical_order(points[triple])
+        large = sides[:, 2] >= MINIMUM_SIDE_IN_SIZES * np.exp(log_areas[anchors] / 2)
+        large &= sides[:, 0] > 0
+        triple = np.take_along_axis(triple[large], ORDERS[order[large]], axis=1)
+        numbers = describe_triangles(points[triple], log_areas[triple])
+        keys = cell_keys(ranks[triple], count, quantized(numbers))
+        codes = (anchors[large] * len(pairs) + pair[large]) * len(ORDERS) + order[large]
+        parts.append((keys, codes.astype(np.int32), np.rint(fine_values(numbers)).astype(np.uint8)))
+    keys, codes, fine = (np.concatenate([part[i] for part in parts]) for i in range(3))
+    return neighbors, keys, codes, fine
+
+
+def _chunks(usable: np.ndarray, exists: np.ndarray) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
+    for first in range(0, len(usable), BUILD_CHUNK):
+        yield usable[first : first + BUILD_CHUNK], exists[first : first + BUILD_CHUNK]
+
+
+_NO_TRIANGLES = (np.empty(0, np.uint32), np.empty(0, np.int32), np.empty((0, len(CELLS)), np.uint8))

@@ -1,0 +1,338 @@
+"""Constellation localization: landmarks as stars (DESIGN §3). Finds an image's position, or says why not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import List, Optional, Tuple
+
+import numpy as np
+
+from ..geometry.pose import Pose, PoseUncertainty, heading_of, image_points, pose_uncertainty, tilted_uncertainty
+from ..landmarks.landmarks import Landmarks
+from .hypotheses import Prior, Query, find_seeds, query_triangles
+from .index import ConstellationIndex, full_area
+from .verification import LARGEST_OBJECTS, Evidence, Verifier, rough_scores, telling_objects, verify, verify_tilted
+
+FIX, AMBIGUOUS, NO_MATCH, TOO_FEW_REFERENCES = "fix", "ambiguous", "no_match", "too_few_references"
+
+MINIMUM_LOG_ODDS = 20.7
+"""ln 10⁹: the odds that a fix must have against chance, as astrometry.net asks of stars."""
+
+MARGIN = 8.0
+MARGIN_SHARE = 0.2
+"""By how much a fix must beat every other place and its own mirror: log odds, and share of its own log odds."""
+
+LARGEST_ERROR = 0.01
+"""A fix must have a 95 % ellipse within this share of the image's diagonal. Calibrated on Liechtenstein 2021, northern
+half: of 218 fixes with 8–12 objects in view the larger ones are two right ones and two that are 13 and 18 m off."""
+
+EVEN_LOG_ODDS = 4.0
+LOG_ODDS_UNIT = 3.0
+"""Confidence is a logistic function of the smallest margin: one half at EVEN_LOG_ODDS. Calibrated on
+Liechtenstein 2021, northern half."""
+
+MINIMUM_OBJECTS = 4
+"""Whole objects of known class below which nothing is searched: three make a hypothesis, one more would test it."""
+
+FIRST_TRIANGLES = 400
+"""Triangles of the first search; all are used only if it brings no fix."""
+
+MAXIMUM_HITS = (400_000, 1_500_000)
+"""Triangles of the index looked at in the first search and in the second, rarest first. Bounds the time at 10⁶."""
+
+SEEDS = 32
+ROUGH_OBJECTS = 80
+VERIFIED = 5
+"""Poses fitted roughly, with so many objects, and poses verified, for the image and for its mirror."""
+
+ROUGH_GATES = (0.012, 0.006)
+"""How far a match may be in the rough fits, as a share of the image's diagonal."""
+
+ROUGH_SHARE = 0.25
+"""Poses are verified while their rough score is this share of the best one's; the best one always is."""
+
+REPEATED = 0.15
+REPEAT_REACH = 0.5
+"""A step is tried as a repeat of the map when it leads this share of the objects to another of their class, and is at
+most this share of their extent long."""
+
+TILTED_NOISE = 1.6
+TILTED_SHARE = 0.6
+TILTED_VERIFIED = 3
+TILTED_MARGIN = 6.0
+"""A tilted camera is tried, from so many seeds, unless some pose of a level one has less noise than this factor and
+matches this share of the objects; it must win by this many log odds."""
+
+FEW_OBJECTS = 40
+"""Up to so many objects a pose is verified from its seed as well as from its rough fit."""
+
+SAME_TILTED_PLACE = 0.04
+"""A level and a tilted pose whose objects lie nearer than this share of the diagonal are the same place."""
+
+SAME_PLACE_IN_NOISE = 5.0
+"""Poses whose objects lie nearer to each other than this many σ are the same."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A pose found: position (map x, y) of the image's center, heading, pixel size (map units), log odds, inliers."""
+
+    position: Tuple[float, float]
+    heading_deg: float
+    pixel_size_m: float
+    log_odds: float
+    inliers: int
+
+
+@dataclass(frozen=True)
+class ConstellationResult:
+    """What the constellation tells of an image.
+
+    status: ``fix``, ``ambiguous``, ``no_match`` or ``too_few_references``; reason: one sentence unless a fix;
+    place: best pose, also where it is not good enough (None where there is none); alternatives: other places almost
+    as good; mirror_log_odds: of the mirrored image; uncertainty: of ``place``; references: objects used;
+    missing: objects of the map that should be seen and aren't; capped: common triangles were left out;
+    confidence: probability that ``place`` is right; matches: (m, 2) objects of the image and of the
+    map that agree.
+    """
+
+    status: str
+    reason: str = ""
+    place: Optional[Place] = None
+    alternatives: Tuple[Place, ...] = ()
+    mirror_log_odds: float = 0.0
+    uncertainty: Optional[PoseUncertainty] = None
+    references: int = 0
+    missing: int = 0
+    capped: bool = False
+    confidence: float = 0.0
+    matches: np.ndarray = field(default_factory=lambda: np.empty((0, 2), np.int64))
+
+
+def localize(
+    objects: Landmarks,
+    width_px: float,
+    height_px: float,
+    index: ConstellationIndex,
+    prior: Optional[Prior] = None,
+    minimum_area_px: Optional[float] = None,
+) -> ConstellationResult:
+    """Position, heading and pixel size of an image from its landmarks, or why there is no fix.
+
+    objects: of the whole image, pixel coordinates; minimum_area_px: contour area below which objects were
+    not extracted (by default the smallest one's). Deterministic. Never raises for an image without a fix.
+    """
+    query = make_query(objects, index, width_px, height_px)
+    count = int((query.whole & (query.ranks >= 0)).sum())
+    if count < MINIMUM_OBJECTS:
+        return _too_few(count, index)
+    smallest = minimum_area_px if minimum_area_px is not None else float(objects.areas_px.min())
+    verifier = Verifier(index, width_px, height_px, float(full_area(smallest, 1.0)))
+    for triangles, cap in _rounds(query_triangles(query)):
+        found, capped = _solve(verifier, query, triangles, prior, cap)
+        if found and found[0].log_odds >= MINIMUM_LOG_ODDS:
+            found = _with_repeats(verifier, query, found)
+            # A mirrored image has no heading that could be known.
+            blind = None if prior is None else replace(prior, heading_deg=None)
+            decoys, _ = _solve(verifier, query.mirrored(), mirrored(triangles), blind, cap)
+            return _decide(query, found, decoys, index, count, capped)
+    return _decide(query, found, [], index, count, capped)
+
+
+def make_query(objects: Landmarks, index: ConstellationIndex, width_px: float, height_px: float) -> Query:
+    """An image's objects as localization uses them."""
+    points = image_points(objects.centers_xy, width_px, height_px)
+    log_areas = np.log(full_area(np.asarray(objects.areas_px, np.float64), 1.0))
+    whole = ~np.asarray(objects.touches_edge, bool)
+    return Query(points, index.rank_of(objects.classes), log_areas, whole, float(np.hypot(width_px, height_px)))
+
+
+def mirrored(triangles: tuple) -> tuple:
+    """Triangles of ``query_triangles`` as the mirrored query has them."""
+    triple, numbers, tolerances = triangles
+    return triple, numbers * np.array([1, -1, 1, 1, 1]), tolerances
+
+
+def _rounds(triangles: tuple) -> List[Tuple[tuple, int]]:
+    """The triangles in two portions with their caps: a few from all over the image, then all."""
+    count = len(triangles[0])
+    step = max(-(-count // FIRST_TRIANGLES), 1)
+    some = tuple(part[::step] for part in triangles)
+    return [(some, MAXIMUM_HITS[0]), (triangles, MAXIMUM_HITS[1])]
+
+
+def _solve(
+    verifier: Verifier, query: Query, triangles: tuple, prior: Optional[Prior], cap: int
+) -> Tuple[List[Evidence], bool]:
+    """The best few poses at different places, best first; and whether the search was capped."""
+    seeds = find_seeds(verifier.index, query, triangles, prior, SEEDS, cap)
+    if not len(seeds.centers):
+        return [], seeds.capped
+    gates = [gate * query.diagonal for gate in ROUGH_GATES]
+    rough = query.select(telling_objects(query, ROUGH_OBJECTS))
+    centers, turns, scores = rough_scores(verifier, rough, seeds.centers, seeds.turns, gates)
+    telling = query.select(telling_objects(query, LARGEST_OBJECTS))
+    found: List[Evidence] = []
+    tried: List[Pose] = []
+    best = 0.0
+    for number in np.argsort(-scores, kind="stable"):
+        pose = Pose(complex(centers[number]), complex(turns[number]))
+        if any(_distance(query, pose, other) < 2.0 * abs(pose.turn) for other in tried):
+            continue
+        if tried and scores[number] < ROUGH_SHARE * best:
+            break
+        best = max(best, float(scores[number]))
+        tried.append(pose)
+        _add(query, found, verify(verifier, telling, pose))
+        if len(telling.points) <= FEW_OBJECTS:
+            # The rough fit of few objects may have settled on wrong matches.
+            seed = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
+            _add(query, found, verify(verifier, telling, seed))
+        if len(tried) == VERIFIED:
+            break
+    strongest = max(found, key=lambda evidence: evidence.log_odds)
+    if strongest.log_odds > 0:
+        focus = complex(telling.points[strongest.matched].mean()) if len(strongest.matched) else 0j
+        _add(query, found, verify_tilted(verifier, telling, strongest.pose, focus))
+    if not _agrees(strongest):
+        for number in range(min(TILTED_VERIFIED, len(seeds.centers))):
+            pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
+            _add(query, found, verify_tilted(verifier, telling, pose, complex(seeds.focuses[number])))
+    return sorted(found, key=lambda evidence: -evidence.log_odds), seeds.capped
+
+
+def _agrees(evidence: Evidence) -> bool:
+    """Whether a level camera explains the image, so that a tilted one needs no trial."""
+    share = len(evidence.matched) / max(evidence.considered, 1)
+    return evidence.log_odds >= MINIMUM_LOG_ODDS and evidence.noise_factor < TILTED_NOISE and share > TILTED_SHARE
+
+
+def _add(query: Query, found: List[Evidence], evidence: Evidence) -> None:
+    """Adds a pose; of those at one place the best stays, a tilted one only if it is clearly better."""
+    same = [other for other in found if same_place(query, evidence, other)]
+    better = evidence.log_odds - (0 if evidence.pose.is_level else TILTED_MARGIN)
+    if all(better > other.log_odds for other in same):
+        found[:] = [other for other in found if not any(other is one for one in same)] + [evidence]
+
+
+def _with_repeats(verifier: Verifier, query: Query, found: List[Evidence]) -> List[Evidence]:
+    """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
+    best, telling = found[0], query.select(telling_objects(query, LARGEST_OBJECTS))
+    all_found = list(found)
+    for step in repeats(verifier, query, best):
+        moved = verify(verifier, telling, Pose(best.pose.center + step, best.pose.turn))
+        if not any(same_place(query, moved, other) for other in all_found):
+            all_found.append(moved)
+    return sorted(all_found, key=lambda evidence: -evidence.log_odds)
+
+
+def repeats(verifier: Verifier, query: Query, evidence: Evidence) -> List[complex]:
+    """Steps at which REPEATED of the matched objects have another of their class, most frequent first."""
+    index = verifier.index
+    points, ranks = index.points[evidence.objects], index.ranks[evidence.objects]
+    if len(points) < MINIMUM_OBJECTS:
+        return []
+    noise = float(np.median(evidence.deviations))
+    steps = (points[:, None] - points[None])[ranks[:, None] == ranks[None]]
+    steps = steps[(np.abs(steps) > SAME_PLACE_IN_NOISE * noise) & (np.abs(steps) < REPEAT_REACH * np.ptp(points.real))]
+    cells = np.round(steps / (2 * noise))
+    _, first, counts = np.unique(cells, return_index=True, return_counts=True)
+    order = np.argsort(-counts, kind="stable")[:VERIFIED]
+    return [complex(steps[first[k]]) for k in order if counts[k] >= REPEATED * len(points)]
+
+
+def same_place(query: Query, one: Evidence, other: Evidence) -> bool:
+    """Whether two poses put the image's objects on the same spots, as far as their noise tells."""
+    noise = max((float(np.median(e.deviations)) if len(e.deviations) else 0.0) for e in (one, other))
+    reach = max(SAME_PLACE_IN_NOISE * noise, 2.0 * abs(one.pose.turn))
+    if not (one.pose.is_level and other.pose.is_level):
+        reach = max(reach, SAME_TILTED_PLACE * query.diagonal * abs(one.pose.turn))
+    return _distance(query, one.pose, other.pose) < reach
+
+
+def _distance(query: Query, pose: Pose, other: Pose) -> float:
+    """Median distance on the map between an image's objects at two poses."""
+    return float(np.median(np.abs(pose.on_map(query.points) - other.on_map(query.points))))
+
+
+def _decide(
+    query: Query, found: List[Evidence], decoys: List[Evidence], index: ConstellationIndex, count: int, capped: bool
+) -> ConstellationResult:
+    mirror = max(decoys[0].log_odds, 0.0) if decoys else 0.0
+    if not found:
+        return ConstellationResult(NO_MATCH, "No place on the map has triangles like the image's.", references=count)
+    best = found[0]
+    uncertainty = _uncertainty(index, query, best)
+    needed = best.log_odds - max(MARGIN, MARGIN_SHARE * best.log_odds)
+    rivals = [other for other in found[1:] if other.log_odds > needed]
+    if best.log_odds < MINIMUM_LOG_ODDS:
+        status, reason = NO_MATCH, f"The best place has log odds of {best.log_odds:.1f}; {MINIMUM_LOG_ODDS} are needed."
+    elif rivals:
+        status = AMBIGUOUS
+        reason = f"{len(rivals)} other place{'s fit' if len(rivals) > 1 else ' fits'} almost as well as the best one."
+    elif mirror > needed:
+        status, reason = AMBIGUOUS, "The mirrored image fits almost as well, so the pattern is too regular."
+    elif uncertainty is None or uncertainty.semi_major > LARGEST_ERROR * query.diagonal * abs(best.pose.turn):
+        status, reason = NO_MATCH, "The objects that agree with the map don't fix the position closely enough."
+    else:
+        status, reason = FIX, ""
+    if status == NO_MATCH and count < objects_needed(index):
+        return _too_few(count, index)
+    return ConstellationResult(
+        status,
+        reason,
+        _place(index, best),
+        tuple(_place(index, other) for other in rivals),
+        float(mirror),
+        uncertainty,
+        count,
+        best.missing,
+        capped,
+        confidence(best.log_odds, max([mirror, *(other.log_odds for other in found[1:])])),
+        np.column_stack([telling_objects(query, LARGEST_OBJECTS)[best.matched], best.objects]),
+    )
+
+
+def confidence(log_odds: float, rival_log_odds: float) -> float:
+    """Probability that the best place is the right one, from its log odds and those of its strongest rival."""
+    margin = min(log_odds, log_odds - rival_log_odds + EVEN_LOG_ODDS)
+    return float(1 / (1 + np.exp(-np.clip((margin - EVEN_LOG_ODDS) / LOG_ODDS_UNIT, -50, 50))))
+
+
+def _place(index: ConstellationIndex, evidence: Evidence) -> Place:
+    position = evidence.pose.center + index.origin
+    return Place(
+        (position.real, position.imag),
+        heading_of(evidence.pose.turn),
+        abs(evidence.pose.turn),
+        evidence.log_odds,
+        len(evidence.matched),
+    )
+
+
+def _uncertainty(index: ConstellationIndex, query: Query, evidence: Evidence) -> Optional[PoseUncertainty]:
+    if len(evidence.matched) < 3:
+        return None
+    points = query.points[telling_objects(query, LARGEST_OBJECTS)[evidence.matched]]
+    on_map = index.points[evidence.objects]
+    if not evidence.pose.is_level:
+        return tilted_uncertainty(points, on_map, evidence.deviations, evidence.pose, query.diagonal)
+    return pose_uncertainty(points, evidence.pose.on_map(points) - on_map, evidence.deviations, evidence.pose.turn)
+
+
+def objects_needed(index: ConstellationIndex) -> int:
+    """Objects that an image needs for a fix in this catalogue, if all are on the map and noise is small."""
+    if not len(index):
+        return MINIMUM_OBJECTS
+    deviation = 0.1 * np.exp(np.median(index.log_areas) / 2)
+    each = np.log(0.6 / (2 * np.pi * deviation**2 * np.median(index.densities)))
+    return 3 + int(np.ceil(MINIMUM_LOG_ODDS / max(float(each), 1.0)))
+
+
+def _too_few(count: int, index: ConstellationIndex) -> ConstellationResult:
+    missing = max(objects_needed(index) - count, 1)
+    reason = (
+        f"The image shows {count} whole landmark{'' if count == 1 else 's'}; "
+        f"at least {missing} more {'is' if missing == 1 else 'are'} needed."
+    )
+    return ConstellationResult(TOO_FEW_REFERENCES, reason, references=count)

@@ -1,0 +1,263 @@
+"""What speaks for a pose: a likelihood ratio for every object of the image and of the map there (DESIGN §3)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..geometry.pose import Pose, fit_similarity, fit_tilted, huber
+from .hypotheses import CENTER_NOISE_IN_SIZES, CENTER_NOISE_PX, Query
+from .index import AREA_BIN, AREA_BINS, ConstellationIndex
+
+DISTRACTORS = 0.4
+"""Share of an image's objects expected to have nothing to do with the map, at the right place."""
+
+VISIBILITY = 0.5
+"""Share of the map's objects in view that is expected to be found in the image."""
+
+AREA_DEVIATION = 0.2
+SMALLER_IN_NOISE = 2.0
+"""An object of the map may look smaller than the smallest of the catalogue by so many deviations."""
+
+AREA_OUTLIERS = 0.15
+AREA_OUTLIER_DEVIATION = 1.0
+"""ln area in image against map: a normal distribution, and a wide one for objects that are merged or split."""
+
+ASSUMED_OBJECTS = 3
+"""Objects that make a hypothesis can't be evidence for it. Any three of those matched may have made it, so three times
+their mean is taken off."""
+
+GATE_IN_NOISE = 4.5
+"""A match farther off than this many σ is none. A nearer gate cuts off true matches of objects whose noise is larger
+than assumed, and residuals that were cut off make the ellipse too small. Set on Liechtenstein 2021, northern half."""
+
+NOISE_FACTORS = (0.5, 3.0)
+"""How much less or more noise than assumed an image may have; measured from its own residuals."""
+
+ASSUMED_MATCHES = 4
+"""So many matches with just the assumed noise count with those it is measured from: as many numbers as a pose has twice
+over, so that a handful of residuals can't make the noise vanish."""
+
+ASSUMED_OBJECTS_TILTED = 5
+"""A tilted camera's pose has four numbers more, as many as two objects bring."""
+
+MINIMUM_MATCHES = 4
+"""Matches without which a pose is not fitted again."""
+
+GROWING_GATE = 0.006
+GROWING_REACH = (0.15, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0, 1.0)
+"""For tilted cameras: how far off a match may be, and how far from where the pose holds, round by round; both as shares
+of the image's diagonal."""
+
+REFINEMENTS = 6
+ROBUST_REFINEMENTS = 4
+"""Rounds of match and fit for one pose. The first ones trust near matches more, to leave wrong ones; the last ones
+weigh by Huber's rule, whose uncertainty ``pose_uncertainty`` knows."""
+
+LARGEST_OBJECTS = 250
+"""Objects of an image used as evidence, largest first. More change nothing but the time."""
+
+MEDIAN_OF_RAYLEIGH = 1.1774
+"""Median length of a residual whose two coordinates have a standard deviation of 1."""
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """A verified pose: log odds against a chance hit, matched pairs and their noise.
+
+    matched: (m,) objects of the image; objects: (m,) those of the map; deviations: (m,) σ of each match in map units;
+    noise_factor: how much of the assumed noise there is; missing: objects of the map that should be seen and aren't;
+    considered: objects of the image that could be on the map.
+    """
+
+    pose: Pose
+    log_odds: float
+    matched: np.ndarray
+    objects: np.ndarray
+    deviations: np.ndarray
+    noise_factor: float
+    missing: int
+    considered: int
+
+
+@dataclass(frozen=True)
+class Verifier:
+    """What verification needs of catalogue and image; sizes in pixels."""
+
+    index: ConstellationIndex
+    width_px: float
+    height_px: float
+    minimum_area_px: float
+
+
+def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray) -> np.ndarray:
+    """Assumed σ of centers in map units, of objects with ln area in pixels."""
+    return pixel_size * np.hypot(CENTER_NOISE_PX, CENTER_NOISE_IN_SIZES * np.exp(log_areas_px / 2))
+
+
+def match_terms(verifier: Verifier, query: Query, distances, objects, deviations, log_scale) -> np.ndarray:
+    """(…, n) ln likelihood ratio of every object's nearest match against a random hit at the local density.
+
+    distances, objects, deviations: (…, n); log_scale: ln pixel size, broadcastable. ln DISTRACTORS without a match.
+    """
+    index = verifier.index
+    found = np.maximum(objects, 0)
+    position = -0.5 * (distances / deviations) ** 2 - np.log(2 * np.pi * deviations**2 * index.densities[found])
+    area = query.log_areas + 2 * log_scale
+    off = area - index.log_areas[found]
+    seen = (1 - AREA_OUTLIERS) * _normal(off, AREA_DEVIATION) + AREA_OUTLIERS * _normal(off, AREA_OUTLIER_DEVIATION)
+    bins = np.clip(((area - AREA_BINS[0]) / AREA_BIN).astype(np.int64), 0, len(AREA_BINS) - 1)
+    ratio = np.exp(np.clip(position, -50, 30)) * seen / index.area_densities[query.ranks, bins]
+    ratio = np.where((objects >= 0) & (distances <= GATE_IN_NOISE * deviations), ratio, 0)
+    return np.log(DISTRACTORS + (1 - DISTRACTORS) * ratio)
+
+
+def _normal(x: np.ndarray, deviation: float) -> np.ndarray:
+    return np.exp(-0.5 * (x / deviation) ** 2) / (np.sqrt(2 * np.pi) * deviation)
+
+
+def rough_scores(verifier: Verifier, query: Query, centers, turns, gates) -> tuple:
+    """Poses (S,) fitted all at once with shrinking gates (map units per pixel of size, (G,)); scores (S,), no misses.
+
+    query: its most telling objects only, all of known class.
+    """
+    index = verifier.index
+    for gate in gates:
+        size = np.abs(turns)[:, None]
+        distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
+        off = query.log_areas + 2 * np.log(size) - index.log_areas[np.maximum(objects, 0)]
+        near = (distances <= gate * size) & (np.abs(off) < 1.5)
+        weights = near / center_noise(query.log_areas, size) ** 2
+        fitted = fit_similarity(query.points[None], index.points[np.maximum(objects, 0)], weights)
+        enough = near.sum(axis=1) >= 4
+        enough &= np.abs(np.log(np.maximum(np.abs(fitted[1]), 1e-12) / size[:, 0])) < 0.3
+        centers = np.where(enough, fitted[0], centers)
+        turns = np.where(enough, fitted[1], turns)
+    size = np.abs(turns)[:, None]
+    distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
+    deviations = 1.5 * center_noise(query.log_areas, size)
+    scores = match_terms(verifier, query, distances, objects, deviations, np.log(size)).sum(axis=1)
+    return centers, turns, scores
+
+
+def telling_objects(query: Query, count: int) -> np.ndarray:
+    """Ascending places of the largest whole objects of known class, at most ``count``."""
+    usable = np.flatnonzero(query.whole & (query.ranks >= 0))
+    return np.sort(usable[np.argsort(-query.log_areas[usable], kind="stable")[:count]])
+
+
+def verify(verifier: Verifier, query: Query, pose: Pose) -> Evidence:
+    """Refines the pose of a level camera by match and fit, then weighs it. query: its ``telling_objects``."""
+    return _refined(verifier, query, pose, 2.0)
+
+
+def verify_tilted(verifier: Verifier, query: Query, pose: Pose, focus: complex) -> Evidence:
+    """The same for a camera that may be tilted; matches spread from ``focus``, where the pose holds, over the image."""
+    gate = GROWING_GATE * query.diagonal
+    for reach in GROWING_REACH:
+        distances, objects, deviations = _nearest(verifier, query, pose)
+        near = (np.abs(query.points - focus) <= reach * query.diagonal) & _one_to_one(distances, objects)
+        ends = gate * abs(pose.turn) + GATE_IN_NOISE * deviations
+        kept = np.flatnonzero(near & (distances <= ends))
+        if len(kept) < MINIMUM_MATCHES:
+            break
+        loose = deviations[kept] / np.maximum(biweight(distances[kept], ends[kept]), 0.05) ** 0.5
+        fitted = fit_tilted(query.points[kept], verifier.index.points[objects[kept]], loose, pose, query.diagonal)
+        if not 0.7 < abs(fitted.turn / pose.turn) < 1.4:
+            break
+        pose = fitted
+    return _refined(verifier, query, pose, 2.0, tilted=True)
+
+
+def _refined(verifier: Verifier, query: Query, pose: Pose, factor: float, tilted: bool = False) -> Evidence:
+    """Match and fit until both agree; then the evidence."""
+    for number in range(REFINEMENTS):
+        distances, objects, deviations = _nearest(verifier, query, pose)
+        kept = np.flatnonzero(_one_to_one(distances, objects) & (distances <= GATE_IN_NOISE * factor * deviations))
+        if len(kept) < MINIMUM_MATCHES:
+            break
+        image, on_map, weights = query.points[kept], verifier.index.points[objects[kept]], 1 / deviations[kept] ** 2
+        if number < ROBUST_REFINEMENTS:
+            weights *= np.maximum(biweight(distances[kept], GATE_IN_NOISE * factor * deviations[kept]), 1e-6)
+        else:
+            weights *= huber(distances[kept], factor * deviations[kept])
+        if tilted:
+            fitted = fit_tilted(image, on_map, weights**-0.5, pose, query.diagonal)
+        else:
+            fitted = Pose(*(complex(value) for value in fit_similarity(image, on_map, weights)))
+        if not 0.7 < abs(fitted.turn / pose.turn) < 1.4:
+            break
+        pose = fitted
+        factor = noise_factor(np.abs(pose.on_map(image) - on_map) / deviations[kept], 8 if tilted else 4)
+    return weigh(verifier, query, pose, factor)
+
+
+def noise_factor(residuals: np.ndarray, fitted: int) -> float:
+    """σ of matches over the assumed one; residuals: (n,) lengths over the assumed σ; fitted: numbers of the pose.
+
+    From the median, because some matches are wrong. A pose takes its numbers out of the residuals: the squares of n
+    true ones are smaller by 2 n / (2 n − fitted). Few residuals tell little, so the assumption counts as well.
+    """
+    count = len(residuals)
+    measured = (np.median(residuals) / MEDIAN_OF_RAYLEIGH) ** 2 * 2 * count / max(2 * count - fitted, 1)
+    factor = np.sqrt((count * measured + ASSUMED_MATCHES) / (count + ASSUMED_MATCHES))
+    return float(np.clip(factor, *NOISE_FACTORS))
+
+
+def weigh(verifier: Verifier, query: Query, pose: Pose, factor: float) -> Evidence:
+    """The evidence for a pose as it is."""
+    index, log_sizes = verifier.index, np.log(pose.pixel_sizes(query.points))
+    distances, objects, deviations = _nearest(verifier, query, pose)
+    deviations = factor * deviations
+    objects = np.where(_one_to_one(distances, objects), objects, -1)
+    terms = match_terms(verifier, query, distances, objects, deviations, log_sizes)
+    # Smaller than anything on the map, more than area noise explains: neither for nor against. Were those that match
+    # for it, a pose at which hardly anything is large enough would have nothing against it.
+    smallest = np.log(max(index.minimum_area_m2, 1e-12)) - SMALLER_IN_NOISE * AREA_DEVIATION
+    possible = query.log_areas + 2 * log_sizes >= smallest
+    matched = np.flatnonzero(possible & (objects >= 0) & (distances <= GATE_IN_NOISE * deviations))
+    terms = np.where(possible, terms, 0)
+    missing = len(np.setdiff1d(expected_objects(verifier, query, pose), objects[matched]))
+    assumed = ASSUMED_OBJECTS if pose.is_level else ASSUMED_OBJECTS_TILTED
+    assumed *= max(float(terms[matched].mean()), 0) if len(matched) else 0
+    log_odds = float(terms.sum() - assumed + missing * np.log(1 - VISIBILITY))
+    considered = int(possible.sum())
+    return Evidence(pose, log_odds, matched, objects[matched], deviations[matched], factor, missing, considered)
+
+
+def expected_objects(verifier: Verifier, query: Query, pose: Pose) -> np.ndarray:
+    """(M,) objects of the map that an image with this pose should show whole, none smaller than those in ``query``."""
+    index = verifier.index
+    half = complex(verifier.width_px, verifier.height_px) / 2
+    corners = pose.on_map(np.array([half, -half, half.conjugate(), -half.conjugate()]))
+    low = complex(corners.real.min(), corners.imag.min())
+    found = index.within(low, complex(corners.real.max(), corners.imag.max()))
+    found = found[index.whole[found]]
+    inside = pose.in_image(index.points[found])
+    log_areas_px = index.log_areas[found] - 2 * np.log(pose.pixel_sizes(inside))
+    edge = np.exp(log_areas_px / 2)
+    seen = (np.abs(inside.real) < half.real - edge) & (np.abs(inside.imag) < half.imag - edge)
+    smallest = np.log(max(verifier.minimum_area_px, 1e-12))
+    if len(query.points) >= LARGEST_OBJECTS:
+        smallest = max(smallest, float(query.log_areas.min()))
+    return found[seen & (log_areas_px > smallest + AREA_DEVIATION)]
+
+
+def _nearest(verifier: Verifier, query: Query, pose: Pose):
+    """Distances (n,), objects (n,), assumed deviations (n,) of the image's objects at a pose."""
+    distances, objects = verifier.index.matcher.match(pose.on_map(query.points)[None], query.ranks)
+    return distances[0].astype(np.float64), objects[0], center_noise(query.log_areas, abs(pose.turn))
+
+
+def _one_to_one(distances: np.ndarray, objects: np.ndarray) -> np.ndarray:
+    """(n,) bool: the nearest of the image's objects that share one of the map's."""
+    order = np.lexsort((distances, objects))
+    best = np.zeros(len(objects), bool)
+    best[order[np.concatenate([[True], np.diff(objects[order]) != 0])[: len(order)]]] = True
+    return best & (objects >= 0)
+
+
+def biweight(distances: np.ndarray, ends: np.ndarray) -> np.ndarray:
+    """Tukey's biweight: 1 at distance 0, falling smoothly to 0 at the end."""
+    return np.maximum(1 - (distances / ends) ** 2, 0) ** 2

@@ -1,0 +1,1 @@
+"""Map correlation: class areas of an image and of the map (docs/method.md)."""

@@ -1,0 +1,202 @@
+"""Map correlation's second look: a pose moved to where image and map agree best, finer than a pixel (DESIGN §3).
+
+Gauss–Newton on Σ (map(pose) − a·image − b)² over all channels, a and b free: the same optimum as the zero-mean
+normalized cross-correlation (Evangelidis & Psarakis 2008), with the mean of both gradients (Malis 2004, "ESM") for a
+wider pull. Four parameters: place (2), heading, logarithm of the pixel size.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Optional, Tuple
+
+import cv2
+import numpy as np
+
+from .class_pyramid import EvidenceLevel, MapPyramid
+from .search import LEAST_KNOWN
+
+LARGEST_STEP = np.array([1.5, 1.5, 0.06, 0.06])
+"""Bound of one Gauss–Newton step: coarse pixels, radians, logarithm; beyond it the linearisation holds no more."""
+
+NOT_COMPARABLE = -1.0
+"""Score where the map has too few labels under the image, or either of them shows the same all over."""
+
+CONVERGED = 0.02
+"""A step is the last one when it moves nothing by more than this share of a coarse pixel."""
+
+DAMPING = 1e-4
+"""Added to the normal equations, as a share of their trace. What changes the image less than that is not told by it:
+the place along a straight shore that crosses it."""
+
+BLOCKS = 10
+"""Blocks along each edge of the image that are taken to err independently (covariance)."""
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Where an image lies: its center in meters right (x) and down (y) of the map's corner, heading of its top in
+    degrees clockwise from up, ground sampling distance in meters; score −1…1.
+    """
+
+    x: float
+    y: float
+    heading_deg: float
+    pixel_size_m: float
+    score: float = NOT_COMPARABLE
+
+
+def axes(pose: Pose) -> np.ndarray:
+    """(2, 2): meters right and down a step of one image pixel right and down makes."""
+    cos, sin = np.cos(np.radians(pose.heading_deg)), np.sin(np.radians(pose.heading_deg))
+    return pose.pixel_size_m * np.array([[cos, -sin], [sin, cos]])
+
+
+def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose) -> Tuple[np.ndarray, np.ndarray]:
+    """The map as the image would see it from ``pose``: evidence (h, w, C) and labeled share (h, w), float32."""
+    height, width = image.known.shape
+    to_map = axes(pose) * np.array(image.pixel)
+    reach = np.abs(to_map) @ np.array([width, height]) / 2
+    pixel = pose.pixel_size_m * float(np.sqrt(image.pixel[0] * image.pixel[1]))
+    spare = 2 * max(pixel, pyramid.frame[2])
+    box = pose.x - reach[0] - spare, pose.y - reach[1] - spare, pose.x + reach[0] + spare, pose.y + reach[1] + spare
+    level, left, top = pyramid.crop(pixel, box)
+    to_level = to_map / level.pixel[0]
+    center = np.array([pose.x - left, pose.y - top]) / level.pixel[0] - 0.5
+    offset = center - to_level @ np.array([(width - 1) / 2, (height - 1) / 2])
+    matrix = np.column_stack([to_level, offset])
+    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+    evidence = cv2.warpAffine(level.evidence, matrix, (width, height), flags=flags).reshape(height, width, -1)
+    return evidence, cv2.warpAffine(level.known, matrix, (width, height), flags=flags)
+
+
+def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float, steps: int) -> Pose:
+    """The best pose of at most ``steps`` Gauss–Newton steps from ``pose``, with its score.
+
+    ``quiet``: energy a pixel added to the map's own in the score.
+    """
+    best = pose
+    for step in range(steps + 1):
+        fit = _linearized(image, pyramid, pose, quiet)
+        pose = replace(pose, score=fit.score)
+        if step == 0 or fit.score > best.score:
+            best = pose
+        if step == steps or fit.slopes is None or fit.score < best.score - 0.1:
+            break
+        move = _move(fit, image)
+        if (np.abs(move) < CONVERGED * _units(image)).all():
+            break
+        shift = axes(pose) @ move[:2]
+        pose = Pose(
+            pose.x + shift[0],
+            pose.y + shift[1],
+            (pose.heading_deg + float(np.degrees(move[2]))) % 360.0,
+            pose.pixel_size_m * float(np.exp(move[3])),
+        )
+    return best
+
+
+def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> float:
+    """Correlation −1…1 of image and map at a pose as it is, or NOT_COMPARABLE."""
+    return _linearized(image, pyramid, pose, quiet).score
+
+
+def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> np.ndarray:
+    """(4, 4) covariance of (x in image pixels right, y down, heading in radians, ln pixel size), to be calibrated;
+    infinite where nothing tells all of the pose."""
+    fit = _linearized(image, pyramid, pose, quiet)
+    if fit.slopes is None:
+        return np.full((4, 4), np.inf)
+    strengths = np.linalg.eigvalsh(_normal(fit))
+    if strengths[0] <= DAMPING * strengths.sum():
+        return np.full((4, 4), np.inf)
+    inverse, units = _inverse(fit), _units(image)
+    pulls = _clustered(fit.slopes * fit.residual, (*image.known.shape, -1))
+    return inverse @ pulls @ inverse * np.outer(units, units)
+
+
+@dataclass(frozen=True)
+class _Fit:
+    """Score of a pose and, unless nothing tells where to go, the fit's slopes (4, h·w·C) by the parameters in
+    ``_units`` and its residual (h·w·C,)."""
+
+    score: float
+    slopes: Optional[np.ndarray] = None
+    residual: Optional[np.ndarray] = None
+
+
+def _units(image: EvidenceLevel) -> np.ndarray:
+    """One coarse pixel, at the image's edge, in each parameter: they differ by orders of magnitude."""
+    height, width = image.known.shape
+    return np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
+
+
+def _linearized(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> _Fit:
+    patch, known = map_under(image, pyramid, pose)
+    if known.mean() < LEAST_KNOWN:
+        return _Fit(NOT_COMPARABLE)
+    seen = image.evidence - image.evidence.mean(axis=(0, 1))
+    there = patch - patch.mean(axis=(0, 1))
+    norm, energy = float((seen**2).sum()), float((there**2).sum())
+    if norm <= 0 or energy <= 0:
+        return _Fit(NOT_COMPARABLE)
+    product = float((seen * there).sum())
+    score = product / np.sqrt(norm * (energy + quiet * known.size))
+    gain = product / norm
+    if gain <= 0:
+        return _Fit(score)
+    both = there + gain * seen
+    # Slopes by one coarse pixel, and by the turn and the growth that move the edge's middle by one.
+    gradient_x, gradient_y = _difference(both, 1) / 2, _difference(both, 0) / 2
+    height, width = known.shape
+    x = ((np.arange(width, dtype=np.float32) - (width - 1) / 2) * image.pixel[0])[None, :, None]
+    y = ((np.arange(height, dtype=np.float32) - (height - 1) / 2) * image.pixel[1])[:, None, None]
+    by_x, by_y = gradient_x / image.pixel[0], gradient_y / image.pixel[1]
+    slopes = np.stack(
+        [gradient_x, gradient_y, (by_y * x - by_x * y) * (2 / width), (by_x * x + by_y * y) * (2 / height)]
+    )
+    return _Fit(score, slopes.reshape(4, -1), (there - gain * seen).ravel())
+
+
+def _normal(fit: _Fit) -> np.ndarray:
+    """(4, 4) of the normal equations."""
+    # OpenCV's product and inverse: BLAS and LAPACK would start threads for them and let them spin.
+    return cv2.mulTransposed(fit.slopes, False, dtype=cv2.CV_64F)
+
+
+def _inverse(fit: _Fit) -> np.ndarray:
+    """(4, 4) inverse of the normal equations, lightly damped."""
+    normal = _normal(fit)
+    damping = DAMPING * max(float(np.trace(normal)), 1e-30)
+    return cv2.invert(normal + damping * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
+
+
+def _move(fit: _Fit, image: EvidenceLevel) -> np.ndarray:
+    """(4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
+    pull = np.einsum("ik,k->i", fit.slopes, fit.residual).astype(np.float64)
+    limit = LARGEST_STEP * np.array([*image.pixel, 1, 1])
+    return np.clip(-(_inverse(fit) @ pull) * _units(image), -limit, limit)
+
+
+def _clustered(pulls: np.ndarray, shape) -> np.ndarray:
+    """(4, 4) covariance of the sum of all pixels' pulls (4, h·w·C), whose neighbors err together.
+
+    Pulls are summed in BLOCKS × BLOCKS blocks of the image, which are taken as independent (cluster-robust "sandwich"
+    covariance, Liang & Zeger 1986): a patch of a wrong class counts as one error, not as a thousand.
+    """
+    height, width, _ = shape
+    rows, columns = (np.linspace(0, edge, min(BLOCKS, edge), endpoint=False).astype(int) for edge in (height, width))
+    sums = pulls.reshape(4, *shape).sum(axis=3)
+    sums = np.add.reduceat(np.add.reduceat(sums, rows, axis=1), columns, axis=2).reshape(4, -1)
+    sums = sums - sums.mean(axis=1, keepdims=True)
+    return np.einsum("ik,jk->ij", sums, sums)
+
+
+def _difference(planes: np.ndarray, axis: int) -> np.ndarray:
+    """Central differences along an axis, 0 at the two ends (where the image stops, its slope is unknown)."""
+    slope = np.zeros_like(planes)
+    inner = [slice(None)] * planes.ndim
+    after, before = list(inner), list(inner)
+    inner[axis], after[axis], before[axis] = slice(1, -1), slice(2, None), slice(None, -2)
+    slope[tuple(inner)] = (planes[tuple(after)] - planes[tuple(before)]) / 2
+    return slope

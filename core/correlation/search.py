@@ -1,0 +1,205 @@
+"""Map correlation's first look: all places, turns and scales at coarse pixels, by FFT (DESIGN §3).
+
+For every assumed ground sampling distance the map is resampled so that the *image* always has the same coarse size:
+the spectra of the turned images are computed once and serve all scales. The map goes tile by tile (overlap-save),
+so memory does not depend on its size; tiles without labels cost nothing.
+
+Score of a place and a turn: Σ over channels of ⟨image, map⟩ under the turned footprint, image free of its mean there,
+divided by the image's norm and by the root of the map's energy around its own mean in the footprint averaged over
+turns: the zero-mean normalized cross-correlation but for the corners; the exact one follows in the refinement.
+"""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import List, Tuple
+
+import cv2
+import numpy as np
+
+from .class_pyramid import EvidenceLevel, MapPyramid
+
+TILE_SIZE = 256
+"""Edge of a tile in coarse pixels; a power of two is quickest, about four times the turned image is best."""
+
+QUIET_ENERGY = 0.15
+"""Share of the map's mean energy that is added to a footprint's own: where nothing varies, chance would score high."""
+
+LEAST_KNOWN = 0.5
+"""Share of the footprint that has to be labeled on the map."""
+
+PEAKS_PER_TILE = 60
+"""Best places of a tile and scale that are kept."""
+
+
+@dataclass(frozen=True)
+class SearchSpace:
+    """What is searched. headings_deg: (T,), turns of the image; pixel_sizes_m: (S,); box_m: (left, top, right, bottom)
+    of the image's center, in meters right and down from the map's upper left corner.
+    """
+
+    headings_deg: np.ndarray
+    pixel_sizes_m: np.ndarray
+    box_m: Tuple[float, float, float, float]
+
+
+@dataclass(frozen=True)
+class TurnedImage:
+    """One turned image as a template. evidence: (t, t, C) float32, mean 0 and norm 1 under its mask; mask: (t, t)."""
+
+    evidence: np.ndarray
+    mask: np.ndarray
+
+
+def turn_image(image: EvidenceLevel, heading_deg: float, edge: int, pixel: float) -> TurnedImage:
+    """The image as it lies on the map: ``edge`` × ``edge`` template around its center, ``pixel`` image pixels a pixel.
+
+    The image's top points ``heading_deg`` clockwise from up.
+    """
+    height, width = image.known.shape
+    cos, sin = np.cos(np.radians(heading_deg)), np.sin(np.radians(heading_deg))
+    inverse = np.array([[cos, sin], [-sin, cos]]) * pixel / np.array(image.pixel)[:, None]
+    offset = np.array([(width - 1) / 2, (height - 1) / 2]) - inverse @ np.array([(edge - 1) / 2, (edge - 1) / 2])
+    matrix = np.column_stack([inverse, offset])
+    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+    evidence = cv2.warpAffine(image.evidence, matrix, (edge, edge), flags=flags).reshape(edge, edge, -1)
+    mask = cv2.warpAffine(np.ones((height, width), np.float32), matrix, (edge, edge), flags=flags)
+    evidence = evidence - mask[..., None] * (evidence.sum(axis=(0, 1)) / max(float(mask.sum()), 1e-9))
+    norm = float(np.sqrt((evidence**2).sum()))
+    return TurnedImage(np.ascontiguousarray(evidence / max(norm, 1e-9)), mask)
+
+
+def template_edge(image: EvidenceLevel) -> int:
+    """Odd edge of the square that holds the image at any turn, in its own pixels."""
+    height, width = image.known.shape
+    return int(np.ceil(np.hypot(height, width))) // 2 * 2 + 3
+
+
+def search(
+    image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace, tile_size: int = TILE_SIZE, threads: int = 2
+) -> np.ndarray:
+    """(N, 5) float64: score, x, y (meters right and down of the map's corner), heading (°), pixel size (m); best first.
+
+    ``image``: coarse evidence whose pixels are ``image.pixel`` image pixels wide. Peaks of one tile and scale; the same
+    place can come up for several scales.
+    """
+    edge = template_edge(image)
+    pixel = float(np.sqrt(image.pixel[0] * image.pixel[1]))
+    tile_size = cv2.getOptimalDFTSize(max(tile_size, 2 * edge))
+    extent = max(space.box_m[2] - space.box_m[0], space.box_m[3] - space.box_m[1])
+    needed = int(np.ceil(extent / (pixel * float(space.pixel_sizes_m.min())))) + edge + 1
+    tile_size = min(tile_size, cv2.getOptimalDFTSize(needed))
+    turned = [turn_image(image, heading, edge, pixel) for heading in space.headings_deg]
+    spectra = [[_spectrum(one.evidence[..., c], tile_size) for c in range(one.evidence.shape[2])] for one in turned]
+    mean_mask = np.mean([one.mask for one in turned], axis=0)
+    mask_spectrum = _spectrum(mean_mask, tile_size)
+    quiet = QUIET_ENERGY * pyramid.energy * float(mean_mask.sum())
+
+    def one_tile(job) -> List[Tuple[float, ...]]:
+        size_m, (left, top, columns, rows) = job
+        best, turn = _tile_scores(
+            pyramid, size_m * pixel, (left, top), tile_size, edge, spectra, mask_spectrum, float(mean_mask.sum()), quiet
+        )
+        if best is None:
+            return []
+        best, turn = best[:rows, :columns], turn[:rows, :columns]
+        return [
+            (
+                float(best[row, column]),
+                left + (column + 0.5) * size_m * pixel,
+                top + (row + 0.5) * size_m * pixel,
+                float(space.headings_deg[turn[row, column]]),
+                float(size_m),
+            )
+            for row, column in _peaks(best, max(1, edge // 20))
+        ]
+
+    jobs = [
+        (size_m, tile)
+        for size_m in space.pixel_sizes_m
+        for tile in _tiles(space.box_m, size_m * pixel, tile_size - edge + 1)
+    ]
+    if threads > 1 and len(jobs) > 1:
+        with ThreadPoolExecutor(threads) as pool:
+            found = list(pool.map(one_tile, jobs))
+    else:
+        found = [one_tile(job) for job in jobs]
+    peaks = np.array([peak for peaks in found for peak in peaks], np.float64).reshape(-1, 5)
+    return peaks[np.argsort(-peaks[:, 0], kind="stable")]
+
+
+def _tiles(box_m, pixel_m: float, step: int):
+    """(left, top, columns, rows): corner in meters and number of places of each tile that together cover the box."""
+    columns = max(1, int(np.ceil((box_m[2] - box_m[0]) / pixel_m)))
+    rows = max(1, int(np.ceil((box_m[3] - box_m[1]) / pixel_m)))
+    for row in range(0, rows, step):
+        for column in range(0, columns, step):
+            corner = box_m[0] + column * pixel_m, box_m[1] + row * pixel_m
+            yield (*corner, min(step, columns - column), min(step, rows - row))
+
+
+def _tile_scores(pyramid, pixel_m, corner_m, size, edge, spectra, mask_spectrum, mask_sum, quiet):
+    """Best score and turn of every place of one tile: two (size − edge + 1)² arrays, or (None, None) without labels.
+
+    The first place is the pixel whose upper left corner is ``corner_m``.
+    """
+    half = (edge - 1) / 2 * pixel_m
+    left, top = corner_m[0] - half, corner_m[1] - half
+    # One pixel more on each side, for the interpolation.
+    box = left - pixel_m, top - pixel_m, left + (size + 1) * pixel_m, top + (size + 1) * pixel_m
+    level, first_x, first_y = pyramid.crop(pixel_m, box)
+    step = pixel_m / level.pixel[0]
+    matrix = np.array(
+        [
+            [step, 0, (left - first_x) / level.pixel[0] + step / 2 - 0.5],
+            [0, step, (top - first_y) / level.pixel[0] + step / 2 - 0.5],
+        ]
+    )
+    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+    known = cv2.warpAffine(level.known, matrix, (size, size), flags=flags)
+    if not known.any():
+        return None, None
+    evidence = cv2.warpAffine(level.evidence, matrix, (size, size), flags=flags).reshape(size, size, -1)
+    places = size - edge + 1
+    tile = [cv2.dft(np.ascontiguousarray(evidence[..., c])) for c in range(evidence.shape[2])]
+    energy = _correlation([cv2.dft((evidence**2).sum(axis=2))], [mask_spectrum], places)
+    for spectrum in tile:
+        energy -= _correlation([spectrum], [mask_spectrum], places) ** 2 / mask_sum
+    share = _correlation([cv2.dft(known)], [mask_spectrum], places) / mask_sum
+    weight = 1 / np.sqrt(np.maximum(energy, 0) + quiet)
+    weight[share < LEAST_KNOWN] = 0
+    best = np.full((places, places), -1.0, np.float32)
+    turn = np.zeros((places, places), np.uint16)
+    if not weight.any():
+        return None, None
+    for index, spectrum in enumerate(spectra):
+        score = _correlation(tile, spectrum, places)
+        better = cv2.compare(score, best, cv2.CMP_GT)
+        cv2.max(score, best, dst=best)
+        turn[better > 0] = index
+    best *= weight
+    return best, turn
+
+
+def _correlation(tile, template, places: int) -> np.ndarray:
+    """(places, places) float32: Σ over channels of the correlation, from spectra in OpenCV's packed format."""
+    product = cv2.mulSpectrums(tile[0], template[0], 0, conjB=True)
+    for one, other in zip(tile[1:], template[1:]):
+        cv2.add(product, cv2.mulSpectrums(one, other, 0, conjB=True), dst=product)
+    return cv2.dft(product, flags=cv2.DFT_INVERSE | cv2.DFT_SCALE | cv2.DFT_REAL_OUTPUT)[:places, :places]
+
+
+def _spectrum(plane: np.ndarray, size: int) -> np.ndarray:
+    """Spectrum of a template, put into the upper left corner of a ``size`` × ``size`` tile."""
+    padded = np.zeros((size, size), np.float32)
+    padded[: plane.shape[0], : plane.shape[1]] = plane
+    return cv2.dft(padded, nonzeroRows=plane.shape[0])
+
+
+def _peaks(score: np.ndarray, radius: int) -> np.ndarray:
+    """(M, 2) int rows and columns of the local maxima above 0, best first, at most PEAKS_PER_TILE."""
+    kernel = np.ones((2 * radius + 1, 2 * radius + 1), np.uint8)
+    at = np.argwhere((score >= cv2.dilate(score, kernel)) & (score > 0))
+    order = np.argsort(-score[at[:, 0], at[:, 1]], kind="stable")
+    return at[order[:PEAKS_PER_TILE]]

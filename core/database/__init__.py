@@ -1,0 +1,1 @@
+"""Reference databases in memory: built, updated, searched for look-alikes."""

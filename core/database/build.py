@@ -1,0 +1,231 @@
+"""Building a reference database from a label map: one pass for objects and overview, one for the windows."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Iterator, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from ..errors import LabelMapError, WindowError
+from ..labels.block_hashes import BlockHasher, map_hash
+from ..labels.class_table import ClassTable
+from ..labels.overview import OVERVIEW_FACTOR, most_frequent_labels
+from ..labels.sources import LabelSource
+from ..landmarks.catalogue import CatalogueBuilder
+from ..landmarks.landmarks import Landmarks
+from ..landmarks.landmarks import minimum_area_px as area_px
+from ..windows.describe import DescribedWindows, describe_windows
+from ..windows.distinctiveness import distinctiveness
+from ..windows.grid import WindowGrid, whole_pixels, window_name
+from ..windows.topology_vector import MINIMUM_REFERENCES, REFERENCES_PER_VECTOR
+from .model import BuildParameters, MapLandmarks, ReferenceDatabase, Windows
+
+
+@dataclass(frozen=True)
+class BuildSettings:
+    """What a user chooses. window_size and stride in map units, minimum_area in m², levels: window size multipliers.
+
+    Raises WindowError for values that can't be used.
+    """
+
+    window_size: float
+    stride: float
+    minimum_area: float
+    levels: Tuple[float, ...] = (1.0,)
+    references_per_vector: int = REFERENCES_PER_VECTOR
+    overview_factor: int = OVERVIEW_FACTOR
+    threads: int = 1
+
+    def __post_init__(self) -> None:
+        if not self.minimum_area > 0:
+            raise WindowError(f"The minimum area is {self.minimum_area:g} m²; it must be more than 0.")
+        if self.references_per_vector < MINIMUM_REFERENCES:
+            raise WindowError(
+                f"A vector of {self.references_per_vector} references is too short; use at least {MINIMUM_REFERENCES}."
+            )
+        if not self.levels or not all(0 < level < float("inf") for level in self.levels):
+            raise WindowError("LEVELS must be positive multipliers of the window size, for example 1;2.")
+
+
+@dataclass(frozen=True)
+class MapFrame:
+    """Where a label map lies: CRS as WKT and GDAL's geotransform (x0, pixel, 0, y0, 0, −pixel), in meters."""
+
+    crs: str
+    geotransform: Tuple[float, float, float, float, float, float]
+
+    @property
+    def pixel_size(self) -> float:
+        return self.geotransform[1]
+
+    def to_map(self, points_xy: np.ndarray) -> np.ndarray:
+        """(N, 2) pixel coordinates → (N, 2) map coordinates."""
+        x0, pixel, _, y0, _, _ = self.geotransform
+        return np.column_stack([x0 + points_xy[:, 0] * pixel, y0 - points_xy[:, 1] * pixel])
+
+
+class DatabaseBuilder:
+    """Builds a database step by step: iterate ``steps()`` to the end, then take ``database`` and ``overview``.
+
+    ``compare_windows()`` then adds ``distinctiveness``.
+    """
+
+    def __init__(
+        self, source: LabelSource, frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str
+    ) -> None:
+        """Raises WindowError and ClassTableError before any work when the settings don't fit the map."""
+        self._source = source
+        self._frame = frame
+        self._table = table.require_references()
+        self._settings = settings
+        self._plugin_version = plugin_version
+        self.grids = level_grids(source.shape_hw, frame.pixel_size, settings)
+        self.overview: Optional[np.ndarray] = None
+        self.database: Optional[ReferenceDatabase] = None
+        self.distinctiveness: Optional[np.ndarray] = None
+
+    def read_from(self, source: LabelSource) -> None:
+        """Takes the same map's labels from another source from now on: from memory, say."""
+        self._source = source
+
+    def steps(self) -> Iterator[Tuple[str, float]]:
+        """Yields (what is being done, share done 0…1). Raises LabelMapError for a map without landmarks."""
+        objects, hashes = None, ()
+        for share, result in self._scan():
+            yield "Finding landmarks", 0.3 * share
+            if result is not None:
+                objects, hashes = result
+        if not len(objects):
+            raise LabelMapError(
+                f"The map shows no landmark of {', '.join(c.name for c in self._table.references)} with at "
+                f"least {self._settings.minimum_area:g} m²; choose other reference classes or a smaller minimum area."
+            )
+        described: List[Tuple[int, WindowGrid, DescribedWindows]] = []
+        total = sum(len(grid) for grid in self.grids)
+        done = 0
+        for level, grid in enumerate(self.grids, start=1):
+            for windows in self._describe(grid, objects):
+                described.append((level, grid, windows))
+                done += len(windows.counts)
+                yield "Describing windows", 0.3 + 0.5 * done / total
+        windows = self._windows(described)
+        references = map_references(objects, self._frame)
+        self.database = ReferenceDatabase(windows, references, self._table, self._parameters(hashes), None)
+
+    def compare_windows(self) -> Iterator[Tuple[str, float]]:
+        """Yields (what is being done, share done); afterwards ``distinctiveness`` has a distance for every window.
+
+        NaN for windows without a vector or without another one to compare with.
+        """
+        windows = self.database.windows
+        index = np.flatnonzero(windows.described)
+        found = np.full(len(windows), np.nan)
+        blocks = distinctiveness(windows.vectors[index], windows.centers[index], windows.sizes[index])
+        for block, distances in blocks:
+            found[index[block]] = np.where(np.isinf(distances), np.nan, distances)
+            yield "Comparing windows", block.stop / len(index)
+        self.distinctiveness = found
+
+    def _scan(self) -> Iterator[Tuple[float, Optional[Tuple[Landmarks, Tuple[str, ...]]]]]:
+        """One pass over the map: landmarks, overview and block hashes."""
+        factor = self._settings.overview_factor
+        catalogue = CatalogueBuilder(
+            self._source, self._table.reference_values, self._minimum_area_px, band_multiple=factor
+        )
+        height, width = self._source.shape_hw
+        blocks = BlockHasher(width)
+        # Filled in place: a list of bands would be held twice when it is joined.
+        overview = np.empty((-(-height // factor), -(-width // factor)), np.uint8)
+
+        def reduce(first: int, labels: np.ndarray) -> None:
+            blocks.add(labels)
+            reduced = most_frequent_labels(labels, factor)
+            overview[first // factor : first // factor + len(reduced)] = reduced
+
+        # One thread hashes and reduces a band while this one looks for objects in the next.
+        with ThreadPoolExecutor(1) as pool:
+            reducing = None
+            for n, (first, labels) in enumerate(catalogue.bands(), start=1):
+                if reducing is not None:
+                    reducing.result()
+                reducing = pool.submit(reduce, first, labels)
+                yield 0.9 * n / catalogue.band_count, None
+            reducing.result()
+        self.overview = overview
+        for _ in catalogue.crossing():
+            yield 0.9, None
+        yield 1.0, (catalogue.objects, blocks.hashes)
+
+    @property
+    def _minimum_area_px(self) -> float:
+        return area_px(self._settings.minimum_area, self._frame.pixel_size)
+
+    def _describe(self, grid: WindowGrid, objects: Landmarks) -> Iterator[DescribedWindows]:
+        return describe_windows(
+            self._source,
+            grid,
+            objects,
+            self._table.reference_values,
+            self._minimum_area_px,
+            self._settings.references_per_vector,
+            self._settings.threads,
+        )
+
+    def _windows(self, described: Sequence[Tuple[int, WindowGrid, DescribedWindows]]) -> Windows:
+        columns = np.concatenate([w.columns for _, _, w in described])
+        rows = np.concatenate([w.rows for _, _, w in described])
+        counts = np.concatenate([w.counts for _, _, w in described])
+        repeats = [len(w.counts) for _, _, w in described]
+        sizes_px = np.repeat([grid.size for _, grid, _ in described], repeats)
+        return Windows(
+            names=np.array([window_name(c, r) for c, r in zip(columns.tolist(), rows.tolist())]),
+            levels=np.repeat([level for level, _, _ in described], repeats),
+            sizes=sizes_px * self._frame.pixel_size,
+            centers=self._frame.to_map(np.column_stack([columns, rows]) + sizes_px[:, None] / 2),
+            counts=counts,
+            vectors=np.concatenate([w.vectors for _, _, w in described]),
+            described=counts >= MINIMUM_REFERENCES,
+        )
+
+    def _parameters(self, block_hashes: Tuple[str, ...]) -> BuildParameters:
+        height, width = self._source.shape_hw
+        settings, pixel = self._settings, self._frame.pixel_size
+        return BuildParameters(
+            crs=self._frame.crs,
+            geotransform=self._frame.geotransform,
+            map_width_px=width,
+            map_height_px=height,
+            pixel_size=pixel,
+            window_size=whole_pixels(settings.window_size, pixel) * pixel,
+            stride=whole_pixels(settings.stride, pixel) * pixel,
+            levels=settings.levels,
+            references_per_vector=settings.references_per_vector,
+            minimum_area=settings.minimum_area,
+            overview_factor=settings.overview_factor,
+            map_hash=map_hash((height, width), self._frame.geotransform, block_hashes),
+            class_table_hash=self._table.digest(),
+            plugin_version=self._plugin_version,
+            block_hashes=block_hashes,
+        )
+
+
+def map_references(objects: Landmarks, frame: MapFrame) -> MapLandmarks:
+    """The objects of a map (pixels) as references (map units)."""
+    areas = objects.areas_px * frame.pixel_size**2
+    return MapLandmarks(frame.to_map(objects.centers_xy), objects.classes, areas, objects.touches_edge, objects.bounds)
+
+
+def level_grids(shape_hw: Tuple[int, int], pixel_size: float, settings: BuildSettings) -> List[WindowGrid]:
+    """One grid a level; window and stride grow together. Raises WindowError when a level doesn't fit the map."""
+    height, width = shape_hw
+    return [
+        WindowGrid(
+            width,
+            height,
+            whole_pixels(settings.window_size * level, pixel_size),
+            whole_pixels(settings.stride * level, pixel_size),
+        )
+        for level in settings.levels
+    ]

@@ -1,0 +1,1 @@
+"""How well a database localizes, by trials with known truth."""

@@ -1,0 +1,1 @@
+"""Points, poses and grounds: from pixels to the map and back."""

@@ -1,0 +1,49 @@
+"""The ground that an image shows."""
+
+from __future__ import annotations
+
+from typing import Tuple
+
+import numpy as np
+
+
+def image_corners(
+    center: Tuple[float, float], heading_deg: float, pixel_size: float, width_px: int, height_px: int
+) -> np.ndarray:
+    """(4, 2) map coordinates of an image's upper left, upper right, lower right and lower left corner.
+
+    ``center``: map coordinates of the image's center; ``heading_deg``: of the image's top, clockwise from grid north.
+    """
+    heading = np.radians(heading_deg)
+    right = np.array([np.cos(heading), -np.sin(heading)])
+    up = np.array([np.sin(heading), np.cos(heading)])
+    across, along = right * width_px / 2 * pixel_size, up * height_px / 2 * pixel_size
+    return np.asarray(center) + np.array([along - across, across + along, across - along, -across - along])
+
+
+def on_ground(points_xy: np.ndarray, footprint: np.ndarray, shape_hw: Tuple[int, int]) -> np.ndarray:
+    """(n, 2) map coordinates of pixel coordinates (n, 2) (column, row) of an image of ``shape_hw`` pixels.
+
+    footprint: (4, 2) map coordinates of the ground at the image's corners, upper left first, clockwise. The one
+    homography that takes corners to corners: level ground seen by any camera without distortion (Heckbert 1989, 2.2.3).
+    """
+    height, width = shape_hw
+    right, down = (np.asarray(points_xy, np.float64) / (width, height)).T[:, :, None]
+    # Relative to the first corner: map coordinates of millions of meters would cost digits.
+    first = footprint[0]
+    _, second, third, fourth = footprint - first
+    one, other, both = second - third, fourth - third, third - second - fourth
+    # 0 for a parallelogram, as level images have it.
+    slant_right, slant_down = _cross(both, other) / _cross(one, other), _cross(one, both) / _cross(one, other)
+    depth = 1 + slant_right * right + slant_down * down
+    return first + (second * (1 + slant_right) * right + fourth * (1 + slant_down) * down) / depth
+
+
+def is_parallelogram(footprint: np.ndarray, tolerance: float = 1e-6) -> bool:
+    """Whether the image was level: opposite edges of its footprint (4, 2) are alike, to a share of their length."""
+    one, other = footprint[1] - footprint[0], footprint[2] - footprint[3]
+    return bool(np.hypot(*(one - other)) <= tolerance * np.hypot(*one))
+
+
+def _cross(one: np.ndarray, other: np.ndarray) -> float:
+    return float(one[0] * other[1] - one[1] * other[0])

@@ -1,0 +1,153 @@
+"""Cameras that are not level: from roll, pitch and focal length to the image that a level camera would have taken.
+
+Conventions. The camera's frame is (right, top, axis): right and top of its image, and the optical axis. Roll and pitch
+of 0 look straight down. Pitch > 0 tilts the axis towards the image's top, then roll > 0 towards its right, so that
+straight down is (−sin roll · cos pitch, −sin pitch, cos roll · cos pitch) in that frame. Where the camera is heading
+needn't be known. The ground is taken as level, the lens as free of distortion with its axis at the image's center.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Tuple
+
+import cv2
+import numpy as np
+
+from ..errors import LabelMapError, ParameterError
+
+STEEPEST_VIEW_DEG = 75.0
+"""A corner of the image may look so far from straight down. There the same solid angle covers 1/cos³ 75° = 58 times the
+ground that it covers straight below, and at 90° is the horizon. A tilt of 35° at a field of view of 60° comes to it."""
+
+LONGEST_EDGE_PX = 32_766
+"""OpenCV warps images with edges shorter than 2¹⁵."""
+
+DIAGONAL_OF_35MM_FILM = float(np.hypot(36, 24))
+"""Of a 36 × 24 mm picture: a “focal length in 35 mm film” keeps the angle across the diagonal (CIPA DCG-001)."""
+
+
+@dataclass(frozen=True)
+class Attitude:
+    """How a camera is held: roll and pitch in degrees as this module's conventions say, below 90° both."""
+
+    roll_deg: float
+    pitch_deg: float
+
+    def __post_init__(self) -> None:
+        for name, value in (("roll", self.roll_deg), ("pitch", self.pitch_deg)):
+            if not abs(value) < 90:
+                raise ParameterError(
+                    f"A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down."
+                )
+
+    @property
+    def down(self) -> np.ndarray:
+        """(3,) unit vector straight down in the camera's frame (right, top, axis)."""
+        roll, pitch = np.radians((self.roll_deg, self.pitch_deg))
+        return np.array([-np.sin(roll) * np.cos(pitch), -np.sin(pitch), np.cos(roll) * np.cos(pitch)])
+
+
+def attitude_from_gimbal(roll_deg: float, pitch_deg: float) -> Attitude:
+    """The attitude of a camera whose gimbal tells pitch (−90° is straight down, 0° the horizon) and, after it, roll
+    about the optical axis, clockwise seen from behind the camera (DJI). Raises ParameterError above the horizon."""
+    roll, pitch = np.radians((roll_deg, pitch_deg))
+    right, top, axis = np.sin(roll) * np.cos(pitch), -np.cos(roll) * np.cos(pitch), -np.sin(pitch)
+    if axis <= 0:
+        raise ParameterError(f"A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.")
+    return Attitude(float(np.degrees(np.arctan2(-right, axis))), float(np.degrees(np.arcsin(-top))))
+
+
+def focal_length_from_35mm(focal_length_mm: float, shape_hw: Tuple[int, int]) -> float:
+    """Focal length in pixels of an image, from the one that gives the same angle across the diagonal on 35 mm film."""
+    return focal_length_mm / DIAGONAL_OF_35MM_FILM * float(np.hypot(*shape_hw))
+
+
+def focal_length_from_view(field_of_view_deg: float, shape_hw: Tuple[int, int]) -> float:
+    """Focal length in pixels of an image that shows ``field_of_view_deg`` across its width."""
+    return shape_hw[1] / 2 / float(np.tan(np.radians(field_of_view_deg) / 2))
+
+
+@dataclass(frozen=True)
+class Leveling:
+    """The way from an image to what a level camera would have seen from there, and back.
+
+    homography: (3, 3) from pixel coordinates (column, row) of the image to those of the level one;
+    shape_hw: of the level image, the smallest that holds all the ground seen. A pixel at the image's center
+    covers as much ground in both. The rest are complex offsets from where the image's center is, in
+    level pixels, x right, y up: middle of the level image; corners (4,) of the image, upper left first, clockwise;
+    nadir, the ground straight below the camera.
+    """
+
+    homography: np.ndarray
+    shape_hw: Tuple[int, int]
+    middle: complex
+    corners: np.ndarray
+    nadir: complex
+
+    def level(self, labels_hw: np.ndarray) -> np.ndarray:
+        """(H', W') uint8 labels as a level camera sees them, by nearest neighbor; 0 is ground not seen."""
+        # OpenCV counts from the center of the first pixel.
+        shift = np.array([[1, 0, 0.5], [0, 1, 0.5], [0, 0, 1]])
+        matrix = np.linalg.inv(shift) @ self.homography @ shift
+        return cv2.warpPerspective(labels_hw, matrix, self.shape_hw[::-1], flags=cv2.INTER_NEAREST)
+
+
+def leveling(attitude: Attitude, focal_length_px: float, shape_hw: Tuple[int, int]) -> Leveling:
+    """How to level an image of ``shape_hw`` pixels. Raises ParameterError for a focal length that is not positive and
+    where the view comes too near the horizon, LabelMapError for an image that is empty or too large to warp."""
+    height, width = shape_hw
+    if not focal_length_px > 0:
+        raise ParameterError(f"The focal length is {focal_length_px:g} pixels; it must be above 0.")
+    if not height or not width:
+        raise LabelMapError("The image has no pixels.")
+    rays = np.array([(x, y, focal_length_px) for x, y in _around(width / 2, height / 2)])
+    depths = rays @ attitude.down
+    steepest = float(np.degrees(np.arccos(np.clip(depths / np.linalg.norm(rays, axis=1), -1, 1)).max()))
+    if steepest > STEEPEST_VIEW_DEG:
+        raise ParameterError(
+            f"With roll {attitude.roll_deg:g}° and pitch {attitude.pitch_deg:g}° a corner of the image looks "
+            f"{steepest:.0f}° away from straight down, more than {STEEPEST_VIEW_DEG:g}° and too near the horizon; "
+            "use images that look down more steeply."
+        )
+    to_ground = _ground_matrix(attitude.down, focal_length_px)
+    corners = _complex(to_ground, rays)
+    left, bottom = np.floor((corners.real.min(), corners.imag.min()))
+    right, top = np.ceil((corners.real.max(), corners.imag.max()))
+    size = int(top - bottom), int(right - left)
+    if max(*size, *shape_hw) > LONGEST_EDGE_PX:
+        raise LabelMapError(
+            f"The image has {width} × {height} pixels and {size[1]} × {size[0]} when leveled, but an edge may have "
+            f"{LONGEST_EDGE_PX} at most; reduce it first."
+        )
+    from_pixels = np.array([[1, 0, -width / 2], [0, -1, height / 2], [0, 0, focal_length_px]])
+    to_pixels = np.array([[1, 0, -left], [0, -1, top], [0, 0, 1]])
+    nadir = complex(_complex(to_ground, attitude.down))
+    homography = to_pixels @ to_ground @ from_pixels
+    return Leveling(homography, size, complex(left + right, bottom + top) / 2, corners, nadir)
+
+
+def _around(x: float, y: float) -> Tuple[Tuple[float, float], ...]:
+    """Upper left, upper right, lower right and lower left corner, y up."""
+    return (-x, y), (x, y), (x, -y), (-x, -y)
+
+
+def _ground_matrix(down: np.ndarray, focal_length_px: float) -> np.ndarray:
+    """(3, 3) from rays in the camera's frame to homogeneous offsets on the ground from where the optical axis meets it.
+
+    The level frame is the camera's, turned by the shortest way until its axis points straight down. The camera is so
+    low that a pixel at the center covers a ground of area 1: at height h it covers h² / (f² cos³ tilt).
+    """
+    cosine = down[2]
+    # Rodrigues' formula for the shortest rotation that takes the axis to ``down``.
+    cross = np.array([[0, 0, down[0]], [0, 0, down[1]], [-down[0], -down[1], 0]])
+    frame = (np.eye(3) + cross + cross @ cross / (1 + cosine)).T
+    height = focal_length_px * cosine**1.5
+    right, top = (height * (frame[k] - frame[k, 2] / cosine * down) for k in (0, 1))
+    return np.array([right, top, down])
+
+
+def _complex(matrix: np.ndarray, rays: np.ndarray) -> np.ndarray:
+    """(…,) complex points of homogeneous coordinates, after a matrix."""
+    x, y, w = matrix @ rays.T
+    return (x + 1j * y) / w

@@ -1,0 +1,101 @@
+"""Map coordinates to longitude and latitude by polynomials, for computers that have no PROJ."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Callable, Optional, Tuple
+
+import numpy as np
+
+LOWEST_DEGREE, HIGHEST_DEGREE = 2, 9
+"""Degrees tried: 9 has 55 terms; the UTM coordinates of a map of 50 km need 5."""
+
+WANTED_ERROR_M = 0.01
+"""The lowest degree that is so close is taken: a tenth of the error of the best fixes."""
+
+LARGEST_ERROR_M = 1.0
+"""A polynomial that is farther off is not stored: the map is too large, or has a pole in it."""
+
+_CHECKED = 41
+"""Places along each axis where the error is measured; other ones than those that are fitted."""
+
+_EQUATOR_M, _MERIDIAN_M = 111_319.5, 110_574.3
+"""Meters a degree of longitude and the shortest meters a degree of latitude, at WGS 84's equator."""
+
+Transform = Callable[[np.ndarray], Tuple[np.ndarray, np.ndarray]]
+
+
+@dataclass(frozen=True)
+class LonLatPolynomial:
+    """Longitude and latitude (degrees, EPSG:4326) of map coordinates (x, y).
+
+    With u = (x − center_x) / half_width and v = (y − center_y) / half_height, both are sums of c · uⁱ · vʲ over all
+    i + j ≤ degree in the order (0, 0), (0, 1), … (0, degree), (1, 0), … (degree, 0).
+    center: (x, y); half_size: (half_width, half_height); longitude, latitude: the coefficients c;
+    error_m: the largest distance from the true transform on a grid of places over the map.
+    """
+
+    degree: int
+    center: Tuple[float, float]
+    half_size: Tuple[float, float]
+    longitude: Tuple[float, ...]
+    latitude: Tuple[float, ...]
+    error_m: float
+
+    def __call__(self, points_xy: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+        """(N, 2) map coordinates → longitudes (N,) in [−180, 180), latitudes (N,)."""
+        terms = _terms(points_xy, self.degree, self.center, self.half_size)
+        longitudes = (terms @ np.array(self.longitude) + 180) % 360 - 180
+        return longitudes, terms @ np.array(self.latitude)
+
+
+def fit_lon_lat(transform: Transform, extent: Tuple[float, float, float, float]) -> Optional[LonLatPolynomial]:
+    """The polynomial of lowest degree within WANTED_ERROR_M of ``transform``, else the best one.
+
+    ``transform``: (N, 2) map coordinates → longitudes, latitudes, NaN where there are none; ``extent``: (x_min, y_min,
+    x_max, y_max). None when none comes within LARGEST_ERROR_M.
+    """
+    center = (extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2
+    half_size = (extent[2] - extent[0]) / 2, (extent[3] - extent[1]) / 2
+    # Chebyshev's nodes lie closest together at the edges, where polynomials swing out.
+    nodes = np.cos((np.arange(2 * HIGHEST_DEGREE) + 0.5) * np.pi / (2 * HIGHEST_DEGREE))
+    fitted, checked = _grid(nodes, center, half_size), _grid(np.linspace(-1, 1, _CHECKED), center, half_size)
+    true_lon, true_lat = transform(fitted)
+    check_lon, check_lat = transform(checked)
+    if not np.isfinite([*true_lon, *true_lat, *check_lon, *check_lat]).all():
+        return None
+    # Without the jump at the antimeridian.
+    true_lon = true_lon[0] + (true_lon - true_lon[0] + 180) % 360 - 180
+    best = None
+    for degree in range(LOWEST_DEGREE, HIGHEST_DEGREE + 1):
+        terms = _terms(fitted, degree, center, half_size)
+        lon, lat = (np.linalg.lstsq(terms, values, rcond=None)[0] for values in (true_lon, true_lat))
+        found = LonLatPolynomial(degree, center, half_size, tuple(lon.tolist()), tuple(lat.tolist()), 0.0)
+        error = float(_distances_m(*found(checked), check_lon, check_lat).max())
+        if best is None or error < best.error_m:
+            best = LonLatPolynomial(degree, center, half_size, found.longitude, found.latitude, error)
+        if error <= WANTED_ERROR_M:
+            break
+    return best if best.error_m <= LARGEST_ERROR_M else None
+
+
+def term_count(degree: int) -> int:
+    """Coefficients of a polynomial of two variables."""
+    return (degree + 1) * (degree + 2) // 2
+
+
+def _terms(points_xy: np.ndarray, degree: int, center, half_size) -> np.ndarray:
+    """(N, term_count) values of uⁱ · vʲ."""
+    u, v = ((np.asarray(points_xy, np.float64).reshape(-1, 2) - center) / half_size).T
+    return np.column_stack([u**i * v**j for i in range(degree + 1) for j in range(degree + 1 - i)])
+
+
+def _grid(along: np.ndarray, center, half_size) -> np.ndarray:
+    xs, ys = np.meshgrid(center[0] + half_size[0] * along, center[1] + half_size[1] * along)
+    return np.column_stack([xs.ravel(), ys.ravel()])
+
+
+def _distances_m(lon: np.ndarray, lat: np.ndarray, other_lon: np.ndarray, other_lat: np.ndarray) -> np.ndarray:
+    """Upper bounds of the distances between nearby places on the ground, a percent too large at most near the poles."""
+    east = ((lon - other_lon + 180) % 360 - 180) * np.cos(np.radians(other_lat)) * _EQUATOR_M * 1.004
+    return np.hypot(east, (lat - other_lat) * _MERIDIAN_M * 1.011)

@@ -1,0 +1,103 @@
+"""What a label map is known by: a hash of every block and, made of these, one of the whole map."""
+
+from __future__ import annotations
+
+import hashlib
+from functools import lru_cache
+from typing import List, Optional, Sequence, Tuple
+
+import numpy as np
+
+HASHED_BLOCK = 512
+"""Edge of a block in pixels; 300 km² at 1 m are some thousand blocks."""
+
+_HASH_BYTES = 8
+"""Enough to tell a block from what it was before: a change goes unseen with odds of 1 to 2⁶⁴."""
+
+
+class BlockHasher:
+    """Hashes a map while its rows come by from top to bottom: ``add`` them all, then take ``hashes``."""
+
+    def __init__(self, width: int) -> None:
+        self._columns = range(0, width, HASHED_BLOCK)
+        self._row = 0
+        self._open: List[_BlockDigest] = []
+        self._done: List[str] = []
+
+    def add(self, labels_hw: np.ndarray) -> None:
+        """The next rows of the map, (h, W) uint8, any number of them."""
+        first = 0
+        while first < len(labels_hw):
+            if self._row % HASHED_BLOCK == 0:
+                self._close()
+                self._open = [_BlockDigest() for _ in self._columns]
+            last = min(len(labels_hw), first + HASHED_BLOCK - self._row % HASHED_BLOCK)
+            for block, column in zip(self._open, self._columns):
+                block.add(labels_hw[first:last, column : column + HASHED_BLOCK])
+            self._row += last - first
+            first = last
+
+    @property
+    def hashes(self) -> Tuple[str, ...]:
+        """One a block, row by row."""
+        self._close()
+        return tuple(self._done)
+
+    def _close(self) -> None:
+        self._done += [block.hexdigest() for block in self._open]
+        self._open = []
+
+
+class _BlockDigest:
+    """Hash of one block whose rows come by.
+
+    Much of a map is blocks of one class, or of none beyond its border: these are counted until another value comes,
+    which takes a tenth of the time of hashing, and their hash is kept.
+    """
+
+    def __init__(self) -> None:
+        self._value = 0
+        self._count = 0
+        self._pixels: Optional[hashlib.blake2b] = None
+
+    def add(self, labels_hw: np.ndarray) -> None:
+        """The block's next rows, (h, w) uint8."""
+        if self._pixels is None:
+            if self._continues(labels_hw):
+                self._value, self._count = int(labels_hw[0, 0]), self._count + labels_hw.size
+                return
+            self._pixels = hashlib.blake2b(_one_value(self._value, self._count), digest_size=_HASH_BYTES)
+        self._pixels.update(np.ascontiguousarray(labels_hw))
+
+    def hexdigest(self) -> str:
+        return self._pixels.hexdigest() if self._pixels else _hash_of_one_value(self._value, self._count)
+
+    def _continues(self, labels_hw: np.ndarray) -> bool:
+        value = self._value if self._count else labels_hw[0, 0]
+        # The first row alone tells of most blocks that they have several values.
+        return bool((labels_hw[0] == value).all() and (labels_hw == value).all())
+
+
+def block_hash(labels_hw: np.ndarray) -> str:
+    """Hash of one block, (h, w) uint8."""
+    return hashlib.blake2b(np.ascontiguousarray(labels_hw), digest_size=_HASH_BYTES).hexdigest()
+
+
+def _one_value(value: int, count: int) -> bytes:
+    return bytes((value,)) * count
+
+
+@lru_cache(1024)
+def _hash_of_one_value(value: int, count: int) -> str:
+    return hashlib.blake2b(_one_value(value, count), digest_size=_HASH_BYTES).hexdigest()
+
+
+def blocks_shape(shape_hw: Tuple[int, int]) -> Tuple[int, int]:
+    """(rows, columns) of the blocks of a map of ``shape_hw`` pixels."""
+    return -(-shape_hw[0] // HASHED_BLOCK), -(-shape_hw[1] // HASHED_BLOCK)
+
+
+def map_hash(shape_hw: Tuple[int, int], geotransform: Sequence[float], hashes: Sequence[str]) -> str:
+    """SHA-256 of a map's shape, place and block hashes."""
+    place = repr((tuple(shape_hw), tuple(geotransform)))
+    return hashlib.sha256((place + "".join(hashes)).encode("ascii")).hexdigest()

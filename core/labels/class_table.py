@@ -1,0 +1,262 @@
+"""THE class table: value, name, color and role of every land-cover class (DESIGN §1, §5)."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import io
+import re
+from dataclasses import dataclass, replace
+from typing import Dict, Iterable, List, Optional, Sequence, Tuple
+
+from ..errors import ClassTableError
+
+UNLABELED = 0
+"""Label of pixels that no class covers ("unlabeled/other")."""
+
+MAXIMUM_VALUE = 255
+"""Largest class value of a uint8 label map."""
+
+REFERENCE = "reference"
+BACKGROUND = "background"
+ROLES = (REFERENCE, BACKGROUND)
+
+LIST_SEPARATOR = ";"
+"""Separates the items of lists given as text (REFERENCE_CLASSES=building;water)."""
+
+# Colors for classes that bring none: Paul Tol's "muted" scheme, told apart with color-blind eyes too.
+_PALETTE = (
+    "#cc6677",
+    "#332288",
+    "#ddcc77",
+    "#117733",
+    "#88ccee",
+    "#882255",
+    "#44aa99",
+    "#999933",
+    "#aa4499",
+    "#dddddd",
+)
+
+_COLUMNS = ("value", "name", "color", "role", "draw_order", "hsv_min", "hsv_max")
+
+Hsv = Tuple[int, int, int]
+Rgb = Tuple[int, int, int]
+
+
+@dataclass(frozen=True)
+class LandCoverClass:
+    """One row of the class table.
+
+    ``color`` is ``#rrggbb``; ``hsv_min``/``hsv_max`` are (h, s, v) in OpenCV's ranges (h 0–180, s and v 0–255)
+    and the hue range may wrap (h_min > h_max). Raises ClassTableError for values outside these ranges.
+    """
+
+    value: int
+    name: str
+    color: str
+    role: str = BACKGROUND
+    draw_order: Optional[float] = None
+    hsv_min: Optional[Hsv] = None
+    hsv_max: Optional[Hsv] = None
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.value <= MAXIMUM_VALUE:
+            raise ClassTableError(
+                f"Class “{self.name}” has the value {self.value}; class values go from 0 to {MAXIMUM_VALUE}."
+            )
+        if not self.name:
+            raise ClassTableError(f"The class with value {self.value} has no name; give it one.")
+        if not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
+            raise ClassTableError(f"Class “{self.name}” has the color “{self.color}”; write it as #rrggbb.")
+        if self.role not in ROLES:
+            raise ClassTableError(
+                f"Class “{self.name}” has the role “{self.role}”; it must be “{REFERENCE}” or “{BACKGROUND}”."
+            )
+        if self.value == UNLABELED and self.role == REFERENCE:
+            raise ClassTableError(
+                f"Class “{self.name}” has the value 0, which means unlabeled; it can't be a reference."
+            )
+        if (self.hsv_min is None) != (self.hsv_max is None):
+            raise ClassTableError(f"Class “{self.name}” has only one of hsv_min and hsv_max; give both or none.")
+
+    @property
+    def is_reference(self) -> bool:
+        return self.role == REFERENCE
+
+    @property
+    def rgb(self) -> Rgb:
+        """The color as (red, green, blue), 0–255."""
+        return int(self.color[1:3], 16), int(self.color[3:5], 16), int(self.color[5:7], 16)
+
+
+@dataclass(frozen=True)
+class ClassTable:
+    """Classes in ascending order of value. Raises ClassTableError when values or names repeat."""
+
+    classes: Tuple[LandCoverClass, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "classes", tuple(sorted(self.classes, key=lambda c: c.value)))
+        for what, keys in (("value", [c.value for c in self.classes]), ("name", [c.name for c in self.classes])):
+            repeated = sorted({str(k) for k in keys if keys.count(k) > 1})
+            if repeated:
+                raise ClassTableError(f"The class table has the {what} {', '.join(repeated)} more than once.")
+
+    def __iter__(self):
+        return iter(self.classes)
+
+    def __len__(self) -> int:
+        return len(self.classes)
+
+    @property
+    def references(self) -> Tuple[LandCoverClass, ...]:
+        """The reference classes, in order of class value; a class's rank is its 1-based place here."""
+        return tuple(c for c in self.classes if c.is_reference)
+
+    @property
+    def reference_values(self) -> Tuple[int, ...]:
+        return tuple(c.value for c in self.references)
+
+    def by_value(self, value: int) -> Optional[LandCoverClass]:
+        return next((c for c in self.classes if c.value == value), None)
+
+    def find(self, text: str) -> Optional[LandCoverClass]:
+        """The class a person means by ``text``: its name (case-insensitive if need be) or its value."""
+        wanted = text.strip()
+        for key in (lambda c: c.name == wanted, lambda c: c.name.casefold() == wanted.casefold()):
+            found = [c for c in self.classes if key(c)]
+            if len(found) == 1:
+                return found[0]
+        return self.by_value(int(wanted)) if re.fullmatch(r"\d{1,3}", wanted) else None
+
+    def with_references(self, names_or_values: Sequence[str]) -> "ClassTable":
+        """The same table with exactly the named classes as references. Raises ClassTableError for unknown names."""
+        chosen = set()
+        for text in names_or_values:
+            found = self.find(text)
+            if found is None:
+                raise ClassTableError(f"There is no class “{text}”; the classes are {self.describe()}.")
+            chosen.add(found.value)
+        return ClassTable(tuple(replace(c, role=REFERENCE if c.value in chosen else BACKGROUND) for c in self.classes))
+
+    def require_references(self) -> "ClassTable":
+        """Itself, if it has a reference class; else raises ClassTableError."""
+        if not self.references:
+            raise ClassTableError(
+                f"No class is a reference class; name at least one of {self.describe()} "
+                "in REFERENCE_CLASSES, or give it the role “reference” in the class table."
+            )
+        return self
+
+    def describe(self) -> str:
+        """“1 building, 2 bare_land” – for messages."""
+        shown = [f"{c.value} {c.name}" for c in self.classes[:12]]
+        return ", ".join(shown) + (f" and {len(self.classes) - 12} more" if len(self.classes) > 12 else "")
+
+    def digest(self) -> str:
+        """SHA-256 of the table's CSV text: equal tables, equal digests."""
+        return hashlib.sha256(self.to_csv().encode("utf-8")).hexdigest()
+
+    def to_csv(self) -> str:
+        """CSV text with the header ``value,name,color,role,draw_order,hsv_min,hsv_max``."""
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(_COLUMNS)
+        for c in self.classes:
+            order = "" if c.draw_order is None else _number_text(c.draw_order)
+            writer.writerow([c.value, c.name, c.color, c.role, order, _hsv_text(c.hsv_min), _hsv_text(c.hsv_max)])
+        return text.getvalue()
+
+
+def class_table_from_csv(text: str, source: str = "the class table") -> ClassTable:
+    """Reads ``value,name,color,role[,draw_order][,hsv_min,hsv_max]``; ``;`` or tab as separator will do too.
+
+    ``color`` and ``role`` may be left out: a color is then chosen, the role is ``background``.
+    Raises ClassTableError naming ``source`` and the line.
+    """
+    lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
+    if len(lines) < 2:
+        raise ClassTableError(f"{source} has no classes; it needs a header value,name,color,role and a line a class.")
+    separator = max(",;\t", key=lines[0].count)
+    reader = csv.DictReader(lines, delimiter=separator, skipinitialspace=True)
+    header = [(name or "").strip().lower() for name in reader.fieldnames or []]
+    missing = [name for name in ("value", "name") if name not in header]
+    if missing:
+        raise ClassTableError(f"{source} lacks the column {' and '.join(missing)}; its header is “{lines[0].strip()}”.")
+    reader.fieldnames = header
+    return ClassTable(tuple(_class_from_row(row, f"{source}, line {n}") for n, row in enumerate(reader, start=2)))
+
+
+def class_table_from_names(names: Iterable[str]) -> ClassTable:
+    """A table for classes known only by name: values 1, 2, … in the given order, colors chosen, all background."""
+    found = list(names)
+    if len(found) > MAXIMUM_VALUE:
+        raise ClassTableError(
+            f"There are {len(found)} classes, but a label map holds {MAXIMUM_VALUE}; "
+            "choose another class field, or merge classes with a class table."
+        )
+    return ClassTable(tuple(LandCoverClass(i, name, default_color(i)) for i, name in enumerate(found, start=1)))
+
+
+def class_table_from_values(values: Iterable[int]) -> ClassTable:
+    """A table for classes known only by value: named by their value, colors chosen, all background."""
+    return ClassTable(tuple(LandCoverClass(v, str(v), default_color(v)) for v in sorted(set(values))))
+
+
+def default_color(value: int) -> str:
+    """A color ``#rrggbb`` for a class that brings none, the same every time."""
+    if 0 <= value <= len(_PALETTE):
+        return _PALETTE[value - 1]
+    return "#" + hashlib.sha256(str(value).encode("ascii")).hexdigest()[:6]
+
+
+def split_list(text: Optional[str]) -> List[str]:
+    """Items of a list given as text, without empty ones: ``"building; water"`` → ["building", "water"]."""
+    return [item.strip() for item in (text or "").split(LIST_SEPARATOR) if item.strip()]
+
+
+def _class_from_row(row: Dict[str, Optional[str]], where: str) -> LandCoverClass:
+    cell = {
+        key: (value or "").strip() for key, value in row.items() if isinstance(key, str) and not isinstance(value, list)
+    }
+    try:
+        value = int(cell["value"])
+    except ValueError:
+        raise ClassTableError(f"{where}: “{cell['value']}” is not a whole number for value.") from None
+    try:
+        order = float(cell["draw_order"]) if cell.get("draw_order") else None
+    except ValueError:
+        raise ClassTableError(f"{where}: “{cell['draw_order']}” is not a number for draw_order.") from None
+    try:
+        return LandCoverClass(
+            value=value,
+            name=cell["name"],
+            color=(cell.get("color") or default_color(value)).lower(),
+            role=(cell.get("role") or BACKGROUND).lower(),
+            draw_order=order,
+            hsv_min=_hsv(cell.get("hsv_min", ""), where),
+            hsv_max=_hsv(cell.get("hsv_max", ""), where),
+        )
+    except ClassTableError as error:
+        raise ClassTableError(f"{where}: {error}") from None
+
+
+def _hsv(text: str, where: str) -> Optional[Hsv]:
+    if not text:
+        return None
+    parts = text.split()
+    limits = (180, 255, 255)
+    if len(parts) != 3 or not all(p.isdecimal() for p in parts) or any(int(p) > m for p, m in zip(parts, limits)):
+        raise ClassTableError(f"{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).")
+    return int(parts[0]), int(parts[1]), int(parts[2])
+
+
+def _number_text(number: float) -> str:
+    """The shortest text that reads back as the same number: 3, 0.1, 1234567.0."""
+    short = f"{number:g}"
+    return short if float(short) == number else repr(number)
+
+
+def _hsv_text(hsv: Optional[Hsv]) -> str:
+    return "" if hsv is None else " ".join(str(part) for part in hsv)

@@ -1,0 +1,181 @@
+"""Label images and photos read without GDAL, for computers that have no QGIS.
+
+OpenCV expands the palette of a paletted PNG or TIFF to colors, but the class values are the palette's indices. Such a
+file says in one number that its values are to be looked up; with that number set to gray, OpenCV gives the values.
+"""
+
+from __future__ import annotations
+
+import os
+import struct
+import zlib
+from typing import List, Tuple
+
+import cv2
+import numpy as np
+
+from ..errors import ImageError, LabelMapError
+from .class_table import ClassTable
+from .color_labels import decode_colors
+from .image_source import ArrayImage
+
+IMAGE_EXTENSIONS = (".png", ".tif", ".tiff", ".jpg", ".jpeg")
+
+MAXIMUM_IMAGE_PIXELS = 400_000_000
+"""A query image is held in memory; larger ones are refused."""
+
+_PNG = b"\x89PNG\r\n\x1a\n"
+_PNG_PALETTE, _PNG_GRAY, _PNG_GRAY_ALPHA = 3, 0, 4
+_TIFF_ORDERS = {b"II*\0": "<", b"MM\0*": ">"}
+_BITS_TAG, _PHOTOMETRIC_TAG, _NODATA_TAG = 258, 262, 42113
+_TIFF_PALETTE, _TIFF_GRAY = 3, 1
+_SHORT, _ASCII = 3, 2
+
+
+def read_label_image(path: str, table: ClassTable) -> np.ndarray:
+    """A query image's labels (H, W) uint8: single-band or paletted values, or three bands decoded by color.
+
+    PNG, TIFF and JPEG. Colors are decoded by the table's HSV ranges if it has any, else by nearest color; a TIFF's
+    nodata value counts as unlabeled. Raises LabelMapError.
+    """
+    data = _read(path, LabelMapError)
+    nodata, levels = None, None
+    try:
+        if data.startswith(_PNG):
+            data, levels = _png_values(data, path)
+        elif data[:4] in _TIFF_ORDERS:
+            data, nodata = _tiff_values(data, path)
+        elif not data.startswith(b"\xff\xd8"):
+            raise LabelMapError(f"{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.")
+    except struct.error:
+        raise LabelMapError(f"{path} is damaged or cut short; copy it again.") from None
+    image = _decoded(data, cv2.IMREAD_UNCHANGED, path, LabelMapError)
+    if image.ndim == 3:
+        if image.dtype != np.uint8:
+            raise LabelMapError(f"{path} holds {image.dtype} values; a color label image has 8 bits a band.")
+        return decode_colors(image[..., :3], table)
+    if image.dtype.kind not in "iu":
+        raise LabelMapError(f"{path} holds {image.dtype} values; a label map holds whole numbers from 0 to 255.")
+    if nodata is not None:
+        image[image == nodata] = 0
+    if image.min() < 0 or image.max() > 255:
+        found = int(image.max() if image.max() > 255 else image.min())
+        raise LabelMapError(f"{path} has the value {found}; a label map holds class values from 0 to 255.")
+    labels_hw = image.astype(np.uint8)
+    # Gray of fewer than 8 bits was stretched to 0 … 255.
+    return labels_hw if levels is None else labels_hw // (255 // levels)
+
+
+def read_photo(path: str) -> ArrayImage:
+    """A photo of 8 bits a band, as its pixels lie in the file; without data where it is transparent. ImageError."""
+    image = _decoded(_read(path, ImageError), cv2.IMREAD_UNCHANGED, path, ImageError)
+    if image.dtype != np.uint8:
+        raise ImageError(f"{path} holds {image.dtype} values; a photo has 8 bits a band: convert it first.")
+    if image.ndim == 2:
+        return ArrayImage(cv2.cvtColor(image, cv2.COLOR_GRAY2RGB))
+    has_data = image[..., 3] > 0 if image.shape[2] == 4 else None
+    return ArrayImage(np.ascontiguousarray(image[..., 2::-1]), has_data)
+
+
+def image_files(paths: List[str]) -> List[str]:
+    """Files as given; a folder stands for the images in it, by name. Raises LabelMapError for an empty folder."""
+    found: List[str] = []
+    for path in paths:
+        if not os.path.isdir(path):
+            found.append(path)
+            continue
+        images = [os.path.join(path, name) for name in sorted(os.listdir(path)) if is_image_name(name)]
+        if not images:
+            raise LabelMapError(f"The folder {path} holds no image ({', '.join(IMAGE_EXTENSIONS)}).")
+        found += images
+    return found
+
+
+def is_image_name(name: str) -> bool:
+    """Whether a file of a folder counts as an image; hidden ones don't."""
+    return name.lower().endswith(IMAGE_EXTENSIONS) and not name.startswith(".")
+
+
+def _read(path: str, kind: type) -> bytes:
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError as error:
+        raise kind(f"Image {path} can't be read: {error.strerror}.") from None
+
+
+def _decoded(data: bytes, flags: int, path: str, kind: type) -> np.ndarray:
+    # The orientation of EXIF is left alone: GDAL, which the plugin reads with, doesn't know it.
+    try:
+        image = cv2.imdecode(np.frombuffer(data, np.uint8), flags | cv2.IMREAD_IGNORE_ORIENTATION) if data else None
+    except cv2.error as error:
+        raise kind(f"Image {path} can't be read: {error.err}.") from None
+    if image is None:
+        raise kind(f"Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.")
+    height, width = image.shape[:2]
+    if height * width > MAXIMUM_IMAGE_PIXELS:
+        raise kind(
+            f"{path} has {width} × {height} pixels, more than a query image may have "
+            f"({MAXIMUM_IMAGE_PIXELS // 1_000_000} million); cut it to what one photo shows."
+        )
+    return image
+
+
+def _png_values(data: bytes, path: str) -> Tuple[bytes, object]:
+    """The PNG with a palette's indices as gray values, and its highest value when it has fewer than 8 bits."""
+    _, kind, header = struct.unpack_from(">I4s13s", data, len(_PNG))
+    bits, color = header[8], header[9]
+    if kind != b"IHDR":
+        raise struct.error
+    if color == _PNG_GRAY_ALPHA:
+        raise LabelMapError(f"{path} has 2 bands; a label map has one: save it without transparency.")
+    if color == _PNG_PALETTE:
+        header = header[:9] + bytes([_PNG_GRAY]) + header[10:]
+        # A palette or its transparency in a gray image would be an error.
+        chunks = (chunk for name, chunk in _png_chunks(data) if name not in (b"IHDR", b"PLTE", b"tRNS"))
+        data = _PNG + _png_chunk(b"IHDR", header) + b"".join(chunks)
+    return data, 2**bits - 1 if color in (_PNG_PALETTE, _PNG_GRAY) and bits < 8 else None
+
+
+def _png_chunks(data: bytes):
+    place = len(_PNG)
+    while place + 12 <= len(data):
+        length, name = struct.unpack_from(">I4s", data, place)
+        yield name, data[place : place + 12 + length]
+        place += 12 + length
+
+
+def _png_chunk(name: bytes, content: bytes) -> bytes:
+    return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
+
+
+def _tiff_values(data: bytes, path: str) -> Tuple[bytes, object]:
+    """The TIFF with a palette's indices as gray values, and its nodata value (GDAL's tag), None without one."""
+    order = _TIFF_ORDERS[data[:4]]
+    (first,) = struct.unpack_from(order + "I", data, 4)
+    (count,) = struct.unpack_from(order + "H", data, first)
+    nodata, bits, palette_at = None, 1, None
+    for n in range(count):
+        place = first + 2 + 12 * n
+        tag, kind, length, value = struct.unpack_from(order + "HHIH", data, place)
+        if tag == _BITS_TAG and kind == _SHORT and length == 1:
+            bits = value
+        elif tag == _PHOTOMETRIC_TAG and value == _TIFF_PALETTE:
+            palette_at = place + 8
+        elif tag == _NODATA_TAG and kind == _ASCII:
+            (far,) = struct.unpack_from(order + "I", data, place + 8)
+            nodata = _number(data[place + 8 : place + 8 + length] if length <= 4 else data[far : far + length])
+    if palette_at is not None:
+        if bits != 8:
+            raise LabelMapError(f"{path} is a paletted TIFF of {bits} bits a pixel; save it with 8, or as PNG.")
+        patched = bytearray(data)
+        struct.pack_into(order + "H", patched, palette_at, _TIFF_GRAY)
+        data = bytes(patched)
+    return data, nodata
+
+
+def _number(text: bytes):
+    try:
+        return float(text.rstrip(b"\0 "))
+    except ValueError:
+        return None

@@ -1,0 +1,37 @@
+"""Where photos come from, piece by piece, so that an orthophoto never has to fit into memory."""
+
+from __future__ import annotations
+
+from typing import Optional, Protocol, Tuple
+
+import numpy as np
+
+
+class ImageSource(Protocol):
+    """A color image that is read in pieces; rasters on disk implement it outside ``core``."""
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        """(height, width) in pixels."""
+
+    def read(self, column: int, row: int, width: int, height: int) -> Tuple[np.ndarray, Optional[np.ndarray]]:
+        """(height, width, 3) uint8 pixels, red first, and (height, width) bool: where there is data; None everywhere.
+
+        The piece lies wholly on the image. Pieces are asked for row by row of tiles, from top to bottom.
+        """
+
+
+class ArrayImage:
+    """An image in memory, (H, W, 3) uint8, red first."""
+
+    def __init__(self, image_hw3: np.ndarray, has_data_hw: Optional[np.ndarray] = None) -> None:
+        self._image_hw3 = image_hw3
+        self._has_data_hw = has_data_hw
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        return self._image_hw3.shape[0], self._image_hw3.shape[1]
+
+    def read(self, column: int, row: int, width: int, height: int) -> Tuple[np.ndarray, Optional[np.ndarray]]:
+        piece = slice(row, row + height), slice(column, column + width)
+        return self._image_hw3[piece], None if self._has_data_hw is None else self._has_data_hw[piece]

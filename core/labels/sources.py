@@ -1,0 +1,113 @@
+"""Where labels come from, piece by piece, so that a map never has to fit into memory."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Protocol, Tuple
+
+import numpy as np
+
+
+class LabelSource(Protocol):
+    """A label map that is read in pieces; rasters on disk implement it outside ``core``."""
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        """(height, width) in pixels."""
+
+    def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        """(height, width) uint8 labels, not to be changed; the piece lies wholly on the map."""
+
+
+class ArrayLabels:
+    """A label map in memory, (H, W) uint8."""
+
+    def __init__(self, labels_hw: np.ndarray) -> None:
+        self._labels_hw = labels_hw
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        return self._labels_hw.shape[0], self._labels_hw.shape[1]
+
+    def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        return self._labels_hw[row : row + height, column : column + width]
+
+
+class PartOfMap:
+    """A piece of a label map as a map of its own; it lies wholly on the map."""
+
+    def __init__(self, source: LabelSource, column: int, row: int, width: int, height: int) -> None:
+        self._source = source
+        self._column = column
+        self._row = row
+        self._shape_hw = height, width
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        """(height, width) in pixels."""
+        return self._shape_hw
+
+    def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        return self._source.read(self._column + column, self._row + row, width, height)
+
+
+class KeptTiles:
+    """A label map whose tiles are kept for a while once they were read: for work that returns to the same places."""
+
+    def __init__(self, source: LabelSource, tile_px: int = 1024, kept: int = 64) -> None:
+        self._source = source
+        self._size = tile_px
+        self._tile = lru_cache(kept)(self._read_tile)
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        """(height, width) in pixels."""
+        return self._source.shape_hw
+
+    def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        """(height, width) uint8 labels; the piece lies wholly on the map."""
+        labels = np.empty((height, width), np.uint8)
+        for tile_row in range(row // self._size, -(-(row + height) // self._size)):
+            for tile_column in range(column // self._size, -(-(column + width) // self._size)):
+                tile = self._tile(tile_column, tile_row)
+                left, top = tile_column * self._size - column, tile_row * self._size - row
+                right, bottom = min(left + tile.shape[1], width), min(top + tile.shape[0], height)
+                x0, y0 = max(left, 0), max(top, 0)
+                labels[y0:bottom, x0:right] = tile[y0 - top : bottom - top, x0 - left : right - left]
+        return labels
+
+    def _read_tile(self, tile_column: int, tile_row: int) -> np.ndarray:
+        height, width = self._source.shape_hw
+        left, top = tile_column * self._size, tile_row * self._size
+        return self._source.read(left, top, min(self._size, width - left), min(self._size, height - top))
+
+
+class RollingRows:
+    """Rows of a map read once each while a strip moves down: ``strip(row)`` is a view of ``height`` rows.
+
+    Rows are fetched in chunks and the buffer holds at most ``height`` + one chunk, whatever the map's size.
+    """
+
+    def __init__(self, source: LabelSource, column: int, width: int, height: int) -> None:
+        self._source = source
+        self._column = column
+        self._height = height
+        self._map_height = source.shape_hw[0]
+        self._capacity = min(height + max(height // 2, 256), self._map_height)
+        self._buffer = np.empty((self._capacity, width), np.uint8)
+        self._first = 0
+        self._end = 0
+
+    def strip(self, row: int) -> np.ndarray:
+        """(height, width) uint8 labels from ``row`` on; ``row`` may only grow from call to call."""
+        needed = row + self._height
+        if needed > self._end:
+            kept = max(0, self._end - row)
+            self._buffer[:kept] = self._buffer[row - self._first : self._end - self._first].copy() if kept else 0
+            self._first = row
+            start = row + kept
+            stop = min(row + self._capacity, self._map_height)
+            width = self._buffer.shape[1]
+            self._buffer[kept : stop - row] = self._source.read(self._column, start, width, stop - start)
+            self._end = stop
+        return self._buffer[row - self._first : row - self._first + self._height]

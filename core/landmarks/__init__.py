@@ -1,0 +1,1 @@
+"""Landmarks: from labels to areas and centers of gravity, for images and for maps of any size."""

@@ -1,0 +1,86 @@
+"""Outer border of one region of a map too large to hold, pixel by pixel (Suzuki & Abe 1985, as in cv2.findContours)."""
+
+from __future__ import annotations
+
+from typing import Optional, Tuple
+
+import numpy as np
+
+from ..labels.sources import LabelSource
+from .landmarks import center_coordinate
+
+_REACH = 256
+"""Pixels around the current one that are held at a time, in every direction."""
+
+# The eight neighbors in counter-clockwise order as seen with y down, beginning on the right.
+_STEPS = ((1, 0), (1, -1), (0, -1), (-1, -1), (-1, 0), (-1, 1), (0, 1), (1, 1))
+
+
+class _Surroundings:
+    """Which pixels around a place are of one class, as bytes; beyond the map none is."""
+
+    def __init__(self, source: LabelSource, value: int, x: int, y: int) -> None:
+        height, width = source.shape_hw
+        self.left, self.top = x - _REACH, y - _REACH
+        self.width = 2 * _REACH + 1
+        left, top = max(self.left, 0), max(self.top, 0)
+        right, bottom = min(x + _REACH + 1, width), min(y + _REACH + 1, height)
+        held = np.zeros((self.width, self.width), np.uint8)
+        labels = source.read(left, top, right - left, bottom - top)
+        held[top - self.top : bottom - self.top, left - self.left : right - self.left] = labels == np.uint8(value)
+        self.pixels = held.tobytes()
+        self.offsets = tuple(dx + dy * self.width for dx, dy in _STEPS)
+
+    def holds_neighbors(self, x: int, y: int) -> bool:
+        return 0 < x - self.left < self.width - 1 and 0 < y - self.top < self.width - 1
+
+    def direction(self, x: int, y: int, first: int, turn: int) -> Optional[int]:
+        """The first direction with a set neighbor, from ``first`` on, counter-clockwise (turn 1) or clockwise (−1)."""
+        place = (y - self.top) * self.width + x - self.left
+        for step in range(8):
+            direction = (first + turn * step) % 8
+            if self.pixels[place + self.offsets[direction]]:
+                return direction
+        return None
+
+
+def follow_outer_border(
+    source: LabelSource, value: int, first_pixel: Tuple[int, int], minimum_area: float
+) -> Optional[tuple]:
+    """Region row (class, center, area, bounds) of the 8-connected region whose first pixel in raster order is given.
+
+    Area and center are those of the polygon through the border pixels' centers (Green's formula, exact in
+    integers), as ``cv2.contourArea`` and ``cv2.moments`` give. None when the area is below ``minimum_area`` (pixels).
+    """
+    x0, y0 = first_pixel
+    around = _Surroundings(source, value, x0, y0)
+    # The pixel to the left of the first one is background; look around from there.
+    direction = around.direction(x0, y0, 4, -1)
+    if direction is None:
+        return None
+    start_neighbor = (x0 + _STEPS[direction][0], y0 + _STEPS[direction][1])
+    twice_area = six_x = six_y = 0
+    left = right = x0
+    top = bottom = y0
+    x, y, back = x0, y0, direction
+    while True:
+        if not around.holds_neighbors(x, y):
+            around = _Surroundings(source, value, x, y)
+        direction = around.direction(x, y, back + 1, 1)
+        next_x, next_y = x + _STEPS[direction][0], y + _STEPS[direction][1]
+        cross = (x - x0) * (next_y - y0) - (next_x - x0) * (y - y0)
+        twice_area += cross
+        six_x += cross * (x + next_x - 2 * x0)
+        six_y += cross * (y + next_y - 2 * y0)
+        left, right = min(left, next_x), max(right, next_x)
+        top, bottom = min(top, next_y), max(bottom, next_y)
+        if (next_x, next_y) == (x0, y0) and (x, y) == start_neighbor:
+            break
+        x, y, back = next_x, next_y, (direction + 4) % 8
+    area = abs(twice_area) / 2
+    if area < minimum_area or area <= 0:
+        return None
+    six_areas = 3 * twice_area
+    center_x = center_coordinate(left, six_x + (x0 - left) * six_areas, six_areas)
+    center_y = center_coordinate(top, six_y + (y0 - top) * six_areas, six_areas)
+    return value, center_x, center_y, area, left, top, right + 1, bottom + 1

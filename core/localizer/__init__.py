@@ -1,0 +1,1 @@
+"""The localizer: one image and a database in, one localization out."""

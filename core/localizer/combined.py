@@ -1,0 +1,104 @@
+"""METHOD 0: two roads to one fix, constellation and map correlation, each checked by the other's evidence (DESIGN §3).
+
+Centers of gravity and class areas fail for different reasons, so that one road's place is hardly ever the other's by
+chance. A constellation's fix stands unless class areas speak against it. The opposite is no test: where labels are poor
+landmarks do not come out whole, and they disagree at right places as at wrong ones.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Optional
+
+import numpy as np
+
+from ..constellation.hypotheses import Prior
+from ..localization import AMBIGUOUS, FIX, Localization, place_of
+
+LEAST_AGREEMENT = 0.25
+"""Correlation of class areas at a constellation's fix below which they speak against it. On the northern half of
+Liechtenstein right fixes had 0.60 at least, wrong places 0.20 at most."""
+
+NEAR_ERRORS, NEAR_SHARE = 1.25, 0.02
+NEAR_HEADING_DEG, NEAR_RATIO = 5.0, 1.05
+"""Poses of both roads are the same when they differ by no more than this: in position 1.25 times map correlation's
+95 % radius, or this share of the image's ground if that is more; in heading; in pixel size as a ratio."""
+
+
+def checked_by_areas(fix: Localization, agreement: Optional[float]) -> Localization:
+    """A constellation's fix, or why it is none; ``agreement``: correlation of class areas there, None: can't tell."""
+    if agreement is None or agreement >= LEAST_AGREEMENT:
+        return fix
+    return _refused(
+        fix,
+        f"Landmarks agree with one place, but class areas only by {agreement:.2f} there; "
+        f"at least {LEAST_AGREEMENT:.2f} is needed.",
+    )
+
+
+def near(fix: Localization, prior: Prior, shorter_edge_px: int) -> Prior:
+    """What the constellation looks for to confirm map correlation's fix: the same pose, as exactly as that is known."""
+    radius = max(NEAR_ERRORS * fix.error_95_m, NEAR_SHARE * shorter_edge_px * fix.pixel_size_m)
+    sizes = fix.pixel_size_m / NEAR_RATIO, fix.pixel_size_m * NEAR_RATIO
+    return replace(
+        prior,
+        position=fix.position,
+        radius=radius,
+        heading_deg=fix.heading_deg,
+        heading_range_deg=NEAR_HEADING_DEG,
+        pixel_size_range=sizes,
+    )
+
+
+def confirmed(areas: Localization, objects: Localization, radius: float) -> Optional[Localization]:
+    """The fix at the constellation's finer pose, when that is map correlation's too; else None.
+
+    ``areas``: a fix of map correlation; ``objects``: what the constellation found ``near`` it, ``radius`` around. Where
+    several places are alike for the constellation, map correlation may tell which it is.
+    """
+    places = [place_of(objects)] if objects.status == FIX else list(objects.alternatives)
+    here = [np.hypot(*np.subtract(place.position, areas.position)) <= radius for place in places]
+    if not any(here[:1]) or any(here[1:]) or objects.status != FIX and len(here) < 2:
+        return None
+    best = places[0]
+    return replace(
+        objects,
+        status=FIX,
+        reason="",
+        position=best.position,
+        heading_deg=best.heading_deg,
+        pixel_size_m=best.pixel_size_m,
+        # Both would have to be wrong.
+        confidence=1 - (1 - areas.confidence) * (1 - objects.confidence),
+        error_95_m=objects.error_95_m or areas.error_95_m,
+        alternatives=(),
+    )
+
+
+def neither(objects: Localization, areas: Localization, shorter_edge_px: int) -> Localization:
+    """No fix by the constellation (``objects``) nor by map correlation (``areas``): one result with both reasons.
+
+    A place that both found is told once, as the constellation has it.
+    """
+    known = [place.position for place in objects.alternatives]
+    others = tuple(
+        place
+        for place in areas.alternatives
+        if all(
+            np.hypot(*np.subtract(place.position, other)) > NEAR_SHARE * shorter_edge_px * place.pixel_size_m
+            for other in known
+        )
+    )
+    return replace(
+        objects,
+        status=AMBIGUOUS if areas.status == AMBIGUOUS else objects.status,
+        reason=f"{objects.reason} Map correlation has no fix either: {areas.reason[0].lower()}{areas.reason[1:]}",
+        alternatives=objects.alternatives + others,
+    )
+
+
+def _refused(fix: Localization, reason: str) -> Localization:
+    """A fix that the other road's evidence speaks against: its place is an alternative."""
+    return Localization(
+        AMBIGUOUS, fix.method, fix.references, reason, alternatives=(place_of(fix),), search_capped=fix.search_capped
+    )

@@ -1,0 +1,1 @@
+"""The onboard file and the command line of an aircraft's computer."""

@@ -1,0 +1,62 @@
+"""The part of a database that an aircraft takes along: what lies in an area, to a pixel of the overview."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Sequence
+
+import cv2
+import numpy as np
+
+from ..database.model import BuildParameters, MapLandmarks, ReferenceDatabase, Windows
+from ..errors import DatabaseError
+from ..labels.class_table import UNLABELED
+
+_SHIFT = 4
+"""Corners of an area are rounded to 1/16 of a pixel of the overview."""
+
+
+def area_mask(rings: Sequence[np.ndarray], parameters: BuildParameters) -> np.ndarray:
+    """(h, w) bool on the overview's grid: where an area is.
+
+    ``rings``: outer and inner rings of its polygons, none overlapping, (n, 2) map coordinates, on the map or near it.
+    """
+    factor = parameters.overview_factor
+    x0, pixel, _, y0, _, _ = parameters.geotransform
+    mask = np.zeros((-(-parameters.map_height_px // factor), -(-parameters.map_width_px // factor)), np.uint8)
+    # OpenCV counts from the center of the first pixel.
+    corners = [(np.asarray(ring) - (x0, y0)) / (pixel * factor, -pixel * factor) - 0.5 for ring in rings]
+    cv2.fillPoly(mask, [np.rint(ring * 2**_SHIFT).astype(np.int32) for ring in corners], 1, shift=_SHIFT)
+    return mask > 0
+
+
+def clipped(database: ReferenceDatabase, mask: np.ndarray) -> ReferenceDatabase:
+    """The landmarks in an area, the windows centered in it, the overview with nothing else on it.
+
+    ``mask``: of ``area_mask``. Raises DatabaseError when no landmark lies in it.
+    """
+    references, windows = database.references, database.windows
+    kept = _in(mask, references.positions, database.parameters)
+    if not kept.any():
+        raise DatabaseError("No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.")
+    centered = _in(mask, windows.centers, database.parameters)
+    overview = database.overview
+    return replace(
+        database,
+        references=_chosen(references, kept, MapLandmarks),
+        windows=_chosen(windows, centered, Windows),
+        overview=None if overview is None else np.where(mask, overview, np.uint8(UNLABELED)),
+    )
+
+
+def _in(mask: np.ndarray, points_xy: np.ndarray, parameters: BuildParameters) -> np.ndarray:
+    """(N,) bool: whether the pixel that a point lies in belongs to the area."""
+    x0, pixel, _, y0, _, _ = parameters.geotransform
+    edge = pixel * parameters.overview_factor
+    rows = np.clip(((y0 - points_xy[:, 1]) / edge).astype(np.intp), 0, mask.shape[0] - 1)
+    columns = np.clip(((points_xy[:, 0] - x0) / edge).astype(np.intp), 0, mask.shape[1] - 1)
+    return mask[rows, columns]
+
+
+def _chosen(items, chosen: np.ndarray, kind: type):
+    return kind(**{name: None if array is None else array[chosen] for name, array in vars(items).items()})

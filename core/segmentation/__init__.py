@@ -1,0 +1,1 @@
+"""Photos to labels by an ONNX network."""

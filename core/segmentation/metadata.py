@@ -1,0 +1,215 @@
+"""What a segmentation model says about itself: the keys of the Deepness plugin, and SemRef's own (DESIGN §5)."""
+
+from __future__ import annotations
+
+import ast
+import json
+import math
+from dataclasses import dataclass
+from typing import Any, List, Mapping, Optional, Sequence, Tuple
+
+from ..errors import ClassTableError, ModelError
+from ..labels.class_table import BACKGROUND, MAXIMUM_VALUE, UNLABELED, ClassTable, LandCoverClass, default_color
+
+DEFAULT_OVERLAP = 0.2
+"""Share of a tile that lies on its neighbor when the model does not say."""
+
+MAXIMUM_OVERLAP = 0.75
+"""More would run the network over every pixel more than sixteen times."""
+
+DEFAULT_THRESHOLD = 0.5
+"""Probability from which on a pixel has the class, for networks with one output (Deepness: seg_thresh)."""
+
+BACKGROUND_NAMES = ("background", "_background", "unlabeled", "unlabeled", "other", "others", "none", "void")
+"""Names of a channel 0 that stands for no class at all."""
+
+
+@dataclass(frozen=True)
+class ModelClasses:
+    """The classes of a model: ``names`` of its output channels, the class value of each (0 for none), their table."""
+
+    names: Tuple[str, ...]
+    values: Tuple[int, ...]
+    table: ClassTable
+
+    def values_in(self, table: ClassTable, source: str) -> Tuple[int, ...]:
+        """The value in ``table`` of each channel, by name; 0 for classes that ``table`` does not have.
+
+        Raises ModelError when a reference class of ``table`` is not among the model's. ``source``: the model's name.
+        """
+        own = {name.casefold() for name in self.names}
+        missing = [c.name for c in table.references if c.name.casefold() not in own]
+        if missing:
+            raise ModelError(
+                f"{source} does not know the database's class {', '.join(missing)}, only {', '.join(self.names)}; "
+                "take a model that was trained on the database's classes."
+            )
+        found = {c.name.casefold(): c.value for c in table}
+        return tuple(found.get(name.casefold(), UNLABELED) for name in self.names)
+
+
+@dataclass(frozen=True)
+class ModelSettings:
+    """How a model wants its images.
+
+    ``resolution_m``: ground meters a pixel, None when unknown. ``tile_size_px``: None when it does not say.
+    ``overlap``: share of a tile that lies on its neighbor. ``mean``, ``std``: (red, green, blue) of pixels in 0…1.
+    ``threshold``: probability from which on a pixel has the class, for networks with one output.
+    """
+
+    resolution_m: Optional[float]
+    tile_size_px: Optional[int]
+    overlap: float
+    mean: Tuple[float, ...]
+    std: Tuple[float, ...]
+    threshold: float
+
+
+def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
+    """Settings from a model's metadata by key; values are JSON or Python literals, as Deepness takes them.
+
+    ``source``: the model's name in messages. Raises ModelError naming the key that is wrong.
+    """
+    kind = _literal(texts.get("model_type", "Segmentor"))
+    if str(kind).casefold() != "segmentor":
+        raise ModelError(f"{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.")
+    resolution_cm = _number(texts, "resolution", source, 0.001, 1e6)
+    tile_size = _number(texts, "tile_size" if "tile_size" in texts else "tiles_size", source, 1, 16384)
+    overlap = _number(texts, "tiles_overlap", source, 0, 100 * MAXIMUM_OVERLAP)
+    threshold = _number(texts, "seg_thresh", source, 0, 1)
+    return ModelSettings(
+        resolution_m=None if resolution_cm is None else resolution_cm / 100,
+        tile_size_px=None if tile_size is None else int(tile_size),
+        overlap=DEFAULT_OVERLAP if overlap is None else overlap / 100,
+        mean=_three(texts, "standardization_mean", source, 0.0),
+        std=_three(texts, "standardization_std", source, 1.0),
+        threshold=DEFAULT_THRESHOLD if threshold is None else threshold,
+    )
+
+
+def named_channels(texts: Mapping[str, str], source: str) -> Optional[List[str]]:
+    """The class names in a model's metadata, in the order of its channels; None without any. Raises ModelError."""
+    key = next((key for key in ("class_names", "names") if key in texts), None)
+    return None if key is None else [str(name) for name in _by_channel(texts, key, source)]
+
+
+def read_classes(
+    texts: Mapping[str, str], channels: int, source: str, given: Optional[ClassTable] = None
+) -> ModelClasses:
+    """Classes of a model with ``channels`` classes (2 for one that gives the probability of a single class).
+
+    ``given``: the user's class table, which has the last word on values, colors and roles. Raises ModelError.
+    """
+    names = named_channels(texts, source)
+    if names is None and given is None:
+        raise ModelError(
+            f"{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, "
+            "in the order of the network's outputs."
+        )
+    where = "in CLASS_TABLE" if names is None else "in its metadata (class_names)"
+    if names is None:
+        names = [c.name for c in given if c.value != UNLABELED]
+    if len(names) == channels - 1 and (channels == 2 or "CLASS_TABLE" in where):
+        names = [BACKGROUND_NAMES[0], *names]
+    if len(names) != channels:
+        raise ModelError(
+            f"{source} tells {channels} classes apart, but there are {len(names)} class names {where}: "
+            f"{', '.join(names[:12])}; take the names it was trained with."
+        )
+    values, table = _classes(texts, names, source, given)
+    return ModelClasses(tuple(names), values, table)
+
+
+def _classes(texts, names: Sequence[str], source: str, given: Optional[ClassTable]):
+    """(class value of each channel, table of the classes other than 0)."""
+    if given is not None:
+        return _given_classes(names, source, given)
+    first_is_none = names[0].casefold() in BACKGROUND_NAMES
+    values = [channel if first_is_none else channel + 1 for channel in range(len(names))]
+    if "class_values" in texts:
+        values = [_class_value(v, source) for v in _by_channel(texts, "class_values", source, len(names))]
+    colors = [default_color(value) for value in values]
+    if "class_colors" in texts:
+        colors = [str(color) for color in _by_channel(texts, "class_colors", source, len(names))]
+    roles = [BACKGROUND] * len(names)
+    if "class_roles" in texts:
+        roles = [str(role) for role in _by_channel(texts, "class_roles", source, len(names))]
+    try:
+        found = [LandCoverClass(*row) for row in zip(values, names, colors, roles) if row[0] != UNLABELED]
+        return tuple(values), ClassTable(tuple(found))
+    except ClassTableError as error:
+        raise ModelError(f"{source}: {error}") from None
+
+
+def _given_classes(names: Sequence[str], source: str, given: ClassTable):
+    known = {c.name.casefold(): c.value for c in given}
+    missing = [n for n in names if n.casefold() not in known and n.casefold() not in BACKGROUND_NAMES]
+    if missing:
+        raise ModelError(
+            f"CLASS_TABLE lacks the class {', '.join(missing)} of {source}; add it, or leave CLASS_TABLE empty."
+        )
+    values = tuple(known.get(name.casefold(), UNLABELED) for name in names)
+    return values, ClassTable(tuple(c for c in given if c.value in values and c.value != UNLABELED))
+
+
+def _by_channel(texts, key: str, source: str, count: Optional[int] = None) -> List[Any]:
+    """A list, or a dict of channel number → item, as a list in the order of the channels."""
+    found = _literal(texts[key])
+    if isinstance(found, dict):
+        try:
+            by_number = {int(number): item for number, item in found.items()}
+        except ValueError:
+            by_number = {}
+        found = [by_number[n] for n in sorted(by_number)] if sorted(by_number) == list(range(len(found))) else None
+    if not isinstance(found, list) or not found or (count is not None and len(found) != count):
+        raise ModelError(
+            f"{source} has “{texts[key]}” as {key}; it must be JSON with one entry for each output, "
+            'like {"0": …, "1": …}.'
+        )
+    return found
+
+
+def _class_value(value: Any, source: str) -> int:
+    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= MAXIMUM_VALUE:
+        raise ModelError(f"{source} has {value} in class_values; class values are whole numbers from 0 to 255.")
+    return value
+
+
+def _number(texts, key: str, source: str, least: float, most: float) -> Optional[float]:
+    if key not in texts:
+        return None
+    found = _literal(texts[key])
+    if isinstance(found, bool) or not isinstance(found, (int, float)) or not least <= found <= most:
+        raise ModelError(
+            f"{source} has “{texts[key]}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it."
+        )
+    return float(found)
+
+
+def _three(texts, key: str, source: str, default: float) -> Tuple[float, ...]:
+    if key not in texts:
+        return (default,) * 3
+    found = _literal(texts[key])
+    if isinstance(found, (list, tuple)) and len(found) == 3:
+        numbers = all(isinstance(v, (int, float)) and math.isfinite(v) for v in found)
+        if numbers and (key != "standardization_std" or min(found) > 0):
+            return tuple(float(v) for v in found)
+    raise ModelError(
+        f"{source} has “{texts[key]}” as {key}; it must be a list of three numbers, for red, green and blue"
+        f"{', above 0' if key == 'standardization_std' else ''}."
+    )
+
+
+def _literal(text: str) -> Any:
+    """JSON, else a Python literal (Deepness's older models), else the text itself."""
+    try:
+        return json.loads(text)
+    except ValueError:
+        return _python_literal(text)
+
+
+def _python_literal(text: str) -> Any:
+    try:
+        return ast.literal_eval(text)
+    except (ValueError, SyntaxError):
+        return text

@@ -1,0 +1,246 @@
+"""ONNX segmentation networks: the only file that uses onnxruntime."""
+
+from __future__ import annotations
+
+import os
+import re
+from typing import List, Optional, Sequence
+
+import cv2
+import numpy as np
+
+from ..errors import ModelError
+from ..labels.class_table import ClassTable
+from .metadata import named_channels, read_classes, read_settings
+
+PROVIDERS = (
+    "CUDAExecutionProvider",
+    "ROCMExecutionProvider",
+    "DmlExecutionProvider",
+    "CoreMLExecutionProvider",
+    "CPUExecutionProvider",
+)
+"""What may run a network, best first; of those that onnxruntime has, it falls back on the next when one fails."""
+
+DEFAULT_TILE_SIZE_PX = 512
+"""Edge of a tile for networks that take any size and don't say which they were trained on."""
+
+TILES_AT_ONCE = 4
+"""Tiles given to a graphics card together, where the network takes several; the CPU gains nothing by it."""
+
+RUNS_AT_ONCE = 2
+"""How often the network runs side by side on a CPU: two runs of half the threads each wait less for one another than
+one run of all, and each that runs holds its own intermediate results in memory."""
+
+_CPU = PROVIDERS[-1]
+_FLOATS = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
+_BANDS = 3
+
+
+class SegmentationModel:
+    """A network from an ONNX file: images → scores of its classes.
+
+    ``classes`` and ``settings``: its metadata. ``tile_hw``: (height, width) of the images it takes. ``tiles_at_once``:
+    how many of them best. ``runs_at_once``: how many threads may call ``scores`` at a time with gain. ``provider``:
+    what runs it. ``notes``: sentences on metadata that were overruled.
+    """
+
+    def __init__(self, path: str, threads: int, class_table: Optional[ClassTable] = None) -> None:
+        """``threads``: for the CPU. ``class_table``: the user's, see ``read_classes``.
+
+        Raises ModelError when onnxruntime is missing, or the file or what it says about itself can't be used.
+        """
+        self.path = path
+        self.notes: List[str] = []
+        self.runs_at_once = min(RUNS_AT_ONCE, threads) if _providers()[:1] == [_CPU] else 1
+        self._session = _open(path, -(-threads // self.runs_at_once))
+        self.provider = self._session.get_providers()[0]
+        texts = self._session.get_modelmeta().custom_metadata_map
+        self.settings = read_settings(texts, path)
+        self._read_input()
+        mean, std = (np.array(v, np.float32) for v in (self.settings.mean, self.settings.std))
+        # (pixel / 255 - mean) / std of each of the 256 pixel values, for each band.
+        self._standardized = ((np.arange(256, dtype=np.float32) / 255)[None] - mean[:, None]) / std[:, None]
+        names = named_channels(texts, path)
+        outputs = self._probe()
+        single = outputs.ndim == 3 or outputs.shape[1] == 1
+        self._gives_numbers = single and (outputs.dtype.kind in "iu" or (names is not None and len(names) > 2))
+        self._gives_probability = single and not self._gives_numbers
+        if self._gives_numbers:
+            channels = len(names or class_table or ())
+        else:
+            channels = 2 if single else outputs.shape[1]
+        self.classes = read_classes(texts, channels, path, class_table)
+
+    def scores(self, images: Sequence[np.ndarray]) -> np.ndarray:
+        """(N, C, H, W) float32: for each image the score of each class; the highest is the pixel's.
+
+        ``images``: N of (H, W, 3) uint8, red first, H × W = ``tile_hw``.
+        Raises ModelError when the network fails or gives values that are no numbers.
+        """
+        outputs = self._run(images)
+        if self._gives_numbers:
+            return self._votes(outputs)
+        found = outputs.astype(np.float32, copy=False)
+        # Checked on the sum: any NaN or infinity is in it.
+        if not np.isfinite(found.sum()):
+            raise ModelError(
+                f"{self.path} gives values that are not numbers (NaN or infinite); it is damaged, or its "
+                "standardization_mean and standardization_std are not those it was trained with."
+            )
+        if self._gives_probability:
+            found = found.reshape(len(images), 1, *self.tile_hw)
+            return np.concatenate([np.full_like(found, self.settings.threshold), found], axis=1)
+        return found
+
+    def _votes(self, outputs: np.ndarray) -> np.ndarray:
+        """One for the class that the network names, zero for the others."""
+        numbers = outputs.reshape(len(outputs), 1, *self.tile_hw)
+        count = len(self.classes.names)
+        if not ((numbers >= 0) & (numbers < count)).all():
+            raise ModelError(
+                f"{self.path} gives the class number {numbers.max():g}, but it names {count} classes; "
+                "take the names it was trained with."
+            )
+        return (numbers == np.arange(count).reshape(1, count, 1, 1)).astype(np.float32)
+
+    def _read_input(self) -> None:
+        inputs = self._session.get_inputs()
+        if len(inputs) != 1 or len(self._session.get_outputs()) != 1:
+            raise ModelError(
+                f"{self.path} has {len(inputs)} inputs and {len(self._session.get_outputs())} outputs; "
+                "a segmentation network has one of each."
+            )
+        shape = inputs[0].shape
+        if len(shape) != 4 or shape[1] not in (_BANDS, None) and isinstance(shape[1], int):
+            raise ModelError(
+                f"{self.path} takes input of the shape {_shape_text(shape)}; it must be 1 × 3 × height × width "
+                "(red, green, blue)."
+            )
+        if inputs[0].type not in _FLOATS:
+            raise ModelError(f"{self.path} takes {inputs[0].type} values; a segmentation network takes floats.")
+        self._name, self._type = inputs[0].name, _FLOATS[inputs[0].type]
+        stated = self.settings.tile_size_px
+        fixed = [size if isinstance(size, int) else stated or DEFAULT_TILE_SIZE_PX for size in shape[2:]]
+        self.tile_hw = fixed[0], fixed[1]
+        if stated is not None and (stated, stated) != self.tile_hw:
+            self.notes.append(
+                f"tile_size in the model's metadata is {stated}, but the network takes {fixed[1]} × {fixed[0]} pixels: "
+                "these are used."
+            )
+        fixed_batch = isinstance(shape[0], int)
+        self.tiles_at_once = 1 if fixed_batch or self.provider == _CPU else TILES_AT_ONCE
+        if fixed_batch and shape[0] != 1:
+            raise ModelError(f"{self.path} takes {shape[0]} images at once; export it for one (or any number).")
+
+    def _probe(self) -> np.ndarray:
+        """What the network gives for a black image; its stated shape may be silent on the number of classes."""
+        height, width = self.tile_hw
+        outputs = self._run([np.zeros((height, width, _BANDS), np.uint8)])
+        if outputs.shape not in [(1, height, width), (1, outputs.shape[1], height, width)]:
+            raise ModelError(
+                f"{self.path} gives the shape {_shape_text(outputs.shape)} for an image of {width} × {height} pixels; "
+                f"it must be 1 × classes × {height} × {width}."
+            )
+        return outputs
+
+    def _run(self, images: Sequence[np.ndarray]) -> np.ndarray:
+        planes = np.empty((len(images), _BANDS, *self.tile_hw), self._type)
+        for image, plane in zip(images, planes):
+            for band, pixels in enumerate(cv2.split(image)):
+                plane[band] = cv2.LUT(pixels, self._standardized[band])
+        try:
+            return self._session.run(None, {self._name: planes})[0]
+        except _failures() as error:
+            height, width = self.tile_hw
+            raise ModelError(
+                f"{self.path} fails on an image of {width} × {height} pixels: {_reason(error)}."
+            ) from error
+
+
+def _onnxruntime():
+    try:
+        import onnxruntime
+    except ImportError as error:
+        raise ModelError(
+            f"Segmentation needs the Python package onnxruntime ({error}); install it for QGIS's Python, for example "
+            "with “python3 -m pip install onnxruntime”."
+        ) from None
+    return onnxruntime
+
+
+def _failures():
+    """onnxruntime's exceptions, which have no base of their own."""
+    from onnxruntime.capi import onnxruntime_pybind11_state as state
+
+    names = (
+        "EPFail",
+        "EngineError",
+        "Fail",
+        "InvalidArgument",
+        "InvalidGraph",
+        "InvalidProtobuf",
+        "ModelLoaded",
+        "NoModel",
+        "NoSuchFile",
+        "NotImplemented",
+        "RuntimeException",
+    )
+    return (*(getattr(state, name) for name in names if hasattr(state, name)), RuntimeError, ValueError)
+
+
+def _providers() -> List[str]:
+    """What onnxruntime has to run a network, best first."""
+    there = _onnxruntime().get_available_providers()
+    return [name for name in PROVIDERS if name in there]
+
+
+def _open(path: str, threads: int):
+    onnxruntime = _onnxruntime()
+    if not os.path.isfile(path):
+        raise ModelError(f"{path} does not exist; choose a model file (.onnx).")
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = threads
+    # A thread that spins while it waits takes the core from reading and blending.
+    options.add_session_config_entry("session.intra_op.allow_spinning", "0")
+    # Errors are raised; onnxruntime would write them to a console that QGIS users don't have, too.
+    options.log_severity_level = 4
+    try:
+        return onnxruntime.InferenceSession(path, options, providers=_providers())
+    except _failures() as error:
+        raise ModelError(_why_not_opened(path, str(error), onnxruntime.__version__)) from error
+
+
+def _why_not_opened(path: str, text: str, version: str) -> str:
+    """One sentence for what onnxruntime says in many words."""
+    newer = re.search(r"Unsupported model IR version: (\d+), max supported IR version: (\d+)", text)
+    if newer:
+        return (
+            f"{path} is in ONNX format {newer[1]} (IR version), but onnxruntime {version} reads up to {newer[2]}; "
+            "install a newer onnxruntime or export the model with an older ir_version."
+        )
+    opset = re.search(r"Opset (\d+) is under development.*?domain \S+ is till opset (\d+)", text, re.DOTALL)
+    if opset:
+        return (
+            f"{path} uses ONNX operators of version {opset[1]} (opset), but onnxruntime {version} knows up to "
+            f"{opset[2]}; install a newer onnxruntime or export the model with an older opset."
+        )
+    if re.search(r"external|no such file|file size", text, re.IGNORECASE):
+        return (
+            f"{path} keeps its weights in another file that is missing or cut short; put it beside the model under "
+            f"its old name ({_reason(text)})."
+        )
+    if re.search("INVALID_PROTOBUF|Protobuf parsing failed|does not have a graph", text):
+        return f"{path} is not an ONNX model, or it is damaged or cut short; copy or export it again."
+    return f"{path} can't be run by onnxruntime {version}: {_reason(text)}."
+
+
+def _reason(error: object) -> str:
+    """The last part of onnxruntime's message, without its error code and source files, as part of a sentence."""
+    text = re.sub(r"\[ONNXRuntimeError\] : \d+ : [A-Z_]+ : ", "", " ".join(str(error).split()))
+    text = re.sub(r"\S*/onnxruntime/\S+:\d+ [^\n]*?\) ", "", text)
+    return re.sub(r"\.\s+(?=[A-Z])", "; ", text)[:300].rstrip(". ")
+
+
+def _shape_text(shape: Sequence[object]) -> str:
+    return " × ".join(str(size) if isinstance(size, int) else "any" for size in shape)

@@ -1,0 +1,201 @@
+"""Images to labels, tile by tile: overlapping tiles whose scores are blended, so that no seam shows."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Iterator, List, Optional, Sequence, Tuple
+
+import cv2
+import numpy as np
+
+from ..errors import ImageError
+from ..labels.class_table import UNLABELED
+from ..labels.image_source import ImageSource
+from .model import SegmentationModel
+
+MINIMUM_EDGE_PX = 8
+"""An image smaller than this shows a network nothing."""
+
+
+@dataclass(frozen=True)
+class SegmentedRows:
+    """Labels of whole rows: (rows, W) uint8 from ``first`` on."""
+
+    first: int
+    labels_hw: np.ndarray
+
+
+@dataclass(frozen=True)
+class _Tile:
+    """A tile as read: ``image`` of the network's size; ``has_data`` None where all pixels have."""
+
+    column: int
+    row: int
+    image: np.ndarray
+    has_data: Optional[np.ndarray]
+
+    @property
+    def is_empty(self) -> bool:
+        return self.has_data is not None and not self.has_data.any()
+
+
+def segment(
+    model: SegmentationModel, source: ImageSource, values: Sequence[int], overlap: float
+) -> Iterator[Tuple[float, Optional[SegmentedRows]]]:
+    """Yields, tile by tile, the share done (0…1) and the rows that are finished with it, or None.
+
+    ``values``: (C,) class value of each of the model's channels. ``overlap``: share of a tile that lies on each
+    neighbor at least. A tile's weight falls over the overlap towards its border, where a network sees
+    least of the surroundings; each pixel gets the class with the highest weighted sum of scores (the weights need no
+    normalizing: they are the same for all classes of a pixel). Pixels without data are 0, tiles without any are not
+    given to the network. Held in memory: two groups of tiles more than the model looks at side by side, and the scores
+    of the overlap of two rows of tiles.
+
+    Raises ImageError for an image of a few pixels, and what ``source`` and ``model`` raise.
+    """
+    height, width = source.shape_hw
+    if min(height, width) < MINIMUM_EDGE_PX:
+        raise ImageError(
+            f"An image of {width} × {height} pixels shows too little to be segmented; "
+            f"it needs {MINIMUM_EDGE_PX} pixels each way at the model's resolution."
+        )
+    tile_h, tile_w = model.tile_hw
+    columns, rows = tile_starts(width, tile_w, overlap), tile_starts(height, tile_h, overlap)
+    places = [(column, row) for row in rows for column in columns]
+    blending = _Blending(columns, rows, (height, width), model.tile_hw, np.asarray(values, np.uint8), overlap)
+    groups = [places[n : n + model.tiles_at_once] for n in range(0, len(places), model.tiles_at_once)]
+    done = 0
+    # While these tiles are blended here, the network looks at the next ones and those after them are read.
+    with ThreadPoolExecutor(1) as reader, ThreadPoolExecutor(model.runs_at_once) as network:
+
+        def look_at(places):
+            return network.submit(_look, model, reader.submit(_read_tiles, source, places, model.tile_hw))
+
+        waiting = model.runs_at_once + 1
+        ahead = [look_at(group) for group in groups[:waiting]]
+        try:
+            for number in range(len(groups)):
+                seen = ahead.pop(0).result()
+                if number + waiting < len(groups):
+                    ahead.append(look_at(groups[number + waiting]))
+                for tile, scores in seen:
+                    finished = blending.add(tile, scores)
+                    done += 1
+                    yield done / len(places), finished
+        finally:
+            # Who stops listening must not wait for tiles that nobody has begun to look at.
+            for future in ahead:
+                future.cancel()
+
+
+def _look(model: SegmentationModel, reading: Future) -> List[Tuple[_Tile, Optional[np.ndarray]]]:
+    """Tiles with their (C, H, W) scores, None for tiles without data."""
+    tiles = reading.result()
+    with_data = [tile.image for tile in tiles if not tile.is_empty]
+    scores = iter(model.scores(with_data) if with_data else ())
+    return [(tile, None if tile.is_empty else next(scores)) for tile in tiles]
+
+
+def tile_starts(length: int, tile: int, overlap: float) -> List[int]:
+    """First pixels of tiles that cover ``length`` pixels, evenly spread, overlapping by at least that share.
+
+    A single 0 when the length fits into one tile. Evenly: no tile hangs over the end, and none is squeezed in.
+    """
+    if length <= tile:
+        return [0]
+    step = max(1, int(tile * (1 - overlap)))
+    count = -(-(length - tile) // step) + 1
+    return [round(n * (length - tile) / (count - 1)) for n in range(count)]
+
+
+def nearest_labels(labels_hw: np.ndarray, shape_hw: Tuple[int, int]) -> np.ndarray:
+    """(H, W) uint8 labels brought to another (height, width): each pixel takes the label at its center."""
+    if labels_hw.shape == tuple(shape_hw):
+        return labels_hw
+    rows, columns = (
+        ((np.arange(size) + 0.5) * old / size).astype(np.intp) for size, old in zip(shape_hw, labels_hw.shape)
+    )
+    return labels_hw[rows][:, columns]
+
+
+class _Blending:
+    """Sums of weighted scores, kept only where another tile will still add to them."""
+
+    def __init__(self, columns, rows, shape_hw, tile_hw, values: np.ndarray, overlap: float) -> None:
+        height, width = shape_hw
+        self._next_column = dict(zip(columns, [*columns[1:], width]))
+        self._next_row = dict(zip(rows, [*rows[1:], height]))
+        self._height, self._width = height, width
+        self._values = values
+        self._weights = _ramp(tile_hw[0], overlap)[:, None] * _ramp(tile_hw[1], overlap)
+        # Weighted sums to which tiles of this row or the next one will add: beside, above and below.
+        self._left = np.zeros((len(values), tile_hw[0], 0), np.float32)
+        self._above = self._below = np.zeros((len(values), 0, width), np.float32)
+        self._labels = np.empty((0, width), np.uint8)
+
+    def add(self, tile: _Tile, scores: Optional[np.ndarray]) -> Optional[SegmentedRows]:
+        """Adds a tile's (C, tile height, tile width) scores, None for none; gives the rows that are finished by it."""
+        next_row = self._next_row[tile.row]
+        rows = next_row - tile.row
+        if tile.column == 0:
+            self._begin_row(rows, is_last=next_row == self._height)
+        if scores is None:
+            scores = np.zeros((len(self._values), *self._weights.shape), np.float32)
+        for channel in scores:
+            cv2.multiply(channel, self._weights, dst=channel)
+        scores[:, :, : self._left.shape[2]] += self._left
+        # Left of the next tile nothing will be added in this row of tiles.
+        last = self._next_column[tile.column]
+        columns = last - tile.column
+        complete = scores[:, :, :columns]
+        complete[:, : self._above.shape[1]] += self._above[:, :, tile.column : last]
+        labels = self._labels[:, tile.column : last]
+        labels[:] = self._values[_best_channel(complete[:, :rows])]
+        if tile.has_data is not None:
+            labels[~tile.has_data[:rows, :columns]] = UNLABELED
+        self._below[:, :, tile.column : last] = complete[:, rows : rows + self._below.shape[1]]
+        self._left = scores[:, :, columns:]
+        return SegmentedRows(tile.row, self._labels) if last == self._width else None
+
+    def _begin_row(self, rows: int, is_last: bool) -> None:
+        channels, tile_height = len(self._values), len(self._weights)
+        self._left = np.zeros((channels, tile_height, 0), np.float32)
+        self._above = self._below
+        self._below = np.empty((channels, 0 if is_last else tile_height - rows, self._width), np.float32)
+        self._labels = np.empty((rows, self._width), np.uint8)
+
+
+def _ramp(size: int, overlap: float) -> np.ndarray:
+    """(size,) float32 weights: 1 in the middle, falling like a cosine over the overlap to nearly 0 at both ends."""
+    from_end = np.minimum(np.arange(size), np.arange(size)[::-1]) + 0.5
+    share = np.minimum(from_end / max(1.0, size * overlap), 1)
+    return (np.sin(share * np.pi / 2) ** 2).astype(np.float32)
+
+
+def _best_channel(scores: np.ndarray) -> np.ndarray:
+    """(C, H, W) → (H, W) uint8 number of the highest score, of equal ones the first; faster than ``np.argmax``."""
+    best = np.ascontiguousarray(scores[0])
+    channel = np.zeros(best.shape, np.uint8)
+    for number in range(1, len(scores)):
+        # 255 where this channel is higher, else 0: of that and the number, the lower; no number before is as high.
+        higher = cv2.compare(scores[number], best, cv2.CMP_GT)
+        np.maximum(channel, np.minimum(higher, number, out=higher), out=channel)
+        best = cv2.max(best, scores[number])
+    return channel
+
+
+def _read_tiles(source: ImageSource, places, tile_hw: Tuple[int, int]) -> List[_Tile]:
+    return [_read_tile(source, column, row, tile_hw) for column, row in places]
+
+
+def _read_tile(source: ImageSource, column: int, row: int, tile_hw: Tuple[int, int]) -> _Tile:
+    """A tile of the network's size; an image smaller than that goes on mirrored."""
+    height, width = (min(tile, size) for tile, size in zip(tile_hw, source.shape_hw))
+    image, has_data = source.read(column, row, width, height)
+    if has_data is not None and has_data.all():
+        has_data = None
+    if (height, width) != tile_hw:
+        below, right = tile_hw[0] - height, tile_hw[1] - width
+        image = cv2.copyMakeBorder(image, 0, below, 0, right, cv2.BORDER_REFLECT_101)
+    return _Tile(column, row, image, has_data)

@@ -1,0 +1,1 @@
+"""Windows and topology vectors: the published method (docs/method.md)."""

@@ -1,0 +1,309 @@
+"""Topology vectors of all windows of a map, equal to describing every window by itself but much faster.
+
+A region that lies inside a window looks the same in every window around it, so it is measured once, for the whole
+map. Only what a window's border cuts is measured again: the regions on the border lines of a row of windows once for
+that row, those on a window's left and right border once for that window, each in the smallest patch that holds it.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Callable, Deque, Dict, Iterator, List, Sequence, Tuple
+
+import numpy as np
+
+from ..labels.sources import ArrayLabels, LabelSource, RollingRows
+from ..landmarks.landmarks import (
+    BOTTOM,
+    CENTER_X,
+    CENTER_Y,
+    CLASS,
+    LEFT,
+    NO_ROWS,
+    RIGHT,
+    TOP,
+    Landmarks,
+    class_mask,
+    contour_row,
+    outer_contours,
+    rows_array,
+    rows_from_objects,
+    shift_row,
+    shift_rows,
+)
+from .grid import WindowGrid
+from .topology_vector import MINIMUM_REFERENCES, TIE_DECIMALS, class_ranks, topology_vectors
+
+STRIP_PIXELS = 64_000_000
+"""Pixels of a row of windows held at a time; wider maps are described in several column blocks."""
+
+KNOWN_CUTS = 200_000
+"""Cuts remembered from strip to strip; then all are forgotten, which bounds memory."""
+
+PENDING_PIXELS = 256_000_000
+"""Pixels of all rows of windows waiting for or in work; bounds memory when several threads work."""
+
+
+@dataclass(frozen=True)
+class DescribedWindows:
+    """Windows of one row of the grid: M windows.
+
+    columns, rows: (M,) first pixels; counts: (M,) landmarks in each;
+    vectors: (M, 3·X) float32, zeros where ``counts`` is below 3.
+    """
+
+    columns: np.ndarray
+    rows: np.ndarray
+    counts: np.ndarray
+    vectors: np.ndarray
+
+
+def describe_windows(
+    source: LabelSource,
+    grid: WindowGrid,
+    objects: Landmarks,
+    reference_values: Sequence[int],
+    minimum_area_px: float,
+    references_per_vector: int,
+    threads: int = 1,
+    strip_pixels: int = STRIP_PIXELS,
+) -> Iterator[DescribedWindows]:
+    """Yields the windows of the grid, one row of them (of one column block) at a time, in a fixed order.
+
+    ``objects``: every landmark of the whole map with at least the same minimum area. ``threads``
+    rows of windows are worked on at once; only the calling thread reads from ``source``.
+    """
+    strips = _strips(source, grid, rows_from_objects(objects), strip_pixels)
+
+    def describe(strip: _Strip) -> DescribedWindows:
+        return strip.describe(grid.size, reference_values, minimum_area_px, references_per_vector)
+
+    with ThreadPoolExecutor(threads) as pool:
+        pending: Deque = deque()
+        try:
+            for strip in strips:
+                pending.append(pool.submit(describe, strip))
+                if len(pending) > min(threads, PENDING_PIXELS // strip.labels.size):
+                    yield pending.popleft().result()
+            while pending:
+                yield pending.popleft().result()
+        finally:
+            for future in pending:
+                future.cancel()
+
+
+def _strips(source: LabelSource, grid: WindowGrid, all_rows: np.ndarray, strip_pixels: int) -> Iterator["_Strip"]:
+    for columns in _column_blocks(grid, strip_pixels):
+        cuts: Dict[tuple, list] = {}
+        first, width = int(columns[0]), int(columns[-1]) + grid.size - int(columns[0])
+        rows_of = _row_reader(source, first, width, grid.size)
+        inside = (all_rows[:, RIGHT] > first) & (all_rows[:, LEFT] < first + width)
+        in_block = shift_rows(all_rows[inside], -first, 0)
+        for row in grid.rows:
+            near = in_block[(in_block[:, BOTTOM] > row) & (in_block[:, TOP] < row + grid.size)]
+            yield _Strip(rows_of(int(row)), shift_rows(near, 0, -int(row)), first, int(row), columns - first, cuts)
+
+
+def _row_reader(source: LabelSource, column: int, width: int, height: int) -> Callable[[int], np.ndarray]:
+    """The function row → (height, width) labels from there on, for rows that only grow."""
+    if isinstance(source, ArrayLabels):
+        return lambda row: source.read(column, row, width, height)
+    rolling = RollingRows(source, column, width, height)
+    # Threads work on strips while the rows roll on.
+    return lambda row: rolling.strip(row).copy()
+
+
+def _column_blocks(grid: WindowGrid, strip_pixels: int) -> List[np.ndarray]:
+    columns = grid.columns
+    width = max(grid.size, strip_pixels // grid.size)
+    per_block = max(1, (width - grid.size) // grid.stride + 1)
+    return [columns[i : i + per_block] for i in range(0, len(columns), per_block)]
+
+
+class _Strip:
+    """One row of windows: its labels and the regions near it, in the strip's own pixel coordinates."""
+
+    def __init__(
+        self,
+        labels: np.ndarray,
+        near: np.ndarray,
+        column: int,
+        row: int,
+        columns: np.ndarray,
+        known_cuts: Dict[tuple, list],
+    ) -> None:
+        """``labels``: (size, W) uint8; ``near``: region rows of the map that reach into the strip.
+
+        ``column``, ``row``: the strip's first pixel; ``columns``: (M,) the windows' first columns in the strip;
+        ``known_cuts``: shared by the strips of a column block, kept up to date.
+        """
+        self._known_cuts = known_cuts
+        self.labels = labels
+        self._near = near
+        self._origin = column, row
+        self._columns = columns
+
+    def describe(
+        self, size: int, reference_values: Sequence[int], minimum_area: float, references_per_vector: int
+    ) -> DescribedWindows:
+        columns = self._columns
+        counts = np.zeros(len(columns), np.int64)
+        nearest: List[np.ndarray] = [NO_ROWS] * len(columns)
+        for k, rows in enumerate(self._regions_by_window(size, minimum_area)):
+            counts[k] = len(rows)
+            nearest[k] = _nearest(rows, np.array([columns[k] + size / 2, size / 2]), references_per_vector)
+        vectors = np.zeros((len(columns), 3 * references_per_vector), np.float32)
+        described = np.flatnonzero(counts >= MINIMUM_REFERENCES)
+        if len(described):
+            vectors[described] = _vectors([nearest[k] for k in described], reference_values, references_per_vector)
+        first_column, row = self._origin
+        return DescribedWindows(columns + first_column, np.full(len(columns), row), counts, vectors)
+
+    def _regions_by_window(self, size: int, minimum_area: float) -> Iterator[np.ndarray]:
+        regions = self._regions(minimum_area)
+        on_left = _rows_by_line(regions, self._columns)
+        on_right = _rows_by_line(regions, self._columns + size - 1)
+        begins = np.searchsorted(regions[:, LEFT], self._columns, side="right")
+        ends = np.searchsorted(regions[:, LEFT], self._columns + size, side="left")
+        for k, column in enumerate(self._columns.tolist()):
+            inside = regions[begins[k] : ends[k]]
+            inside = inside[inside[:, RIGHT] < column + size]
+            frame = (column, 0, column + size, size)
+            cut = []
+            if k in on_left:
+                cut += self._cut(regions[on_left[k]], frame, LEFT, (), minimum_area)
+            if k in on_right:
+                cut += self._cut(regions[on_right[k]], frame, RIGHT, (LEFT,), minimum_area)
+            yield np.concatenate([inside, rows_array(cut)]) if cut else inside
+
+    def _regions(self, minimum_area: float) -> np.ndarray:
+        """Region rows as the strip shows them, ordered by their left end."""
+        height, width = self.labels.shape
+        frame = (0, 0, width, height)
+        reaches = _reaches(self._near, frame)
+        cut = []
+        for n, side in enumerate(_SIDES):
+            cut += self._cut(self._near[reaches[side]], frame, side, _SIDES[:n], minimum_area)
+        whole = self._near[~np.any([reaches[side] for side in _SIDES], axis=0)]
+        rows = np.concatenate([whole, rows_array(cut)])
+        return rows[np.argsort(rows[:, LEFT], kind="stable")]
+
+    def _cut(
+        self,
+        crossing: np.ndarray,
+        frame: Tuple[int, int, int, int],
+        side: int,
+        done: Sequence[int],
+        minimum_area: float,
+    ) -> list:
+        """Rows (tuples) of what is left inside ``frame`` of the regions that reach over one of its sides.
+
+        Every part of a region that a frame cuts has pixels on one of the frame's sides, and every pixel of a reference
+        class on this side belongs to one of the regions ``crossing`` it (or to one too small to count): so the
+        contours that touch the side are exactly the wanted ones. Those on a side already ``done`` were found there.
+        """
+        found = []
+        for value in np.unique(crossing[:, CLASS]).tolist():
+            for patch in _patches(crossing[crossing[:, CLASS] == value], frame, side):
+                if side in (LEFT, RIGHT) and patch[1] > 0 and patch[3] < len(self.labels):
+                    found += self._cut_in_many_strips(value, patch, frame, side, done, minimum_area)
+                else:
+                    found += self._cut_in_patch(value, patch, frame, side, done, minimum_area)
+        return found
+
+    def _cut_in_many_strips(self, value: float, patch: tuple, frame: tuple, side: int, done, minimum_area) -> list:
+        """What a vertical line cuts well inside the strip, it cuts in the strips above and below just the same."""
+        row = self._origin[1]
+        left, top, right, bottom = patch
+        key = side, value, left, top + row, right, bottom + row, frame[0], frame[2], LEFT in done
+        known = self._known_cuts.get(key)
+        if known is None:
+            if len(self._known_cuts) >= KNOWN_CUTS:
+                self._known_cuts.clear()
+            cut = self._cut_in_patch(value, patch, frame, side, done, minimum_area)
+            known = [shift_row(found, 0, row) for found in cut]
+            self._known_cuts[key] = known
+        return [shift_row(found, 0, -row) for found in known]
+
+    def _cut_in_patch(self, value: float, patch: tuple, frame: tuple, side: int, done, minimum_area) -> list:
+        left, top, right, bottom = patch
+        found = []
+        for contour in outer_contours(class_mask(self.labels[top:bottom, left:right], value)):
+            row = contour_row(contour, value, minimum_area)
+            if row is None:
+                continue
+            row = shift_row(row, left, top)
+            if row[side] == frame[side - LEFT] and all(row[other] != frame[other - LEFT] for other in done):
+                found.append(row)
+        return found
+
+
+_SIDES = (TOP, BOTTOM, LEFT, RIGHT)
+
+
+def _reaches(rows: np.ndarray, frame: Tuple[int, int, int, int]) -> Dict[int, np.ndarray]:
+    """For each side of ``frame`` a mask of the regions that reach that side's line of pixels, or over it."""
+    return {
+        LEFT: rows[:, LEFT] <= frame[0],
+        TOP: rows[:, TOP] <= frame[1],
+        RIGHT: rows[:, RIGHT] >= frame[2],
+        BOTTOM: rows[:, BOTTOM] >= frame[3],
+    }
+
+
+def _patches(crossing: np.ndarray, frame: Tuple[int, int, int, int], side: int) -> Iterator[Tuple[int, int, int, int]]:
+    """(left, top, right, bottom) of patches that hold regions of one class wholly inside ``frame``.
+
+    Regions whose extents along the side's line overlap share a patch, so that the patches' extents along the line
+    are apart and no region shows up in two of them.
+    """
+    bounds = np.minimum(np.maximum(crossing[:, LEFT : BOTTOM + 1], (frame[0], frame[1]) * 2), (frame[2], frame[3]) * 2)
+    vertical = side in (LEFT, RIGHT)
+    along = 1 if vertical else 0
+    bounds = bounds[np.argsort(bounds[:, along], kind="stable")].astype(np.int64).tolist()
+    patch = None
+    for left, top, right, bottom in bounds:
+        if patch is not None and (top if vertical else left) <= patch[along + 2]:
+            patch = [min(patch[0], left), min(patch[1], top), max(patch[2], right), max(patch[3], bottom)]
+            continue
+        if patch is not None:
+            yield tuple(patch)
+        patch = [left, top, right, bottom]
+    if patch is not None:
+        yield tuple(patch)
+
+
+def _rows_by_line(rows: np.ndarray, lines: np.ndarray) -> Dict[int, np.ndarray]:
+    """For each vertical line (pixel column) that regions lie on: line index → indices of those regions."""
+    first = np.searchsorted(lines, rows[:, LEFT], side="left")
+    after = np.searchsorted(lines, rows[:, RIGHT], side="left")
+    counts = after - first
+    regions = np.repeat(np.arange(len(rows)), counts)
+    offsets = np.arange(len(regions)) - np.repeat(np.cumsum(counts) - counts, counts)
+    line = np.repeat(first, counts) + offsets
+    order = np.argsort(line, kind="stable")
+    found, starts = np.unique(line[order], return_index=True)
+    return dict(zip(found.tolist(), np.split(regions[order], starts[1:]))) if len(found) else {}
+
+
+def _nearest(rows: np.ndarray, center: np.ndarray, count: int) -> np.ndarray:
+    """(n, 3) offset x, offset y, class of the ``count`` regions nearest to ``center`` and those tied with the last."""
+    offsets = rows[:, (CENTER_X, CENTER_Y, CLASS)]
+    offsets[:, :2] -= center
+    if len(rows) <= count:
+        return offsets
+    squared = offsets[:, 0] ** 2 + offsets[:, 1] ** 2
+    reach = np.sqrt(np.partition(squared, count - 1)[count - 1]) + 10.0**-TIE_DECIMALS
+    return offsets[squared <= reach**2]
+
+
+def _vectors(nearest: List[np.ndarray], reference_values: Sequence[int], references_per_vector: int) -> np.ndarray:
+    longest = max(len(rows) for rows in nearest)
+    offsets = np.full((len(nearest), longest, 2), np.inf)
+    ranks = np.zeros((len(nearest), longest))
+    for k, rows in enumerate(nearest):
+        offsets[k, : len(rows)] = rows[:, :2]
+        ranks[k, : len(rows)] = class_ranks(rows[:, 2], reference_values)
+    return topology_vectors(offsets, ranks, references_per_vector)

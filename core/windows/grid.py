@@ -1,0 +1,70 @@
+"""THE window grid: where the windows of a reference database lie on its label map (paper §3.1)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Sequence, Tuple
+
+import numpy as np
+
+from ..errors import WindowError
+
+
+@dataclass(frozen=True)
+class WindowGrid:
+    """Windows of one size sliding over a map of ``width`` × ``height`` pixels; all in whole pixels.
+
+    Only windows that lie wholly on the map count, as in the paper. Raises WindowError when none does
+    or when the stride would leave gaps.
+    """
+
+    width: int
+    height: int
+    size: int
+    stride: int
+
+    def __post_init__(self) -> None:
+        if self.size < 1 or self.stride < 1:
+            raise WindowError(
+                f"Window size ({self.size} px) and stride ({self.stride} px) must be at least one pixel; enlarge them."
+            )
+        if self.stride > self.size:
+            raise WindowError(
+                f"The stride ({self.stride} px) is larger than the window ({self.size} px), so ground between "
+                "the windows would be missed; make the stride at most the window size."
+            )
+        if self.size > min(self.width, self.height):
+            raise WindowError(
+                f"The window ({self.size} px) is larger than the map ({self.width} × {self.height} px); "
+                "choose a smaller window or a larger map."
+            )
+
+    @property
+    def columns(self) -> np.ndarray:
+        """First pixel column of each window of a row of windows."""
+        return np.arange(0, self.width - self.size + 1, self.stride)
+
+    @property
+    def rows(self) -> np.ndarray:
+        """First pixel row of each row of windows."""
+        return np.arange(0, self.height - self.size + 1, self.stride)
+
+    def __len__(self) -> int:
+        return len(self.columns) * len(self.rows)
+
+
+def window_name(column: int, row: int) -> str:
+    """A window is named after its first pixel, as in the paper: ``5950_2100``."""
+    return f"{column}_{row}"
+
+
+def whole_pixels(length: float, pixel_size: float) -> int:
+    """A length in map units as the nearest whole number of pixels."""
+    return int(np.floor(length / pixel_size + 0.5))
+
+
+def centered_square(shape_hw: Sequence[int]) -> Tuple[int, int, int]:
+    """(first column, first row, size) of the largest centered square of an image (DESIGN §2.7)."""
+    height, width = shape_hw
+    size = min(height, width)
+    return (width - size) // 2, (height - size) // 2, size

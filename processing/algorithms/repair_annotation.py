@@ -1,0 +1,106 @@
+"""semref:repairannotation – a land-cover layer made clean: one valid polygon a landmark, nothing overlaps."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessingParameterFeatureSink, QgsProcessingParameterNumber
+
+from ...core.annotation.findings import ERROR, OUTSIDE_CRS
+from ...core.errors import ParameterError
+from ..compat import MULTI_POLYGON, POLYGON, SOURCE_POLYGON
+from ..framework.annotation import AnnotationAlgorithm, geometry_of
+from ..framework.base import check_canceled, follow, interruptible
+from ..framework.sinks import Sink
+from ..packages.components import OPENCV, SHAPELY
+from ..translation import tr
+from ..wording.annotation_messages import FIELDS, change_sentence, row_of
+
+READ, REPAIRED = 20.0, 95.0
+"""Percent of the progress after reading and repairing."""
+
+
+class RepairAnnotation(AnnotationAlgorithm):
+    ID = "repairannotation"
+    TAGS = ("clean", "topology", "fix geometries", "dissolve", "overlap", "gap", "sliver", "land cover")
+    PACKAGES = (OPENCV, SHAPELY)
+
+    MAXIMUM_GAP = "MAXIMUM_GAP"
+    MINIMUM_AREA = "MINIMUM_AREA"
+    OUTPUT = "OUTPUT"
+    CHANGES = "CHANGES"
+
+    def title(self):
+        return tr("Repair annotation")
+
+    def summary(self):
+        return tr(
+            "Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and "
+            "slivers to the neighbor with the longest shared border, and touching polygons of one class become one. "
+            "The result has one polygon for each landmark.\n\n"
+            "Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class "
+            "value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired "
+            "layer changes nothing."
+        )
+
+    def initAlgorithm(self, config=None):
+        self.offer_annotation()
+        number = QgsProcessingParameterNumber
+        self.offer(
+            number(self.MAXIMUM_GAP, tr("Largest gap (m²)"), number.Double, 1.0, optional=True, minValue=0.0),
+            tr("Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area."),
+        )
+        self.offer(
+            number(self.MINIMUM_AREA, tr("Minimum area (m²)"), number.Double, 0.0, optional=True, minValue=0.0),
+            tr(
+                "Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin pieces "
+                "are merged at any area."
+            ),
+        )
+        self.offer(
+            QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Repaired annotation"), SOURCE_POLYGON),
+            tr("Valid single polygons with the fields of the annotation layer, in meters."),
+        )
+        self.offer(
+            QgsProcessingParameterFeatureSink(
+                self.CHANGES, tr("Changes"), SOURCE_POLYGON, optional=True, createByDefault=False
+            ),
+            tr("One feature a change: what was changed where, and which features it concerns."),
+        )
+
+    def work(self, parameters, context, feedback):
+        from ...core.annotation.merging import MergeSettings
+        from ...core.annotation.repair import AnnotationRepair
+        from ..exchange.annotation_features import fields_of
+
+        lookup = self.classes(parameters, context, feedback)
+        crs = self.label_map_crs(context, feedback)
+        reading = self.read_features(lookup, crs, context, feedback, READ, with_attributes=True)
+        self.require_known_classes(reading, lookup)
+        settings = MergeSettings(
+            self.parameterAsDouble(parameters, self.MAXIMUM_GAP, context),
+            self.parameterAsDouble(parameters, self.MINIMUM_AREA, context),
+        )
+        repair = AnnotationRepair(reading.features, settings)
+        follow(interruptible(repair.steps(), feedback), feedback, READ, REPAIRED)
+        if not repair.polygons:
+            raise ParameterError(
+                f"“{self._source.name}” has no polygon with area and class; there is nothing to repair."
+            )
+        # Sinks are made last: a cancel before leaves nothing behind.
+        check_canceled(feedback)
+        sink = Sink(self, parameters, self.OUTPUT, context, fields_of(self._source), POLYGON, crs)
+        for polygon in repair.polygons:
+            sink.add_row(geometry_of(polygon.wkb), reading.attributes[polygon.feature])
+        results = {self.OUTPUT: sink.close()}
+        changes = [f for f in reading.findings if f.kind != OUTSIDE_CRS or f.severity == ERROR] + repair.changes
+        feedback.pushInfo(
+            tr("{before} features became {after} polygons; {changes} changes").format(
+                before=self._source.count, after=len(repair.polygons), changes=len(changes)
+            )
+        )
+        sink = Sink(self, parameters, self.CHANGES, context, FIELDS, MULTI_POLYGON, crs)
+        if sink.is_wanted:
+            names = {c.value: c.name for c in lookup.table}
+            for change in changes:
+                sink.add(geometry_of(change.wkb, multi=True), row_of(change, change_sentence(change, names)))
+            results[self.CHANGES] = sink.close()
+        return results

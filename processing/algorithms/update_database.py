@@ -1,0 +1,168 @@
+"""semref:updatedatabase – database and corrected label map to the database of a full rebuild."""
+
+from __future__ import annotations
+
+from math import ceil, floor
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterRasterLayer,
+)
+
+from ...core.errors import ClassTableError, LabelMapError, ParameterError
+from ..compat import SOURCE_POLYGON
+from ..framework.base import REFERENCE_DATABASE, SemRefAlgorithm, check_canceled, follow
+from ..threads import worker_threads
+from ..translation import tr
+from ..version import plugin_version
+
+
+class UpdateDatabase(SemRefAlgorithm):
+    ID = "updatedatabase"
+    GROUP = REFERENCE_DATABASE
+    TAGS = ("incremental", "correction", "label map", "landmarks", "geopackage")
+
+    DATABASE = "DATABASE"
+    LABELS = "LABELS"
+    CHANGED = "CHANGED"
+    OUTPUT = "OUTPUT"
+
+    def title(self):
+        return tr("Update reference database")
+
+    def summary(self):
+        return tr(
+            "Brings a reference database up to date after its label map was corrected: the same answer as building it "
+            "anew, but only windows and landmarks that the corrections reach are touched.\n\n"
+            "All settings come from the database. What did not change keeps its row and its fid; new landmarks are "
+            "added at the end. The label map must have the pixels, the CRS and the classes of the old one."
+        )
+
+    def initAlgorithm(self, config=None):
+        self.offer(
+            QgsProcessingParameterFile(self.DATABASE, tr("Reference database"), extension="gpkg"),
+            tr("GeoPackage made by “Build reference database” or by this algorithm."),
+        )
+        self.offer(
+            QgsProcessingParameterRasterLayer(self.LABELS, tr("Corrected label map")),
+            tr("The whole area, rasterized with the pixel size and extent of the old label map."),
+        )
+        self.offer(
+            QgsProcessingParameterFeatureSource(self.CHANGED, tr("Changed areas"), [SOURCE_POLYGON], optional=True),
+            tr(
+                "Polygons that hold everything that was changed, such as the places that were corrected: only the "
+                "blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an "
+                "update without this. If left out, the whole map is compared with the database, which takes longer."
+            ),
+        )
+        self.offer(
+            QgsProcessingParameterFileDestination(self.OUTPUT, tr("Updated database"), tr("GeoPackage (*.gpkg)")),
+            tr("It may be the database itself, which is then replaced when the update is complete."),
+        )
+
+    def read_layers(self, parameters, context, feedback):
+        from ..exchange.rasters import label_map_layer
+
+        self._layer = label_map_layer(self.parameterAsRasterLayer(parameters, self.LABELS, context), self.LABELS)
+        self._changed = self.parameterAsSource(parameters, self.CHANGED, context)
+        if self._changed is None and parameters.get(self.CHANGED):
+            raise ParameterError(self.invalidSourceError(parameters, self.CHANGED))
+
+    def work(self, parameters, context, feedback):
+        from ...core.database.update import DatabaseUpdater
+        from ...storage.database_edit import DatabaseEditor
+        from ...storage.files import written_beside
+        from ...storage.geopackage import read_stored_database
+        from ..exchange.rasters import GdalLabels, map_frame
+
+        output = self.parameterAsFileOutput(parameters, self.OUTPUT, context)
+        stored = read_stored_database(self.parameterAsFile(parameters, self.DATABASE, context))
+        labels = GdalLabels(self._layer.path)
+        frame = map_frame(labels, self._layer)
+        self._check_crs(stored.database)
+        self._check_classes(stored.database.class_table, labels)
+        updater = DatabaseUpdater(
+            labels,
+            frame,
+            stored.database,
+            stored.distinctiveness,
+            self._areas(frame, context, feedback),
+            plugin_version(),
+            worker_threads(),
+        )
+        with written_beside(output) as temporary:
+            follow(updater.steps(), feedback, 0, 80)
+            follow(DatabaseEditor(temporary, stored, updater.changes).steps(), feedback, 80, 100)
+        self._say_result(stored.database, updater.changes, feedback)
+        return {self.OUTPUT: output}
+
+    def _check_crs(self, database):
+        from ..compat import wkt_for_gdal
+        from ..exchange.reference_systems import describe_crs
+
+        stored = database.parameters.crs
+        crs = QgsCoordinateReferenceSystem.fromWkt(stored)
+        if wkt_for_gdal(self._layer.crs) != stored and self._layer.crs != crs:
+            raise LabelMapError(
+                f"The label map is in {describe_crs(self._layer.crs)}, the database in {describe_crs(crs)}; rasterize "
+                "to the database's CRS or build a new database."
+            )
+
+    def _check_classes(self, table, labels):
+        """The map's own class table, if it brings one, must be the database's."""
+        from ..exchange.rasters import named_classes, stored_class_table
+
+        found = stored_class_table(labels.dataset, self._layer.path) or named_classes(labels.dataset)
+        differing = {(c.value, c.name) for c in found} ^ {(c.value, c.name) for c in table}
+        for value, name in sorted(differing if found else ()):
+            raise ClassTableError(
+                f"The label map and the database don't have the same classes ({value} {name} is in one of them "
+                "only); rasterize with the database's class table or build a new database."
+            )
+
+    def _areas(self, frame, context, feedback):
+        """(left, top, right, bottom) in pixels around every changed polygon; None without CHANGED."""
+        if self._changed is None:
+            return None
+        transform = QgsCoordinateTransform(self._changed.sourceCrs(), self._layer.crs, context.transformContext())
+        areas = []
+        for feature in self._changed.getFeatures():
+            check_canceled(feedback)
+            for part in feature.geometry().asGeometryCollection():
+                try:
+                    box = transform.transformBoundingBox(part.boundingBox())
+                except QgsCsException:
+                    raise ParameterError(
+                        f"{self.CHANGED}: the area of feature {feature.id()} can't be brought to the label map's CRS; "
+                        "check the layer's CRS."
+                    ) from None
+                areas.append(_pixels_around(box, frame))
+        if not areas:
+            raise ParameterError(f"{self.CHANGED} has no polygon; leave it out to find the changes by comparing.")
+        return areas
+
+    def _say_result(self, database, changes, feedback):
+        feedback.pushInfo(
+            tr("{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.").format(
+                touched=len(changes.touched),
+                windows=len(database.windows),
+                removed=len(changes.removed),
+                added=len(changes.added),
+            )
+        )
+
+
+def _pixels_around(box, frame):
+    """(left, top, right, bottom) of all pixels that a rectangle in map units touches, and of a pixel around it."""
+    x0, pixel, _, y0, _, _ = frame.geotransform
+    return (
+        floor((box.xMinimum() - x0) / pixel) - 1,
+        floor((y0 - box.yMaximum()) / pixel) - 1,
+        ceil((box.xMaximum() - x0) / pixel) + 1,
+        ceil((y0 - box.yMinimum()) / pixel) + 1,
+    )

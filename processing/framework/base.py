@@ -1,0 +1,198 @@
+"""What every SemRef algorithm shares: groups, help, errors, cancel, the check for Python packages."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+from concurrent.futures import ThreadPoolExecutor, wait
+from pathlib import Path
+from typing import Any, Callable, Dict, Generator, List, Tuple
+
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsProcessingParameterDefinition,
+)
+from qgis.PyQt.QtGui import QIcon
+
+from ...core.errors import SemRefError
+from ..packages.components import OPENCV, Package, how_to_install, missing
+from ..translation import tr
+from ..version import algorithm_help_url
+
+ICON_PATH = Path(__file__).resolve().parents[2] / "resources" / "icon.svg"
+
+ANNOTATION, REFERENCE_DATABASE, LOCALIZATION = "annotation", "referencedatabase", "localization"
+
+CANCEL_EVERY_S = 0.2
+"""How often a cancel is looked for during work that can't be interrupted."""
+
+
+class Canceled(Exception):
+    """The user canceled; nothing was written."""
+
+
+class SemRefAlgorithm(QgsProcessingAlgorithm):
+    """Base of the algorithms. A subclass has ID, GROUP, TAGS and the methods title, summary, initAlgorithm, work."""
+
+    ID = ""
+    GROUP = ""
+    TAGS: Tuple[str, ...] = ()
+    PACKAGES: Tuple[Package, ...] = (OPENCV,)
+    """Python packages that it needs beside QGIS's own."""
+
+    def title(self) -> str:
+        raise NotImplementedError
+
+    def summary(self) -> str:
+        """One or two paragraphs of help; the parameters bring their own."""
+        raise NotImplementedError
+
+    def work(self, parameters: dict, context, feedback: QgsProcessingFeedback) -> Dict[str, Any]:
+        """Does the work; raises SemRefError for what the user can mend and Canceled."""
+        raise NotImplementedError
+
+    def read_layers(self, parameters: dict, context, feedback: QgsProcessingFeedback) -> None:
+        """Takes what belongs to the main thread out of layers; raises SemRefError."""
+
+    def offer(self, parameter: QgsProcessingParameterDefinition, text: str, advanced: bool = False) -> None:
+        """Adds a parameter with its help."""
+        parameter.setHelp(text)
+        if advanced:
+            parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
+        self.addParameter(parameter)
+
+    # --- QgsProcessingAlgorithm ---
+
+    def createInstance(self):
+        return type(self)()
+
+    def name(self) -> str:
+        return self.ID
+
+    def displayName(self) -> str:
+        return self.title()
+
+    def groupId(self) -> str:
+        return self.GROUP
+
+    def group(self) -> str:
+        return group_title(self.GROUP)
+
+    def tags(self) -> List[str]:
+        return [*self.TAGS, "semref"]
+
+    def icon(self) -> QIcon:
+        return QIcon(str(ICON_PATH))
+
+    def svgIconPath(self) -> str:
+        return str(ICON_PATH)
+
+    def shortDescription(self) -> str:
+        return self.summary().split("\n\n")[0]
+
+    def shortHelpString(self) -> str:
+        """The summary, then every parameter with its own help."""
+        paragraphs = "".join(f"<p>{paragraph}</p>" for paragraph in self.summary().split("\n\n"))
+        entries = [(p.description(), p.help()) for p in self.parameterDefinitions() if p.help()]
+        return paragraphs + "".join(f"<h3>{title}</h3><p>{text}</p>" for title, text in entries)
+
+    def helpUrl(self) -> str:
+        return algorithm_help_url(self.ID)
+
+    def canExecute(self):
+        lacking = missing(self.PACKAGES)
+        if lacking:
+            return False, how_to_install(lacking)
+        return True, ""
+
+    def prepareAlgorithm(self, parameters, context, feedback) -> bool:
+        self._refusal = None
+        try:
+            self.read_layers(parameters, context, feedback)
+        except SemRefError as error:
+            # Raised by processAlgorithm: of what prepareAlgorithm raises QGIS tells Python callers nothing.
+            self._refusal = error
+        return True
+
+    def processAlgorithm(self, parameters, context, feedback):
+        try:
+            if self._refusal is not None:
+                raise self._refusal
+            return self.work(parameters, context, feedback)
+        except SemRefError as error:
+            raise QgsProcessingException(str(error)) from error
+        except Canceled as error:
+            raise QgsProcessingException(tr("Canceled; nothing was written.")) from error
+        except OSError as error:
+            if error.errno not in _DISK_ERRORS:
+                raise
+            raise QgsProcessingException(_disk_sentence(error)) from error
+
+
+def group_title(group: str) -> str:
+    """A group of algorithms in the user's language."""
+    return {
+        ANNOTATION: tr("Annotation"),
+        REFERENCE_DATABASE: tr("Reference database"),
+        LOCALIZATION: tr("Localization"),
+    }[group]
+
+
+_DISK_ERRORS = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EPERM, errno.EFBIG)
+
+
+def _disk_sentence(error: OSError) -> str:
+    name = error.filename or tr("the output")
+    if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+        return tr("The disk is full while writing {name}; free some space or choose another place.").format(name=name)
+    return tr("{name} can’t be written; choose a place where you may write.").format(name=name)
+
+
+def check_canceled(feedback: QgsProcessingFeedback) -> None:
+    if feedback.isCanceled():
+        raise Canceled
+
+
+def cancelable(function: Callable, *arguments, feedback: QgsProcessingFeedback):
+    """The function's result; a cancel is heeded at once, while the function ends in its own thread."""
+    pool = ThreadPoolExecutor(1)
+    try:
+        running = pool.submit(function, *arguments)
+        while not wait([running], timeout=CANCEL_EVERY_S).done:
+            check_canceled(feedback)
+        return running.result()
+    finally:
+        pool.shutdown(wait=False)
+
+
+def interruptible(
+    steps: Generator[Tuple[str, float], None, None], feedback: QgsProcessingFeedback
+) -> Generator[Tuple[str, float], None, None]:
+    """The same steps, each in a thread of its own: a cancel is heeded in the midst of a long one."""
+    while True:
+        step = cancelable(next, steps, None, feedback=feedback)
+        if step is None:
+            return
+        yield step
+
+
+def follow(
+    steps: Generator[Tuple[str, float], None, None],
+    feedback: QgsProcessingFeedback,
+    first: float = 0.0,
+    last: float = 100.0,
+) -> None:
+    """Runs steps of (what is being done, share done 0…1), showing progress from first to last %; raises Canceled.
+
+    The steps are closed whatever happens: files and threads they hold are let go before anything is cleared away.
+    """
+    shown = None
+    with contextlib.closing(steps):
+        for what, share in steps:
+            check_canceled(feedback)
+            if what != shown:
+                feedback.setProgressText(tr(what))
+                shown = what
+            feedback.setProgress(first + (last - first) * share)

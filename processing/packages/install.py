@@ -1,0 +1,233 @@
+"""Installing Python packages with pip: a generator yields each command and is sent what came of it.
+
+Nothing here runs anything: whoever drives it (ui's ComponentInstaller) runs the commands as processes and closes the
+generator on a cancel. Each package is installed beside its place and moved there when it can be imported.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import re
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Dict, Generator, List
+
+import numpy as np
+from qgis.core import QgsNetworkAccessManager
+from qgis.PyQt.QtCore import QUrl
+from qgis.PyQt.QtNetwork import QNetworkProxy
+
+from ...core.errors import ComponentError
+from ...storage.files import folder_written_beside
+from ..translation import tr
+from .components import Package, components_folder, how_to_get_pip, install_command, is_too_old
+
+
+@dataclass(frozen=True)
+class Command:
+    """A program to run in ``folder``, with environment variables beside QGIS's own."""
+
+    title: str
+    program: str
+    arguments: List[str]
+    folder: str
+    variables: Dict[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came of a command: its exit status (-1 when it could not be started or crashed), all it printed."""
+
+    status: int
+    output: str
+
+
+Commands = Generator[Command, Answer, None]
+
+
+def installing(packages: List[Package], wheels: str = "") -> Commands:
+    """Installs packages one after the other, from the package index or from a folder of wheels.
+
+    Raises ComponentError with the reason; the packages before stay installed, of the one that failed nothing does.
+    """
+    python = yield from _find_python(packages)
+    for package in packages:
+        _refuse_older_one(package)
+        final = components_folder() / package.module
+        try:
+            with folder_written_beside(str(final), f"{package.module}/__init__.py") as folder:
+                yield from _install(python, package, folder, wheels)
+        except OSError as error:
+            raise ComponentError(
+                tr("{package} can’t be installed: {reason}: {name}.").format(
+                    package=package.pip_name, reason=error.strerror, name=error.filename or final
+                )
+            ) from error
+
+
+# --- the interpreter ---
+
+_ASK = "import importlib.util, sys; print(*sys.version_info[:2], importlib.util.find_spec('pip') is not None)"
+
+
+def _find_python(packages: List[Package]) -> Generator[Command, Answer, str]:
+    """The path of a Python like QGIS's that has pip."""
+    version = sys.version_info[:2]
+    candidates = python_candidates(sys.executable or "", sys.exec_prefix, version, os.name == "nt")
+    without_pip = ""
+    for path in filter(os.path.isfile, candidates):
+        answer = yield Command(tr("Looking for QGIS’s Python…"), path, ["-c", _ASK], os.path.dirname(path))
+        words = answer.output.split()[-3:]
+        if answer.status == 0 and words == [str(version[0]), str(version[1]), "True"]:
+            return path
+        if answer.status == 0 and words[:2] == [str(version[0]), str(version[1])]:
+            without_pip = without_pip or path
+    if without_pip:
+        raise ComponentError(
+            tr("{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.").format(
+                python=without_pip, how_to_get_pip=how_to_get_pip(), command=install_command(packages)
+            )
+        )
+    raise ComponentError(
+        tr("No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead.").format(
+            version=f"{version[0]}.{version[1]}", paths=", ".join(candidates), command=install_command(packages)
+        )
+    )
+
+
+def python_candidates(executable: str, prefix: str, version: tuple, windows: bool) -> List[str]:
+    """Where QGIS's Python may lie, likeliest first; ``executable`` (sys.executable) may be QGIS itself."""
+    if windows:
+        return [os.path.join(prefix, "python.exe"), os.path.join(prefix, "python3.exe")]
+    exact = f"python{version[0]}.{version[1]}"
+    folders = [os.path.join(prefix, "bin"), os.path.join(os.path.dirname(executable), "bin"), "/usr/bin"]
+    paths = [executable] if os.path.basename(executable).startswith("python") else []
+    paths += [os.path.join(folder, name) for folder in folders for name in (exact, "python3")]
+    return list(dict.fromkeys(paths))
+
+
+# --- one package ---
+
+
+def _refuse_older_one(package: Package) -> None:
+    """An older package elsewhere comes before SemRef's on Python's path."""
+    if is_too_old(package):
+        raise ComponentError(
+            tr("{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.").format(
+                path=importlib.util.find_spec(package.module).origin
+            )
+        )
+
+
+_CHECK = """
+import importlib, json, sys
+sys.path[:] = json.loads(sys.argv[1])
+import numpy
+if numpy.__version__ != sys.argv[3]:
+    sys.exit("numpy is " + numpy.__version__ + ", not " + sys.argv[3])
+module = importlib.import_module(sys.argv[2])
+print(module.__file__)
+"""
+
+
+def _install(python: str, package: Package, folder: str, wheels: str) -> Commands:
+    temporary = Path(folder).parent / "tmp"
+    temporary.mkdir()
+    requirement = package.requirement(np.__version__)
+    title = tr("Installing {package}…").format(package=package.pip_name)
+    variables = {**_PIP_VARIABLES, **{name: str(temporary) for name in ("TMPDIR", "TEMP", "TMP")}}
+    proxy = proxy_url(QgsNetworkAccessManager.instance().fallbackProxy())
+    if proxy:
+        # In the environment: other users see command lines, and it may hold a password.
+        variables["PIP_PROXY"] = proxy
+    pip = yield Command(title, python, pip_arguments(requirement, folder, wheels), str(temporary), variables)
+    if pip.status != 0:
+        raise ComponentError(why_pip_failed(requirement, pip.output, wheels))
+    path = json.dumps([*sys.path, folder])
+    title = tr("Checking {package}…").format(package=package.pip_name)
+    arguments = ["-c", _CHECK, path, package.needed_module, np.__version__]
+    check = yield Command(title, python, arguments, str(temporary), {"PYTHONDONTWRITEBYTECODE": "1"})
+    if check.status != 0:
+        raise ComponentError(
+            tr("{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.").format(
+                package=requirement, numpy=np.__version__, reason=_last_line(check.output)
+            )
+        )
+
+
+_PIP_VARIABLES = {
+    "PYTHONIOENCODING": "utf-8",
+    # What a user's settings may say about other installations does not go with a folder of its own.
+    "PIP_USER": "0",
+    "PIP_REQUIRE_VIRTUALENV": "0",
+}
+
+
+def pip_arguments(requirement: str, folder: str, wheels: str) -> List[str]:
+    """pip's command line; its index is the user's. Without dependencies: numpy must stay QGIS's."""
+    options = ["--no-deps", "--only-binary=:all:", "--no-input", "--disable-pip-version-check", "--progress-bar=off"]
+    offline = ["--no-index", "--find-links", wheels] if wheels else []
+    return ["-m", "pip", "install", *options, "--target", folder, *offline, requirement]
+
+
+def proxy_url(proxy: QNetworkProxy) -> str:
+    """Such as ``http://host:3128``, with user and password where they are set; nothing without a proxy."""
+    schemes = {
+        QNetworkProxy.ProxyType.HttpProxy: "http",
+        QNetworkProxy.ProxyType.HttpCachingProxy: "http",
+        QNetworkProxy.ProxyType.Socks5Proxy: "socks5",
+    }
+    if proxy.type() not in schemes or not proxy.hostName():
+        return ""
+    url = QUrl()
+    url.setScheme(schemes[proxy.type()])
+    url.setHost(proxy.hostName())
+    url.setPort(proxy.port() or -1)
+    if proxy.user():
+        url.setUserName(proxy.user())
+        url.setPassword(proxy.password())
+    return bytes(url.toEncoded()).decode("ascii")
+
+
+_NETWORK_TROUBLE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|Retrying \\(Retry")
+
+
+def why_pip_failed(requirement: str, output: str, wheels: str) -> str:
+    """One sentence for the user from what pip printed."""
+    python = f"{sys.version_info[0]}.{sys.version_info[1]}"
+    if "SOCKS support" in output:
+        return tr("pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.")
+    if "ProxyError" in output or "Proxy Authentication Required" in output:
+        return tr("The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.")
+    if "CERTIFICATE_VERIFY_FAILED" in output:
+        return tr(
+            "The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, "
+            "or install from a folder of wheels."
+        )
+    if "No space left" in output or "Errno 28" in output:
+        return tr("The disk is full: {folder} needs about 500 MB.").format(folder=components_folder())
+    if _NETWORK_TROUBLE.search(output):
+        return tr(
+            "The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from "
+            "a folder of wheels."
+        )
+    if "No matching distribution" in output and wheels:
+        return tr("{folder} has no wheel of {package} for Python {python} on this system.").format(
+            folder=wheels, package=requirement, python=python
+        )
+    if "No matching distribution" in output:
+        return tr("The package index has no {package} for Python {python} on this system.").format(
+            package=requirement, python=python
+        )
+    errors = "\n".join(line for line in output.splitlines() if line.startswith("ERROR:"))
+    reason = _last_line(errors or output).replace("ERROR: ", "")
+    return tr("pip could not install {package}: {reason}.").format(package=requirement, reason=reason)
+
+
+def _last_line(output: str) -> str:
+    """The last line that says something, as part of a sentence."""
+    lines = [line.strip() for line in output.splitlines() if line.strip()]
+    return lines[-1].rstrip(".") if lines else tr("it ended without a word")

@@ -1,0 +1,1 @@
+"""What codes of the core mean, in the user's language."""

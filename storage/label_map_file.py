@@ -1,0 +1,107 @@
+"""Label maps as files: GeoTIFF with the class table, colors and names inside."""
+
+from __future__ import annotations
+
+from typing import Iterable, Iterator, Optional, Tuple
+
+import numpy as np
+from osgeo import gdal
+
+from ..core.errors import LabelMapError
+from ..core.labels.class_table import ClassTable
+from .gdal_errors import gdal_failure, gdal_failures
+
+CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
+"""Metadata item of a label map that holds its class table as CSV."""
+
+TILE_ROWS = 256
+"""Rows of a GeoTIFF tile: writing whole tiles compresses none twice."""
+
+LABEL_MAP_OPTIONS = ("TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER")
+
+
+class LabelMapFile:
+    """A label map being written: GeoTIFF, uint8, tiled, DEFLATE, with classes and colors inside.
+
+    A context manager: leaving it closes the file, and raises LabelMapError when GDAL could not write (disk full).
+    """
+
+    def __init__(
+        self,
+        path: str,
+        width: int,
+        height: int,
+        geotransform: Optional[tuple],
+        crs_wkt: str,
+        table: ClassTable,
+    ) -> None:
+        self._path = path
+        options = list(LABEL_MAP_OPTIONS)
+        try:
+            self._dataset = gdal.GetDriverByName("GTiff").Create(path, width, height, 1, gdal.GDT_Byte, options)
+        except RuntimeError as error:
+            raise self._failure(error) from None
+        if self._dataset is None:
+            raise self._failure()
+        if geotransform is not None:
+            self._dataset.SetGeoTransform(geotransform)
+        if crs_wkt:
+            self._dataset.SetProjection(crs_wkt)
+        self._dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
+        set_class_colors(self._dataset.GetRasterBand(1), table)
+
+    def __enter__(self) -> "LabelMapFile":
+        return self
+
+    def __exit__(self, kind, error, traceback) -> None:
+        # The last reference closes the file, which may still write: before its folder is removed, and heeding errors.
+        dataset, self._dataset = self._dataset, None
+        with gdal_failures() as failures:
+            del dataset
+        if failures and error is None:
+            raise self._failure(failures[0])
+
+    def write_rows(self, first_row: int, labels_hw: np.ndarray) -> None:
+        """Writes whole rows through to the file; may run in another thread, one call at a time."""
+        with gdal_failures() as failures:
+            self._dataset.GetRasterBand(1).WriteArray(labels_hw, 0, first_row)
+            self._dataset.FlushCache()
+        if failures:
+            raise self._failure(failures[0])
+
+    def _failure(self, error: object = None) -> LabelMapError:
+        return LabelMapError(f"{self._path} can't be written: {gdal_failure(error)}.")
+
+
+def whole_tile_rows(pieces: Iterable[Tuple[int, np.ndarray]]) -> Iterator[Tuple[int, np.ndarray]]:
+    """(first row, (rows, W) labels) in pieces that end with a row of the GeoTIFF's tiles, all but the last."""
+    held = []
+    first = 0
+    for start, labels_hw in pieces:
+        end = start + len(labels_hw)
+        ready = end // TILE_ROWS * TILE_ROWS
+        if ready <= first:
+            held.append(labels_hw)
+            continue
+        held.append(labels_hw[: ready - start])
+        yield first, np.concatenate(held)
+        first, held = ready, [labels_hw[ready - start :]]
+    if held and sum(map(len, held)):
+        yield first, np.concatenate(held)
+
+
+def set_class_colors(band: gdal.Band, table: ClassTable) -> None:
+    """Color table (0 transparent) and category names; GDAL keeps the names of a GeoTIFF in its .aux.xml."""
+    colors = gdal.ColorTable()
+    last = max([c.value for c in table], default=0)
+    names = [""] * (last + 1)
+    colors.SetColorEntry(0, (0, 0, 0, 0))
+    for value in range(1, last + 1):
+        colors.SetColorEntry(value, (0, 0, 0, 255))
+    for c in table:
+        if c.value:
+            colors.SetColorEntry(c.value, (*c.rgb, 255))
+        names[c.value] = c.name
+    names[0] = names[0] or "unlabeled"
+    band.SetRasterColorTable(colors)
+    band.SetRasterCategoryNames(names)

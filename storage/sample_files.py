@@ -1,0 +1,184 @@
+"""Files of the sample area: shapefile, class table, orthophoto, photos, truth."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from pathlib import Path
+from typing import Iterator, List, Tuple
+
+import numpy as np
+from osgeo import gdal, ogr, osr
+
+from ..core.errors import SemRefError
+from ..core.geometry.well_known_binary import to_wkb
+from ..core.sample import photo, pictures
+from ..core.sample.classes import CLASSES
+from ..core.sample.landscape import Landscape
+from .gdal_errors import gdal_failure, gdal_failures
+from .pictures import JPEG_QUALITY, write_jpeg
+
+ANNOTATION_FILE, CLASSES_FILE, ORTHOPHOTO_FILE = "landcover.shp", "classes.csv", "orthophoto.tif"
+PHOTOS_FOLDER, PHOTOS_TRUTH_FILE = "photos", "photos.csv"
+MARKER = "sample.json"
+"""Tells a folder of ours from somebody's data."""
+
+CLASS_FIELD, PRIORITY_FIELD = "class", "zorder"
+PIXEL_SIZE_M = 1.0
+_BURNED_FIELD = "class_id"
+_LAYER = "landcover"
+_DBF_DATE = "2025-05-09"
+"""A fixed day: the format stores one, and the same seed is to give the same file."""
+
+
+class SampleError(SemRefError):
+    """The sample could not be made; the text says why and what to do."""
+
+
+def render_photo(landscape: Landscape, pixel_size: float) -> np.ndarray:
+    """(H, W, 3) uint8 RGB photo of the whole landscape, on the grid of its label map."""
+    return photo.render(landscape, grid_of(landscape, pixel_size), pixel_size)
+
+
+def sample_steps(
+    folder: Path, landscape: Landscape, photo_hw3: np.ndarray, pixel_size: float
+) -> Iterator[Tuple[str, float]]:
+    """Writes all files of the sample into an existing folder; yields (what is being done, share done)."""
+    yield "Writing the annotation", 0.0
+    write_shapefile(landscape, folder)
+    write_classes(folder / CLASSES_FILE)
+    yield "Writing the orthophoto", 0.1
+    write_orthophoto(landscape, pixel_size, photo_hw3, folder / ORTHOPHOTO_FILE)
+    views = pictures.plan_photos(photo_hw3.shape[:2], landscape.seed)
+    (folder / PHOTOS_FOLDER).mkdir()
+    for number, view in enumerate(views):
+        yield "Taking photos", 0.4 + 0.6 * number / len(views)
+        taken = photo.shoot(photo_hw3, view, landscape.seed)
+        write_jpeg(folder / PHOTOS_FOLDER / view.name, np.moveaxis(taken, 2, 0))
+    write_truth(landscape, pixel_size, views, folder / PHOTOS_TRUTH_FILE)
+    about = {"made_by": "semref", "seed": landscape.seed, "pixel_size": pixel_size, "photos": len(views)}
+    (folder / MARKER).write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
+
+
+def fill_layer(dataset, landscape: Landscape, features) -> ogr.Layer:
+    """Create the annotation layer in an OGR dataset and write features to it in their order."""
+    reference = osr.SpatialReference()
+    reference.ImportFromEPSG(landscape.epsg)
+    layer = dataset.CreateLayer(_LAYER, reference, ogr.wkbPolygon, options=_layer_options(dataset))
+    if layer is None:
+        raise SampleError(f"The layer {_LAYER} can’t be created: {gdal_failure()}.")
+    text = ogr.FieldDefn(CLASS_FIELD, ogr.OFTString)
+    text.SetWidth(20)
+    for field in (text, _integer(_BURNED_FIELD), _integer(PRIORITY_FIELD)):
+        layer.CreateField(field)
+    names = {entry.value: entry.name for entry in CLASSES}
+    for drawn in features:
+        feature = ogr.Feature(layer.GetLayerDefn())
+        feature.SetField(CLASS_FIELD, names[drawn.class_value])
+        feature.SetField(_BURNED_FIELD, drawn.class_value)
+        feature.SetField(PRIORITY_FIELD, drawn.zorder)
+        if drawn.geometry is not None:
+            feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(to_wkb(drawn.geometry)))
+        layer.CreateFeature(feature)
+    return layer
+
+
+def _layer_options(dataset) -> List[str]:
+    if dataset.GetDriver().GetName() != "ESRI Shapefile":
+        return []
+    return ["ENCODING=UTF-8", f"DBF_DATE_LAST_UPDATE={_DBF_DATE}"]
+
+
+def _integer(name: str) -> ogr.FieldDefn:
+    field = ogr.FieldDefn(name, ogr.OFTInteger)
+    field.SetWidth(4)
+    return field
+
+
+def write_shapefile(landscape: Landscape, folder: Path) -> None:
+    """landcover.shp with .shx, .prj, .dbf and .cpg."""
+    path = folder / ANNOTATION_FILE
+    with gdal_failures() as failures:
+        dataset = ogr.GetDriverByName("ESRI Shapefile").CreateDataSource(str(path))
+        if dataset is not None:
+            fill_layer(dataset, landscape, landscape.features)
+        dataset = None  # closes the file
+    _check(failures, path)
+
+
+def _check(failures: List[str], path: Path) -> None:
+    if failures:
+        raise SampleError(f"{path} can’t be written: {failures[0]}.")
+
+
+def write_classes(path: Path) -> None:
+    """The class table as semref reads it."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file, lineterminator="\n")
+        rows.writerow(["value", "name", "color", "role", "hsv_min", "hsv_max"])
+        for c in CLASSES:
+            rows.writerow([c.value, c.name, c.color, c.role, _spaced(c.hsv_min), _spaced(c.hsv_max)])
+
+
+def _spaced(numbers) -> str:
+    return " ".join(str(n) for n in numbers)
+
+
+def grid_of(landscape: Landscape, pixel_size: float) -> Tuple[float, float, int, int]:
+    """West, north, width and height in pixels of the map, on multiples of the pixel size (gdal_rasterize -tap)."""
+    x0, y0, x1, y1 = (v / pixel_size for v in landscape.extent)
+    west, south, east, north = math.floor(x0 + 1e-6), math.floor(y0 + 1e-6), math.ceil(x1 - 1e-6), math.ceil(y1 - 1e-6)
+    return west * pixel_size, north * pixel_size, east - west, north - south
+
+
+def rasterize(landscape: Landscape, pixel_size: float) -> np.ndarray:
+    """Label map (h, w) uint8 of the landscape, higher zorder on top, 0 where nothing is drawn."""
+    west, north, width, height = grid_of(landscape, pixel_size)
+    drawn = sorted((f for f in landscape.features if f.geometry is not None), key=lambda f: f.zorder)
+    memory = _memory_dataset()
+    layer = fill_layer(memory, landscape, drawn)
+    target = gdal.GetDriverByName("MEM").Create("", width, height, 1, gdal.GDT_Byte)
+    target.SetGeoTransform((west, pixel_size, 0, north, 0, -pixel_size))
+    if gdal.RasterizeLayer(target, [1], layer, options=[f"ATTRIBUTE={_BURNED_FIELD}"]) != 0:
+        raise SampleError(f"The landscape can’t be rasterized: {gdal_failure()}.")
+    return np.frombuffer(target.ReadRaster(), np.uint8).reshape(height, width)
+
+
+def _memory_dataset():
+    """A place for layers in memory: from GDAL 3.11 the driver MEM holds them too and "Memory" is on its way out."""
+    driver = gdal.GetDriverByName("MEM")
+    if driver.GetMetadataItem("DCAP_VECTOR") == "YES":
+        return driver.Create("", 0, 0, 0, gdal.GDT_Unknown)
+    return ogr.GetDriverByName("Memory").CreateDataSource("")
+
+
+def write_orthophoto(landscape: Landscape, pixel_size: float, photo_hw3: np.ndarray, path: Path) -> None:
+    """The whole photo as a georeferenced GeoTIFF, compressed as JPEG."""
+    west, north, width, height = grid_of(landscape, pixel_size)
+    options = ["COMPRESS=JPEG", "PHOTOMETRIC=YCBCR", f"JPEG_QUALITY={JPEG_QUALITY}", "TILED=YES"]
+    reference = osr.SpatialReference()
+    reference.ImportFromEPSG(landscape.epsg)
+    rows = np.ascontiguousarray(np.moveaxis(photo_hw3, 2, 0))
+    with gdal_failures() as failures:
+        dataset = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 3, gdal.GDT_Byte, options)
+        if dataset is not None:
+            dataset.SetProjection(reference.ExportToWkt())
+            dataset.SetGeoTransform((west, pixel_size, 0, north, 0, -pixel_size))
+            dataset.WriteRaster(0, 0, width, height, rows.tobytes(), band_list=[1, 2, 3])
+        dataset = None  # closes the file, which may still write
+    _check(failures, path)
+
+
+def write_truth(landscape: Landscape, pixel_size: float, views, path: Path) -> None:
+    """Where every picture was cut: its center in map pixels and map units, heading, and scale.
+
+    `rotation_deg` is the heading of the image's top, clockwise from grid north; `scale` is map pixels per image pixel.
+    """
+    west, north, _, _ = grid_of(landscape, pixel_size)
+    with path.open("w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file, lineterminator="\n")
+        rows.writerow(["image", "kind", "column", "row", "x", "y", "rotation_deg", "scale", "window"])
+        for v in views:
+            x, y = west + v.column * pixel_size, north - v.row * pixel_size
+            rows.writerow([v.name, v.kind, v.column, v.row, round(x, 4), round(y, 4), v.heading_deg, v.scale, v.window])

@@ -1,0 +1,281 @@
+"""Checking annotations: each kind of finding where it belongs, and counts and areas as plain computations have them."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import cv2
+import numpy as np
+import pytest
+import shapely
+from made_annotation import KINDS, feature, moved, numbered, random_features, square
+
+from semref.core.annotation import findings as kinds
+from semref.core.annotation.check import AnnotationCheck, CheckSettings, DrawnRegion, find_raster_losses
+from semref.core.annotation.findings import ERROR, INFORMATION, WARNING
+from semref.core.annotation.partition import connected_components, partition_polygons
+from semref.core.annotation.polygons import AnnotatedFeature
+from semref.core.annotation.raster_losses import count_pieces, join_runs, lost_regions, merged_regions, runs_of_strip
+
+LANDMARKS = (1, 2, 3, 4)
+BOWTIE = shapely.from_wkt("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))")
+
+
+def check(features, minimum_area=0.0, maximum_gap=1.0) -> AnnotationCheck:
+    done = AnnotationCheck(features, CheckSettings(minimum_area, maximum_gap, LANDMARKS))
+    list(done.steps())
+    return done
+
+
+def found(features, **settings) -> list:
+    """(kind, severity, feature, other) of each finding, ordered."""
+    findings = check(numbered(features), **settings).findings
+    return sorted((f.kind, f.severity, f.feature_id, f.other_id) for f in findings)
+
+
+@pytest.mark.parametrize(
+    ("features", "expected"),
+    [
+        ([], []),
+        ([feature(square(0, 0, 5)), feature(square(5, 0, 5), 2)], []),
+        ([feature(None)], [(kinds.NO_GEOMETRY, WARNING, 0, None)]),
+        ([feature(shapely.from_wkt("POLYGON EMPTY"))], [(kinds.NO_GEOMETRY, WARNING, 0, None)]),
+        ([feature(BOWTIE)], [(kinds.INVALID, ERROR, 0, None)]),
+        (
+            [feature(square(0, 0, 5)), feature(square(3, 0, 5), 2)],
+            [(kinds.OVERLAP, ERROR, 1, 0)],
+        ),
+        (
+            [feature(square(0, 0, 5), 1, 2.0), feature(square(3, 0, 5), 2, 1.0)],
+            [(kinds.OVERLAP, INFORMATION, 0, 1)],
+        ),
+        (
+            [feature(square(0, 0, 5)), feature(square(3, 0, 6), 1)],
+            [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 0, 1)],
+        ),
+        (
+            [feature(square(0, 0, 5)), feature(square(0, 0, 5))],
+            [(kinds.DUPLICATE, WARNING, 1, 0)],
+        ),
+        (
+            [feature(square(0, 0, 5)), feature(square(0, 0, 5), 2)],
+            [(kinds.DUPLICATE, ERROR, 1, 0)],
+        ),
+        (
+            [feature(square(0, 0, 5)), feature(square(0, 0, 5), 2, 1.0)],
+            [(kinds.DUPLICATE, WARNING, 1, 0)],
+        ),
+        (
+            [feature(square(0, 0, 5)), feature(shapely.from_wkt("POLYGON ((5 5, 5 3, 5 0, 0 0, 0 5, 5 5))"))],
+            [(kinds.DUPLICATE, WARNING, 1, 0)],
+        ),
+        (
+            [feature(square(0, 0, 5)), feature(square(5, 5, 4))],
+            [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 1, 0)],
+        ),
+        ([feature(square(0, 0, 5), 9), feature(square(5, 5, 4), 9)], []),
+        ([feature(square(0, 0, 5), 9), feature(square(5, 0, 4), 9)], [(kinds.SAME_CLASS_NEIGHBORS, INFORMATION, 1, 0)]),
+        ([feature(shapely.union_all([square(0, 0, 5), square(5, 5, 4)]))], []),
+        (
+            [feature(square(1, 1, 2)), feature(square(0, 0, 5), 2, 1.0)],
+            [(kinds.HIDDEN, WARNING, 0, 1), (kinds.OVERLAP, INFORMATION, 1, 0)],
+        ),
+        (
+            [feature(shapely.difference(square(0, 0, 5), square(2, 2, 0.9)))],
+            [(kinds.GAP, WARNING, None, None)],
+        ),
+        (
+            [feature(shapely.difference(square(0, 0, 5), square(2, 2, 1.1)))],
+            [],
+        ),
+        (
+            [feature(shapely.box(0, 0, 50, 20)), feature(shapely.box(0, 20, 50, 20.1), 2)],
+            [(kinds.SLIVER, WARNING, 1, None)],
+        ),
+    ],
+    ids=[
+        "nothing",
+        "clean neighbors",
+        "null",
+        "empty",
+        "invalid",
+        "overlap",
+        "decided overlap",
+        "same class overlap",
+        "duplicate",
+        "duplicate of another class",
+        "decided duplicate",
+        "duplicate with more vertices",
+        "corner",
+        "corner of no landmarks",
+        "neighbors that are no landmarks",
+        "corner of one feature",
+        "hidden",
+        "gap",
+        "large hole",
+        "sliver",
+    ],
+)
+def test_each_kind_is_found_with_its_severity_and_ids(features, expected):
+    assert found(features) == expected
+
+
+def test_small_landmarks_are_told_as_drawn():
+    features = [feature(square(x, 0, 3)) for x in (0, 3, 20)] + [feature(square(40, 0, 3), class_value=9)]
+    small = [f for f in check(numbered(features), minimum_area=10).findings if f.kind == kinds.SMALL]
+    assert [(f.feature_id, f.area) for f in small] == [(2, pytest.approx(9))]
+
+
+def test_an_invalid_geometry_is_told_where_it_is_and_why():
+    (finding,) = check([feature(BOWTIE)]).findings
+    assert finding.reason.startswith("Self-intersection") and "550002.00, 5220002.00" in finding.reason
+    assert shapely.contains(shapely.from_wkb(finding.wkb), moved(shapely.Point(2, 2)))
+
+
+def test_coordinates_that_are_none_are_told_and_left_out():
+    with np.errstate(invalid="ignore"):
+        broken = shapely.to_wkb(shapely.polygons([[0, 0], [np.nan, 5], [5, 5]]))
+    findings = check([AnnotatedFeature(7, broken, 1), feature(square(0, 0, 5))]).findings
+    assert [(f.kind, f.feature_id) for f in findings] == [(kinds.INVALID, 7)]
+
+
+def test_a_multipolygon_whose_parts_touch_along_an_edge_is_invalid_though_its_parts_are_not():
+    parts = shapely.multipolygons([square(0, 0, 5), square(5, 0, 5)])
+    assert [f.kind for f in check([feature(parts)]).findings] == [kinds.INVALID]
+
+
+def test_the_shared_border_of_neighbors_is_measured():
+    (finding,) = check(numbered([feature(square(0, 0, 5)), feature(square(5, 2, 9))])).findings
+    assert finding.kind == kinds.SAME_CLASS_NEIGHBORS and finding.number == pytest.approx(3)
+
+
+def test_neighbors_that_touch_in_a_point_are_told_once_and_share_no_border():
+    features = [feature(square(0, 0, 5)), feature(square(5, 5, 4)), feature(square(9, 1, 4)), feature(square(3, 5, 2))]
+    findings = check(numbered(features)).findings
+    told = {frozenset((f.feature_id, f.other_id)): (f.number, f.is_landmark) for f in findings}
+    assert len(findings) == 3
+    # The first and the second touch by a corner, but the fourth joins them.
+    assert told == {
+        frozenset((0, 3)): (pytest.approx(2), True),
+        frozenset((1, 3)): (pytest.approx(2), True),
+        frozenset((1, 2)): (0, True),
+    }
+
+
+def test_what_no_landmark_is_does_not_become_one():
+    (finding,) = check([feature(square(0, 0, 5), 9), feature(square(5, 0, 4), 9, feature_id=1)]).findings
+    assert not finding.is_landmark and finding.number == pytest.approx(4)
+
+
+def test_rounding_is_no_overlap():
+    assert found([feature(square(0, 0, 50)), feature(shapely.box(49.9999, 0, 90, 50), 2)]) == []
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("stacked", "shaken")])
+@pytest.mark.parametrize("seed", range(3))
+def test_overlaps_have_the_area_of_a_plain_pairwise_intersection(kind, seed):
+    features = random_features(kind, seed, 30)
+    shapes = shapely.make_valid(shapely.from_wkb([f.wkb for f in features]))
+    expected = {}
+    for one in range(len(shapes)):
+        for other in range(one):
+            area = shapes[one].intersection(shapes[other]).area
+            if features[one].class_value != features[other].class_value and area > 0.01:
+                expected[one, other] = area
+    repeated = {f.feature_id for f in check(features).findings if f.kind == kinds.DUPLICATE}
+    areas = Counter()
+    for finding in check(features).findings:
+        if finding.kind == kinds.OVERLAP:
+            areas[tuple(sorted((finding.feature_id, finding.other_id), reverse=True))] += finding.area
+    expected = {pair: area for pair, area in expected.items() if not repeated & set(pair)}
+    assert {pair: area for pair, area in areas.items() if area > 0.01} == pytest.approx(expected, abs=1e-3)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_invalid_features_are_those_that_shapely_calls_so(kind):
+    features = random_features(kind, 5)
+    expected = [f.feature_id for f in features if not shapely.from_wkb(f.wkb).is_valid]
+    assert sorted({f.feature_id for f in check(features).findings if f.kind == kinds.INVALID}) == expected
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_faces_cover_what_polygons_cover_once(kind):
+    shapes = shapely.make_valid(shapely.from_wkb([f.wkb for f in random_features(kind, 6)]))
+    polygons = shapely.get_parts(shapely.get_parts(shapes))
+    polygons = polygons[shapely.get_type_id(polygons) == 3]
+    partition = partition_polygons(polygons)
+    covered = np.unique(partition.cover_faces)
+    assert partition.areas[covered].sum() == pytest.approx(shapely.area(shapely.union_all(polygons)), abs=1e-3)
+    per_polygon = np.bincount(partition.cover_polygons, partition.areas[partition.cover_faces], len(polygons))
+    np.testing.assert_allclose(per_polygon, shapely.area(polygons), atol=1e-3)
+
+
+def test_components_are_numbered_in_order_of_their_first():
+    pairs = np.array([(5, 1), (4, 3), (1, 0)])
+    assert connected_components(6, pairs).tolist() == [0, 0, 1, 2, 2, 0]
+    assert connected_components(2, np.empty((0, 2), int)).tolist() == [0, 1]
+
+
+def test_a_long_chain_is_one_component():
+    order = np.random.default_rng(3).permutation(5000)
+    assert set(connected_components(5000, np.column_stack([order[1:], order[:-1]]))) == {0}
+
+
+# --- pixels ---
+
+
+def random_regions(seed: int):
+    """(40, 60) region numbers 0…12 in blobs, and the class of each number."""
+    random = np.random.default_rng(seed)
+    noise = cv2.GaussianBlur(random.normal(size=(40, 60, 13)), (0, 0), 2.0)
+    return noise.argmax(axis=2), np.array([-1, *random.integers(1, 3, 12)])
+
+
+def runs_in_strips(regions_hw, rows=7):
+    firsts = range(0, len(regions_hw), rows)
+    return join_runs([runs_of_strip(regions_hw[first : first + rows], first) for first in firsts])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_pieces_losses_and_merges_are_those_of_opencv(seed):
+    regions, classes = random_regions(seed)
+    runs = runs_in_strips(regions)
+    pieces, lost = count_pieces(runs, 13), lost_regions(runs, 13, 30.0)
+    for number in range(1, 13):
+        mask = (regions == number).astype(np.uint8)
+        assert pieces[number] == cv2.connectedComponents(mask, connectivity=8)[0] - 1
+        contours = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)[0]
+        assert lost[number] == (max(map(cv2.contourArea, contours), default=0) < 30)
+    expected = set()
+    for one in range(1, 13):
+        around = cv2.dilate((regions == one).astype(np.uint8), np.ones((3, 3), np.uint8))
+        for other in np.unique(regions[around > 0]):
+            if other > one and classes[one] == classes[other]:
+                expected.add((one, int(other)))
+    assert {tuple(pair) for pair in merged_regions(runs, classes).tolist()} == expected
+
+
+def landmark(wkt_number: int, area: float, class_value: int = 1) -> DrawnRegion:
+    return DrawnRegion(b"", (0, 0, 1, 1), class_value, wkt_number, area)
+
+
+def test_what_pixels_do_to_landmarks_is_told():
+    regions = np.zeros((9, 20), int)
+    regions[1:7, 1:7] = 1
+    regions[1:7, 7:12] = 2
+    regions[0, 15:19] = 3
+    regions[3:8, 14] = 4
+    regions[3:8, 16:20] = 4
+    landmarks = [landmark(10, 36), landmark(11, 30), landmark(12, 20), landmark(13, 25)]
+    told = find_raster_losses(landmarks, runs_in_strips(regions), 10.0, 1.0)
+    assert [(f.kind, f.feature_id, f.other_id, f.number) for f in told] == [
+        (kinds.LOST, 12, None, 0),
+        (kinds.MERGED, 11, 10, 0),
+        (kinds.SPLIT, 13, None, 2),
+    ]
+
+
+def test_a_landmark_without_a_pixel_is_lost():
+    assert [f.kind for f in find_raster_losses([landmark(1, 5)], runs_in_strips(np.zeros((3, 3), int)), 1.0, 9.0)] == [
+        kinds.LOST
+    ]

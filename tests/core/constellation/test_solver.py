@@ -1,0 +1,298 @@
+"""Constellation localization: a seeded random town, queries with known truth, and queries that must get no fix."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from semref.core.constellation.hypotheses import Prior
+from semref.core.constellation.index import build_index
+from semref.core.constellation.solver import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, localize, make_query
+from semref.core.constellation.verification import Verifier, noise_factor, weigh
+from semref.core.database.model import MapLandmarks
+from semref.core.geometry.pose import Pose, fit_similarity, pose_uncertainty, tilted_uncertainty
+from semref.core.labels.sources import ArrayLabels
+from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
+from semref.core.simulation.views import ObjectNoise, View, cut_view, spoil_objects
+
+SIZE = 640
+CLASSES = (1, 2, 3)
+ORIGIN = (500_000.0, 5_200_000.0)
+PRIOR = Prior(pixel_size_range=(0.4, 2.5))
+NOISE = ObjectNoise(missed=0.2, invented=0.2, misnamed=0.05, jitter_px=1.0, area=0.1)
+
+
+def town(seed, size=3000, count=2500):
+    """(size, size) uint8 labels of houses in clusters, with a few fields and ponds."""
+    rng = np.random.default_rng(seed)
+    labels = np.zeros((size, size), np.uint8)
+    centers = rng.uniform(0, size, (40, 2))
+    for _ in range(count):
+        x, y = centers[rng.integers(40)] + rng.normal(0, 220, 2)
+        value = rng.choice(CLASSES, p=(0.85, 0.1, 0.05))
+        width, height = rng.uniform(8, 30, 2) * (1 if value == 1 else 1.8)
+        left, top, right, bottom = (int(v) for v in (x, y, x + width, y + height))
+        if min(left, top) < 2 or max(right, bottom) > size - 2:
+            continue
+        if not labels[top - 2 : bottom + 2, left - 2 : right + 2].any():
+            labels[top:bottom, left:right] = value
+    return labels
+
+
+class Ground:
+    def __init__(self, labels):
+        self.source = ArrayLabels(labels)
+        self.objects = extract_landmarks(labels, CLASSES, 80)
+        positions = self.objects.centers_xy * (1, -1) + ORIGIN
+        self.references = MapLandmarks(
+            positions, self.objects.classes, self.objects.areas_px, self.objects.touches_edge
+        )
+        self.index = build_index(self.references, 1.0)
+
+    def see(self, view, noise=None, seed=0):
+        objects = extract_landmarks(cut_view(self.source, view), CLASSES, 12)
+        if noise is None:
+            return objects
+        return spoil_objects(objects, noise, np.random.default_rng(seed), objects, (SIZE, SIZE))
+
+
+@pytest.fixture(scope="module")
+def ground():
+    return Ground(town(7))
+
+
+def seen_from(column, row, heading=0.0, scale=1.0):
+    return View(column, row, heading, scale, SIZE, SIZE)
+
+
+def solve(ground, objects, prior=PRIOR):
+    return localize(objects, SIZE, SIZE, ground.index, prior)
+
+
+def error(result, view):
+    return np.hypot(result.place.position[0] - ORIGIN[0] - view.column, result.place.position[1] - ORIGIN[1] + view.row)
+
+
+def mirrored(objects):
+    return dataclasses.replace(objects, centers_xy=np.abs((SIZE, 0) - objects.centers_xy))
+
+
+def points_as_objects(centers, classes=None, areas=None):
+    count = len(centers)
+    return Landmarks(
+        np.asarray(centers, float).reshape(-1, 2),
+        np.ones(count, np.uint8) if classes is None else classes,
+        np.full(count, 200.0) if areas is None else areas,
+        np.zeros((count, 4), np.int64),
+        np.zeros(count, bool),
+    )
+
+
+@pytest.mark.parametrize("count", [0, 1, 3])
+def test_with_too_few_objects_it_says_how_many_more_are_needed(ground, count):
+    result = solve(ground, points_as_objects(np.random.default_rng(0).uniform(50, 600, (count, 2))))
+    assert result.status == TOO_FEW_REFERENCES
+    assert f"shows {count} whole" in result.reason and "more are needed" in result.reason
+
+
+def test_an_image_without_known_classes_has_too_few_references(ground):
+    objects = points_as_objects(np.random.default_rng(0).uniform(50, 600, (30, 2)), np.full(30, 99, np.uint8))
+    assert solve(ground, objects).status == TOO_FEW_REFERENCES
+
+
+def test_an_empty_catalogue_gives_no_fix(ground):
+    empty = MapLandmarks(np.empty((0, 2)), np.empty(0, np.uint8), np.empty(0), np.empty(0, bool))
+    result = localize(ground.see(seen_from(1500, 1500)), SIZE, SIZE, build_index(empty, 1.0), PRIOR)
+    assert result.status != FIX
+
+
+@pytest.mark.parametrize(("share", "counts"), [(1.0, True), (0.1, False)])
+def test_objects_smaller_than_any_of_the_catalogue_are_no_evidence(ground, share, counts):
+    view = seen_from(1500, 1500)
+    right = ground.see(view)
+    small = dataclasses.replace(right, areas_px=share * ground.index.minimum_area_m2 * np.ones(len(right)))
+    query = make_query(small, ground.index, SIZE, SIZE)
+    center = complex(view.column, -view.row) + complex(*ORIGIN) - ground.index.origin
+    evidence = weigh(Verifier(ground.index, SIZE, SIZE, 1.0), query, Pose(center, 1 + 0j), 1.0)
+    assert (len(evidence.matched) > 0, evidence.considered > 0) == (counts, counts)
+    assert counts or evidence.log_odds <= 0
+
+
+@pytest.mark.parametrize("heading", [0.0, 33.3, 90.0, 201.7, 359.0])
+@pytest.mark.parametrize("scale", [0.75, 1.0, 1.6])
+def test_a_clean_view_is_found_exactly_at_any_heading_and_scale(ground, heading, scale):
+    view = seen_from(1400.3, 1610.8, heading, scale)
+    result = solve(ground, ground.see(view))
+    assert result.status == FIX, result.reason
+    assert error(result, view) < 0.5
+    assert abs((result.place.heading_deg - heading + 180) % 360 - 180) < 0.1
+    assert result.place.pixel_size_m == pytest.approx(scale, rel=0.002)
+
+
+def test_most_spoilt_views_are_found_and_no_fix_is_wrong(ground):
+    rng = np.random.default_rng(3)
+    fixes = []
+    for seed in range(25):
+        view = seen_from(*rng.uniform(700, 2300, 2), rng.uniform(0, 360), rng.uniform(0.8, 1.25))
+        result = solve(ground, ground.see(view, NOISE, seed))
+        if result.status == FIX:
+            fixes.append((error(result, view), result.uncertainty))
+    assert len(fixes) >= 23
+    assert max(off for off, _ in fixes) < 10
+    # The 95 % ellipse is of the right size: neither far too small nor far too large.
+    ratios = np.array([off / np.hypot(u.semi_major, u.semi_minor) * np.sqrt(2) for off, u in fixes])
+    assert 0.2 < np.median(ratios) < 0.9
+    assert (ratios <= 1.3).mean() >= 0.8
+
+
+def test_a_mirrored_view_gets_no_fix(ground):
+    for center in ((1400, 1600), (1000, 2000), (2000, 900)):
+        assert solve(ground, mirrored(ground.see(seen_from(*center, 77.0)))).status != FIX
+
+
+def test_a_view_of_another_town_gets_no_fix(ground):
+    other = Ground(town(8))
+    for center in ((1400, 1600), (1000, 2000), (2000, 900)):
+        result = solve(ground, other.see(seen_from(*center, 10.0)))
+        assert result.status in (NO_MATCH, TOO_FEW_REFERENCES) and result.reason
+
+
+def test_a_regular_lattice_of_plots_gets_no_fix_on_its_own_map():
+    labels = np.zeros((2400, 2400), np.uint8)
+    for top in range(20, 2380, 60):
+        for left in range(20, 2380, 60):
+            labels[top : top + 14, left : left + 14] = 1
+    plots = Ground(labels)
+    for view in (seen_from(1200, 1200), seen_from(1000.5, 1300.2, 31.0, 1.1)):
+        assert solve(plots, plots.see(view)).status in (AMBIGUOUS, NO_MATCH)
+
+
+def test_two_places_that_are_alike_are_named_as_alternatives():
+    piece = town(9, 1200, 500)
+    labels = np.zeros((1200, 2600), np.uint8)
+    labels[:, :1200] = piece
+    labels[:, 1400:] = piece
+    twins = Ground(labels)
+    result = solve(twins, twins.see(seen_from(600, 600, 20.0)))
+    assert result.status == AMBIGUOUS and len(result.alternatives) == 1
+    assert abs(result.alternatives[0].position[0] - result.place.position[0]) == pytest.approx(1400, abs=1)
+
+
+def test_a_prior_tells_twins_apart():
+    piece = town(9, 1200, 500)
+    labels = np.zeros((1200, 2600), np.uint8)
+    labels[:, :1200] = piece
+    labels[:, 1400:] = piece
+    twins = Ground(labels)
+    view = seen_from(2000, 600, 20.0)
+    prior = dataclasses.replace(PRIOR, position=(ORIGIN[0] + 2100, ORIGIN[1] - 550), radius=300.0)
+    result = solve(twins, twins.see(view), prior)
+    assert result.status == FIX and error(result, view) < 1
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"position": (ORIGIN[0] + 300, ORIGIN[1] - 300), "radius": 200.0},
+        {"heading_deg": 200.0, "heading_range_deg": 20.0},
+        {"pixel_size_range": (1.5, 2.5)},
+    ],
+)
+def test_a_prior_that_excludes_the_truth_gives_no_fix(ground, wrong):
+    view = seen_from(1800, 1700, 45.0)
+    assert solve(ground, ground.see(view), dataclasses.replace(PRIOR, **wrong)).status != FIX
+
+
+def test_a_prior_that_contains_the_truth_changes_nothing(ground):
+    view = seen_from(1800, 1700, 45.0)
+    prior = Prior((ORIGIN[0] + 1790, ORIGIN[1] - 1720), 100.0, 40.0, 10.0, (0.9, 1.1))
+    result = solve(ground, ground.see(view), prior)
+    assert result.status == FIX and error(result, view) < 0.5
+
+
+def test_the_same_image_gets_the_same_answer(ground):
+    objects = ground.see(seen_from(1500, 1300, 120.0), NOISE)
+    one, other = solve(ground, objects), solve(ground, objects)
+    assert one.place == other.place and one.uncertainty == other.uncertainty
+
+
+def test_matches_name_objects_of_the_image_and_of_the_map(ground):
+    view = seen_from(1500, 1300, 0.0)
+    objects = ground.see(view)
+    matches = solve(ground, objects).matches
+    assert len(matches) >= 20
+    seen = objects.centers_xy[matches[:, 0]] + (view.column - SIZE / 2, view.row - SIZE / 2)
+    np.testing.assert_allclose(seen, ground.objects.centers_xy[matches[:, 1]], atol=0.6)
+
+
+def test_a_tilted_camera_is_located(ground):
+    for direction in (0.0, 130.0):
+        view = dataclasses.replace(seen_from(1500, 1300, 70.0), tilt_deg=10.0, tilt_direction_deg=direction)
+        result = solve(ground, ground.see(view))
+        assert result.status == FIX and error(result, view) < 0.02 * SIZE
+
+
+def test_objects_at_the_border_do_no_harm(ground):
+    objects = ground.see(seen_from(1500, 1300, 120.0))
+    moved = objects.centers_xy + np.where(objects.touches_edge[:, None], 9.0, 0.0)
+    result = solve(ground, dataclasses.replace(objects, centers_xy=moved))
+    assert result.place == solve(ground, objects).place
+
+
+def scattered(rng, count):
+    return rng.uniform(-600, 600, count) + 1j * rng.uniform(-600, 600, count)
+
+
+def noise(rng, count, deviation=1.5):
+    return deviation * (rng.normal(size=count) + 1j * rng.normal(size=count))
+
+
+@pytest.mark.parametrize("count", [5, 8, 40])
+def test_the_ellipse_holds_in_95_percent_of_fits_however_few_the_matches(count):
+    rng = np.random.default_rng(count)
+    held = 0
+    for _ in range(600):
+        image, deviations = scattered(rng, count), rng.uniform(1, 2, count)
+        on_map = image + noise(rng, count)
+        center, turn = fit_similarity(image, on_map, deviations**-2)
+        uncertainty = pose_uncertainty(image, center + turn * image - on_map, deviations, complex(turn))
+        held += abs(center) <= uncertainty.semi_major
+    assert 0.92 <= held / 600 <= 0.985
+
+
+def test_a_far_match_that_drew_the_pose_to_itself_makes_the_ellipse_larger():
+    rng = np.random.default_rng(0)
+    image = np.append(noise(rng, 9, 100.0), 500 + 0j)
+    ellipses = []
+    for off in (0, 15):
+        on_map = image + noise(np.random.default_rng(1), 10)
+        on_map[-1] += off
+        center, turn = fit_similarity(image, on_map, np.ones(10))
+        ellipses.append(pose_uncertainty(image, center + turn * image - on_map, np.full(10, 1.5), complex(turn)))
+    assert ellipses[1].heading_deviation_deg > 1.5 * ellipses[0].heading_deviation_deg
+
+
+def test_a_tilted_ellipse_of_a_level_camera_is_a_little_larger_than_a_level_one():
+    rng = np.random.default_rng(2)
+    image, deviations = scattered(rng, 60), np.full(60, 1.5)
+    on_map = image + noise(rng, 60)
+    center, turn = (complex(value) for value in fit_similarity(image, on_map, deviations**-2))
+    level = pose_uncertainty(image, center + turn * image - on_map, deviations, turn)
+    tilted = tilted_uncertainty(image, on_map, deviations, Pose(center, turn, 0j, 1e-12 + 0j), 1700.0)
+    assert level.semi_major < tilted.semi_major < 3 * level.semi_major
+
+
+@pytest.mark.parametrize("count", [5, 12, 200])
+def test_noise_is_measured_without_bias_from_few_matches_or_many(count):
+    rng = np.random.default_rng(count)
+    factors = []
+    for _ in range(300):
+        image = scattered(rng, count)
+        on_map = image + noise(rng, count, 1.0)
+        center, turn = fit_similarity(image, on_map, np.ones(count))
+        factors.append(noise_factor(np.abs(center + turn * image - on_map), 4) ** 2)
+    assert np.mean(factors) == pytest.approx(1, abs=0.08)
+
+
+def test_a_few_exact_matches_do_not_make_the_noise_vanish():
+    assert noise_factor(np.zeros(4), 4) > 0.7 > noise_factor(np.zeros(40), 4)

@@ -1,0 +1,218 @@
+"""Map correlation on a made map of patches and houses."""
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.correlation.class_pyramid import MapPyramid
+from semref.core.correlation.decision import LARGEST_ERROR, exact_enough, position_error_95
+from semref.core.correlation.solver import CorrelationSettings, Prior, agreement_at, localize
+from semref.core.errors import LabelMapError
+from semref.core.labels.overview import most_frequent_labels
+from semref.core.simulation.noise import MODEST, STRONG, degrade_labels
+
+ORIGIN = 500_000.0, 5_200_000.0
+SIZES = 0.7, 1.4
+
+
+def made_map(seed: int, width: int = 2600, height: int = 2000) -> np.ndarray:
+    """(height, width) uint8: patches of classes 2 to 6 around random points, rows of houses (1), a border of 0."""
+    rng = np.random.default_rng(seed)
+    small = np.full((height // 4, width // 4), 255, np.uint8)
+    small[rng.integers(0, height // 4, 500), rng.integers(0, width // 4, 500)] = 0
+    _, cells = cv2.distanceTransformWithLabels(small, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
+    labels = rng.integers(2, 7, cells.max() + 1).astype(np.uint8)[cells]
+    labels = cv2.resize(labels, (width, height), interpolation=cv2.INTER_NEAREST)
+    for x, y in rng.uniform(0, 1, (400, 2)) * (width - 40, height - 30):
+        labels[int(y) : int(y) + 14, int(x) : int(x) + 22] = 1
+    labels[:, :150] = 0
+    return labels
+
+
+def view(labels, center, heading_deg, pixel, size_wh=(560, 560)):
+    """The image a camera over ``center`` (pixels of the map) sees; its top points ``heading_deg`` clockwise from up."""
+    turn = np.radians(heading_deg)
+    matrix = pixel * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    offset = np.array(center) - matrix @ (np.array(size_wh) / 2 - 0.5) - 0.5
+    flags = cv2.INTER_NEAREST | cv2.WARP_INVERSE_MAP
+    return cv2.warpAffine(labels, np.column_stack([matrix, offset]), size_wh, flags=flags)
+
+
+@pytest.fixture(scope="module")
+def labels():
+    return made_map(1)
+
+
+@pytest.fixture(scope="module")
+def pyramid(labels):
+    return MapPyramid(most_frequent_labels(labels), (*ORIGIN, 4.0))
+
+
+def error_m(result, center) -> float:
+    return float(np.hypot(result.position[0] - ORIGIN[0] - center[0], ORIGIN[1] - center[1] - result.position[1]))
+
+
+def test_an_image_without_pixels_is_an_error(pyramid):
+    with pytest.raises(LabelMapError):
+        localize(np.zeros((0, 5), np.uint8), pyramid, SIZES)
+
+
+@pytest.mark.parametrize("sizes", [(0.0, 1.0), (2.0, 1.0)])
+def test_an_impossible_range_of_pixel_sizes_is_an_error(pyramid, sizes):
+    with pytest.raises(ValueError):
+        localize(np.ones((5, 5), np.uint8), pyramid, sizes)
+
+
+@pytest.mark.parametrize(
+    "heading, pixel, size", [(0, 1, (560, 560)), (101.3, 0.83, (640, 560)), (287, 1.2, (480, 600))]
+)
+def test_a_clean_image_is_found_finer_than_an_overview_pixel(labels, pyramid, heading, pixel, size):
+    center = 1203.7, 905.2
+    result = localize(view(labels, center, heading, pixel, size), pyramid, SIZES)
+    assert (result.status, result.reason) == ("fix", "")
+    assert error_m(result, center) < 2.0
+    assert abs((result.heading_deg - heading + 180) % 360 - 180) < 0.3
+    assert abs(result.pixel_size_m / pixel - 1) < 0.005
+    assert result.confidence > 0.9
+    assert 0 < result.error_95_m < 50
+
+
+@pytest.mark.parametrize("noise", [MODEST, STRONG])
+def test_a_noisy_image_is_found(labels, pyramid, noise):
+    center = 1630.0, 1240.5
+    image = degrade_labels(view(labels, center, 200.5, 1.1), 1.1, replace(noise, patch_size_m=40), 5)
+    result = localize(image, pyramid, SIZES)
+    assert result.status == "fix"
+    assert error_m(result, center) < 0.02 * 560
+
+
+@pytest.mark.parametrize("seed", [11, 12, 13])
+def test_an_image_of_another_map_is_not_found_and_the_reason_told(pyramid, seed):
+    result = localize(view(made_map(seed), (1300, 1000), 40, 1.0), pyramid, SIZES)
+    assert result.status in ("no_match", "ambiguous")
+    assert result.reason.endswith(".")
+    assert result.confidence == 0
+
+
+def test_a_mirrored_image_is_not_found(labels, pyramid):
+    result = localize(view(labels, (1300, 1000), 40, 1.0)[:, ::-1], pyramid, SIZES)
+    assert result.status == "no_match"
+    assert "mirrored" in result.reason or "agrees" in result.reason
+
+
+def test_an_image_of_one_class_has_too_little_information(pyramid):
+    result = localize(np.full((560, 560), 4, np.uint8), pyramid, SIZES)
+    assert result.status == "too_little_information"
+    assert "class" in result.reason
+
+
+def test_an_image_without_labels_has_too_little_information(pyramid):
+    assert localize(np.zeros((560, 560), np.uint8), pyramid, SIZES).status == "too_little_information"
+
+
+def test_an_image_of_a_few_meters_asks_for_a_prior_instead_of_taking_minutes(labels, pyramid):
+    result = localize(view(labels, (1300, 1000), 40, 1.0), pyramid, (0.001, 0.002))
+    assert result.status == "too_little_information"
+    assert "prior" in result.reason
+
+
+@pytest.mark.parametrize("value", [0, 3])
+def test_a_map_that_is_alike_everywhere_has_too_little_information(labels, value):
+    pyramid = MapPyramid(np.full((300, 300), value, np.uint8), (*ORIGIN, 4.0))
+    result = localize(view(labels, (1300, 1000), 40, 1.0), pyramid, SIZES)
+    assert result.status == "too_little_information"
+    assert "map" in result.reason
+
+
+def test_a_place_that_is_on_the_map_twice_is_ambiguous_with_the_other_place_told(labels):
+    doubled = labels.copy()
+    doubled[1100:1800, 1700:2500] = doubled[200:900, 300:1100]
+    pyramid = MapPyramid(most_frequent_labels(doubled), (*ORIGIN, 4.0))
+    result = localize(view(doubled, (700, 550), 15, 1.0, (480, 480)), pyramid, SIZES)
+    assert result.status == "ambiguous"
+    places = [error_m(result, center) for center in ((700, 550), (2100, 1450))]
+    assert min(places) < 4
+    other = (2100, 1450) if places[0] < places[1] else (700, 550)
+    assert error_m(result.alternatives[0], other) < 16
+
+
+def test_a_prior_tells_the_two_places_apart(labels):
+    doubled = labels.copy()
+    doubled[1100:1800, 1700:2500] = doubled[200:900, 300:1100]
+    pyramid = MapPyramid(most_frequent_labels(doubled), (*ORIGIN, 4.0))
+    prior = Prior((ORIGIN[0] + 2000, ORIGIN[1] - 1400), 300.0)
+    result = localize(view(doubled, (2100, 1450), 15, 1.0, (480, 480)), pyramid, SIZES, prior)
+    assert result.status == "fix"
+    assert error_m(result, (2100, 1450)) < 4
+
+
+def test_a_prior_elsewhere_gives_no_fix(labels, pyramid):
+    prior = Prior((ORIGIN[0] + 2200, ORIGIN[1] - 400), 200.0)
+    assert localize(view(labels, (700, 1500), 15, 1.0), pyramid, SIZES, prior).status != "fix"
+
+
+def test_a_heading_prior_may_wrap_around_north(labels, pyramid):
+    prior = Prior(headings_deg=(350, 10))
+    result = localize(view(labels, (1300, 1000), 356, 1.0), pyramid, SIZES, prior)
+    assert result.status == "fix"
+    assert abs(result.heading_deg - 356) < 0.3
+
+
+def test_the_result_does_not_depend_on_tiles_or_threads(labels, pyramid):
+    image = view(labels, (1500, 700), 123, 0.9)
+    first = localize(image, pyramid, SIZES)
+    other = localize(image, pyramid, SIZES, settings=CorrelationSettings(tile_size=128, threads=1))
+    assert np.hypot(*np.subtract(first.position, other.position)) < 0.1
+    assert abs(first.score - other.score) < 0.001
+    assert abs(first.decoy - other.decoy) < 0.03
+
+
+def test_the_same_image_gives_the_same_result(labels, pyramid):
+    image = degrade_labels(view(labels, (1500, 700), 123, 0.9), 0.9, MODEST, 1)
+    assert localize(image, pyramid, SIZES) == localize(image, pyramid, SIZES)
+
+
+def test_agreement_at_a_pose_is_high_where_the_image_lies_and_nowhere_else(labels, pyramid):
+    image = degrade_labels(view(labels, (1500, 700), 123, 0.9), 0.9, MODEST, 1)
+    right = ORIGIN[0] + 1500, ORIGIN[1] - 700
+    assert agreement_at(image, pyramid, right, 123.0, 0.9) > 0.6
+    for position, heading in ((right, 303.0), ((ORIGIN[0] + 900, ORIGIN[1] - 1200), 123.0)):
+        assert abs(agreement_at(image, pyramid, position, heading, 0.9)) < 0.25
+
+
+def test_agreement_cannot_be_told_of_one_class_or_beside_the_map(labels, pyramid):
+    here = ORIGIN[0] + 1500, ORIGIN[1] - 700
+    assert agreement_at(np.full((560, 560), 4, np.uint8), pyramid, here, 0.0, 1.0) is None
+    assert agreement_at(np.zeros((560, 560), np.uint8), pyramid, here, 0.0, 1.0) is None
+    image = view(labels, (1500, 700), 123, 0.9)
+    assert agreement_at(image, pyramid, (ORIGIN[0] - 5000, ORIGIN[1]), 123.0, 0.9) is None
+    one_class = MapPyramid(np.full((300, 300), 3, np.uint8), (*ORIGIN, 4.0))
+    assert agreement_at(image, one_class, here, 123.0, 0.9) is None
+
+
+def test_the_error_radius_grows_as_image_and_map_agree_less():
+    spread = np.diag([4.0, 1.0])
+    radii = [position_error_95(spread, score, 4.0) for score in (0.9, 0.8, 0.6, 0.4)]
+    assert radii == sorted(radii) and radii[0] > 1 and radii[-1] > 5 * radii[1]
+    assert position_error_95(np.zeros((2, 2)), 0.9, 4.0) == pytest.approx(0.6)
+    assert position_error_95(np.full((2, 2), np.inf), 0.9, 4.0) == np.inf
+
+
+def test_a_place_along_a_straight_shore_is_possible_but_no_fix():
+    labels = np.full((1600, 1600), 2, np.uint8)
+    labels[:, 800:] = 3
+    pyramid = MapPyramid(most_frequent_labels(labels), (*ORIGIN, 4.0))
+    center = 805.0, 800.0
+    here = Prior((ORIGIN[0] + center[0], ORIGIN[1] - center[1]), 30.0, (350.0, 10.0))
+    result = localize(view(labels, center, 0, 1.0), pyramid, (0.95, 1.05), here)
+    assert result.status == "ambiguous" and result.error_95_m > 0.025 * 560 * np.sqrt(2)
+    assert "position" in result.reason
+
+
+def test_a_fix_has_to_be_exact_for_the_ground_its_image_shows():
+    assert exact_enough(LARGEST_ERROR * 800, 800.0) == ("fix", "")
+    status, reason = exact_enough(21.26, 800.0)
+    assert status == "ambiguous" and "within 21.3 m" in reason and "needs 20 m" in reason
+    assert "in all directions" in exact_enough(float("inf"), 800.0)[1]

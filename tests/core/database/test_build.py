@@ -1,0 +1,272 @@
+"""Building a database in memory: what is in it, what it refuses, and stopping half-way."""
+
+import functools
+import re
+import threading
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.database import build
+from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame, level_grids
+from semref.core.errors import ClassTableError, LabelMapError, WindowError
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.labels.overview import most_frequent_labels
+from semref.core.labels.sources import ArrayLabels
+from semref.core.landmarks.catalogue import CatalogueBuilder
+from semref.core.landmarks.landmarks import extract_landmarks
+from semref.core.windows.topology_vector import topology_vector
+
+TABLE = ClassTable(
+    (
+        LandCoverClass(2, "building", "#ff0000", "reference"),
+        LandCoverClass(3, "forest", "#00ff00"),
+        LandCoverClass(5, "water", "#0000ff", "reference"),
+    )
+)
+PIXEL = 2.0
+FRAME = MapFrame("a metric CRS", (600000.0, PIXEL, 0.0, 5200000.0, 0.0, -PIXEL))
+SETTINGS = BuildSettings(window_size=80.0, stride=36.0, minimum_area=20.0)
+
+
+def blobs(seed=0, height=90, width=110):
+    noise = np.random.default_rng(seed).random((4, height, width)).astype(np.float32)
+    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), 1.5) for layer in noise])
+    return np.array((0, 2, 3, 5), np.uint8)[smooth.argmax(axis=0)]
+
+
+def builder_of(labels, settings=SETTINGS, table=TABLE, frame=FRAME):
+    return DatabaseBuilder(ArrayLabels(labels), frame, table, settings, "1.2.3")
+
+
+def built(labels, settings=SETTINGS, table=TABLE, frame=FRAME):
+    builder = builder_of(labels, settings, table, frame)
+    for _ in builder.steps():
+        pass
+    return builder
+
+
+def refuses(error, sentence):
+    return pytest.raises(error, match=f"^{re.escape(sentence)}$")
+
+
+@pytest.fixture(scope="module")
+def labels():
+    return blobs()
+
+
+@pytest.fixture(scope="module")
+def database(labels):
+    return built(labels).database
+
+
+def test_a_minimum_area_beyond_any_map_leaves_no_reference_object(labels):
+    with pytest.raises(LabelMapError, match="^The map shows no landmark of building, water with at least inf"):
+        built(labels, BuildSettings(80.0, 36.0, float("inf")))
+
+
+@pytest.mark.parametrize("labels", [np.zeros((90, 110), np.uint8), np.full((90, 110), 3, np.uint8)])
+def test_a_map_without_landmarks_is_refused(labels):
+    with refuses(
+        LabelMapError,
+        "The map shows no landmark of building, water with at least 20 m²; "
+        "choose other reference classes or a smaller minimum area.",
+    ):
+        built(labels)
+
+
+def test_a_table_without_reference_classes_is_refused_before_any_work(labels):
+    with pytest.raises(ClassTableError, match="^No class is a reference class; name at least one of 2 building"):
+        builder_of(labels, table=TABLE.with_references([]))
+
+
+@pytest.mark.parametrize("area", [0.0, -1.0, float("nan")])
+def test_a_minimum_area_of_nothing_is_refused(area):
+    with refuses(WindowError, f"The minimum area is {area:g} m²; it must be more than 0."):
+        BuildSettings(80.0, 36.0, area)
+
+
+@pytest.mark.parametrize("count", [0, 2])
+def test_a_vector_too_short_for_three_references_is_refused(count):
+    with refuses(WindowError, f"A vector of {count} references is too short; use at least 3."):
+        BuildSettings(80.0, 36.0, 20.0, references_per_vector=count)
+
+
+@pytest.mark.parametrize("levels", [(), (0.0,), (1.0, -2.0), (float("nan"),), (float("inf"),)])
+def test_levels_that_are_no_multipliers_are_refused(levels):
+    with refuses(WindowError, "LEVELS must be positive multipliers of the window size, for example 1;2."):
+        BuildSettings(80.0, 36.0, 20.0, levels=levels)
+
+
+@pytest.mark.parametrize(
+    ("window_size", "stride", "levels", "sentence"),
+    [
+        (0.0, 0.0, (1.0,), "Window size (0 px) and stride (0 px) must be at least one pixel"),
+        (182.0, 36.0, (1.0,), "The window (91 px) is larger than the map (110 × 90 px)"),
+        (100.0, 36.0, (1.0, 2.0), "The window (100 px) is larger than the map (110 × 90 px)"),
+        (80.0, 82.0, (1.0,), "The stride (41 px) is larger than the window (40 px)"),
+        (80.0, 36.0, (0.01,), "Window size (0 px) and stride (0 px) must be at least one pixel"),
+    ],
+)
+def test_windows_that_do_not_fit_the_map_are_refused_before_any_work(labels, window_size, stride, levels, sentence):
+    with pytest.raises(WindowError, match=f"^{re.escape(sentence)}"):
+        builder_of(labels, BuildSettings(window_size, stride, 20.0, levels))
+
+
+def test_windows_lie_where_their_names_say(database):
+    windows = database.windows
+    assert len(windows) == 3 * 4
+    assert set(windows.names) == {f"{c}_{r}" for c in (0, 18, 36, 54) for r in (0, 18, 36)}
+    for name, center in zip(windows.names, windows.centers):
+        column, row = map(int, name.split("_"))
+        assert center.tolist() == [600000 + (column + 20) * PIXEL, 5200000 - (row + 20) * PIXEL]
+    assert set(windows.sizes) == {80.0} and set(windows.levels) == {1}
+
+
+def test_every_window_has_the_vector_of_the_image_cut_there(labels, database):
+    windows = database.windows
+    for k, name in enumerate(windows.names):
+        column, row = map(int, name.split("_"))
+        objects = extract_landmarks(labels[row : row + 40, column : column + 40], (2, 5), 20 / PIXEL**2)
+        vector = topology_vector(objects.centers_xy, objects.classes, (20, 20), (2, 5))
+        assert windows.counts[k] == len(objects)
+        assert windows.described[k] == (vector is not None)
+        np.testing.assert_allclose(windows.vectors[k], vector, rtol=0, atol=2e-6)
+
+
+def test_references_are_the_objects_of_the_map_in_map_units(labels, database):
+    objects = extract_landmarks(labels, (2, 5), 20 / PIXEL**2)
+    references = database.references
+    assert len(references) == len(objects) > 20
+    np.testing.assert_allclose(references.positions[:, 0], 600000 + PIXEL * objects.centers_xy[:, 0])
+    np.testing.assert_allclose(references.positions[:, 1], 5200000 - PIXEL * objects.centers_xy[:, 1])
+    np.testing.assert_allclose(references.areas_m2, PIXEL**2 * objects.areas_px)
+    assert references.classes.tolist() == objects.classes.tolist()
+    assert references.touches_edge.tolist() == objects.touches_edge.tolist()
+    assert references.areas_m2.min() >= 20
+
+
+def test_windows_with_too_few_references_are_kept_without_a_vector():
+    labels = np.zeros((90, 110), np.uint8)
+    for column in (2, 12, 22):
+        labels[5:9, column : column + 4] = 2
+    windows = built(labels).database.windows
+    described = dict(zip(windows.names.tolist(), windows.described.tolist()))
+    assert described.pop("0_0") and not any(described.values())
+    counts = dict(zip(windows.names.tolist(), windows.counts.tolist()))
+    assert (counts["0_0"], counts["18_0"], counts["54_36"]) == (3, 1, 0)
+    assert not windows.vectors[~windows.described].any()
+
+
+@pytest.mark.parametrize("levels", [(1.0,), (1.0, 2.0), (0.5, 1.0, 1.5)])
+def test_each_level_has_a_grid_whose_window_and_stride_grow_together(labels, levels):
+    builder = built(labels, BuildSettings(80.0, 36.0, 20.0, levels))
+    windows = builder.database.windows
+    assert sorted(set(windows.levels.tolist())) == list(range(1, len(levels) + 1))
+    for number, (level, grid) in enumerate(zip(levels, builder.grids), start=1):
+        assert (grid.size, grid.stride) == (40 * level, 18 * level)
+        assert (windows.levels == number).sum() == len(grid)
+        assert set(windows.sizes[windows.levels == number]) == {80.0 * level}
+
+
+def test_levels_have_one_grid_each():
+    grids = level_grids((1000, 2000), 0.5, BuildSettings(100.0, 25.0, 1.0, (1.0, 2.0)))
+    assert [(g.width, g.height, g.size, g.stride) for g in grids] == [(2000, 1000, 200, 50), (2000, 1000, 400, 100)]
+
+
+def test_parameters_tell_how_the_database_was_built(database):
+    parameters = database.parameters
+    assert (parameters.crs, parameters.geotransform) == (FRAME.crs, FRAME.geotransform)
+    assert (parameters.map_width_px, parameters.map_height_px, parameters.pixel_size) == (110, 90, PIXEL)
+    assert (parameters.window_size, parameters.stride, parameters.minimum_area) == (80.0, 36.0, 20.0)
+    assert (parameters.levels, parameters.references_per_vector, parameters.overview_factor) == ((1.0,), 10, 4)
+    assert (parameters.plugin_version, parameters.format_version) == ("1.2.3", 1)
+    assert parameters.class_table_hash == TABLE.digest()
+
+
+def test_window_size_and_stride_are_told_as_they_were_used_in_whole_pixels(labels):
+    parameters = built(labels, BuildSettings(80.9, 35.2, 20.0)).database.parameters
+    assert (parameters.window_size, parameters.stride) == (80.0, 36.0)
+
+
+def test_the_map_hash_changes_with_one_pixel(labels, database):
+    changed = labels.copy()
+    changed[89, 109] = 3 if labels[89, 109] != 3 else 0
+    hashes = {built(piece).database.parameters.map_hash for piece in (labels, labels.copy(), changed)}
+    assert len(hashes) == 2 and database.parameters.map_hash in hashes
+
+
+def test_the_map_hash_changes_with_the_maps_place_and_shape(labels, database):
+    moved = MapFrame(FRAME.crs, (600002.0, *FRAME.geotransform[1:]))
+    assert built(labels, frame=moved).database.parameters.map_hash != database.parameters.map_hash
+    pixels = labels.ravel()[:5000]
+    wide, high = pixels.reshape(50, 100), pixels.reshape(100, 50)
+    assert len({built(piece).database.parameters.map_hash for piece in (wide, high)}) == 2
+
+
+@pytest.mark.parametrize("band_rows", [1, 4, 13, 50])
+def test_the_height_of_the_bands_changes_nothing(monkeypatch, labels, database, band_rows):
+    banded = functools.partial(CatalogueBuilder, band_pixels=band_rows * 110)
+    monkeypatch.setattr(build, "CatalogueBuilder", banded)
+    builder = built(labels)
+    assert builder.database.parameters == database.parameters
+    assert (builder.database.windows.vectors == database.windows.vectors).all()
+    assert builder.database.references.areas_m2.tolist() == database.references.areas_m2.tolist()
+    assert (builder.overview == most_frequent_labels(labels, 4)).all()
+
+
+@pytest.mark.parametrize("factor", [1, 3, 4, 16])
+def test_the_overview_is_the_map_reduced(labels, factor):
+    builder = built(labels, BuildSettings(80.0, 36.0, 20.0, overview_factor=factor))
+    assert (builder.overview == most_frequent_labels(labels, factor)).all()
+
+
+def test_threads_change_nothing(labels, database):
+    windows = built(labels, BuildSettings(80.0, 36.0, 20.0, threads=3)).database.windows
+    assert windows.names.tolist() == database.windows.names.tolist()
+    assert (windows.vectors == database.windows.vectors).all()
+
+
+def test_progress_grows_from_nothing_to_all_but_the_distinctiveness(labels):
+    shares = [share for _, share in builder_of(labels, BuildSettings(80.0, 8.0, 20.0, (1.0, 1.5))).steps()]
+    assert shares == sorted(shares)
+    assert 0 <= shares[0] and shares[-1] == pytest.approx(0.8)
+
+
+@pytest.mark.parametrize("steps_taken", [0, 1, 3, 6])
+@pytest.mark.parametrize("threads", [1, 3])
+def test_stopping_half_way_leaves_no_thread_and_no_database(labels, steps_taken, threads):
+    before = threading.active_count()
+    builder = builder_of(labels, BuildSettings(40.0, 4.0, 20.0, threads=threads))
+    steps = builder.steps()
+    for _ in range(steps_taken):
+        next(steps)
+    steps.close()
+    assert threading.active_count() == before
+    assert builder.database is None
+
+
+def distinctiveness_of(builder):
+    for _ in builder.compare_windows():
+        pass
+    return builder.distinctiveness
+
+
+def test_distinctiveness_is_the_distance_to_the_nearest_window_elsewhere(labels):
+    builder = built(labels, BuildSettings(40.0, 20.0, 20.0))
+    found, windows = distinctiveness_of(builder), builder.database.windows
+    for k in np.flatnonzero(windows.described):
+        apart = np.abs(windows.centers - windows.centers[k]).max(axis=1) >= 40.0
+        vectors = windows.vectors[apart & windows.described].astype(float)
+        expected = np.linalg.norm(vectors - windows.vectors[k], axis=1).min()
+        assert found[k] == pytest.approx(expected, abs=2e-3)
+    assert np.isnan(found[~windows.described]).all()
+
+
+def test_a_window_without_others_or_without_vector_has_no_distinctiveness():
+    labels = np.zeros((90, 110), np.uint8)
+    labels[5:9, 2:6] = 2
+    assert np.isnan(distinctiveness_of(built(labels))).all()
+    one = distinctiveness_of(built(blobs(), BuildSettings(180.0, 180.0, 20.0)))
+    assert len(one) == 1 and np.isnan(one).all()

@@ -1,0 +1,67 @@
+"""Which windows look like a given one, on a database made by hand."""
+
+import numpy as np
+import pytest
+
+from semref.core.database.look_alikes import describe_window, vector_rows, window_at
+from semref.core.database.model import BuildParameters, MapLandmarks, ReferenceDatabase, Windows
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.windows.topology_vector import topology_vector, vector_objects
+
+
+@pytest.fixture
+def database():
+    """Five windows of 100 m in a row, 50 m apart, their vectors 0, 0.1, 0.2, 0.9 and 0.4 from the first one's."""
+    centers = np.column_stack([np.arange(5) * 50.0 + 50, np.full(5, 50.0)])
+    vectors = np.zeros((5, 30), np.float32)
+    vectors[:, 0] = (0.0, 0.1, 0.2, 0.9, 0.4)
+    windows = Windows(
+        np.array(["0_0", "50_0", "100_0", "150_0", "200_0"]),
+        np.ones(5, int),
+        np.full(5, 100.0),
+        centers,
+        np.full(5, 3),
+        vectors,
+        np.array([True, True, True, True, True]),
+    )
+    positions = np.array([[40.0, 50.0], [50.0, 80.0], [90.0, 50.0], [260.0, 50.0]])
+    references = MapLandmarks(positions, np.array([1, 2, 1, 1], np.uint8), np.full(4, 200.0), np.zeros(4, bool))
+    house = LandCoverClass(1, "house", "#ff0000", "reference")
+    table = ClassTable((house, LandCoverClass(2, "water", "#0000ff", "reference")))
+    parameters = BuildParameters(
+        "", (0, 1, 0, 100, 0, -1), 300, 100, 1.0, 100.0, 50.0, (1.0,), 10, 100.0, 4, "", "", "test"
+    )
+    return ReferenceDatabase(windows, references, table, parameters)
+
+
+def test_look_alikes_overlap_neither_the_window_nor_one_another(database):
+    found = describe_window(database, 0)
+    # 50_0 overlaps the window; of 100_0 (0.2), 200_0 (0.4) and 150_0 (0.9) the last overlaps both others.
+    assert database.windows.names[found.look_alikes].tolist() == ["100_0", "200_0"]
+    assert found.distances == pytest.approx([0.2, 0.4])
+
+
+def test_the_landmarks_of_a_window_come_in_the_order_of_its_vector(database):
+    # From (50, 50): 40 m to the right is the farthest and first; then clockwise: left, then up.
+    assert describe_window(database, 0).objects.tolist() == [2, 0, 1]
+
+
+def test_a_window_without_a_vector_has_no_look_alikes(database):
+    database.windows.described[0] = False
+    found = describe_window(database, 0)
+    assert len(found.objects) == len(found.look_alikes) == 0
+
+
+@pytest.mark.parametrize(("x", "index"), [(10, 0), (70, 0), (80, 1), (249, 4), (301, -1)])
+def test_the_window_at_a_place_is_the_one_with_the_nearest_center(database, x, index):
+    assert window_at(database.windows, x, 50) == index
+
+
+def test_the_objects_of_a_vector_give_its_distance_ratios_in_order():
+    rng = np.random.default_rng(4)
+    centers, classes = rng.uniform(0, 200, (25, 2)), rng.integers(1, 4, 25)
+    kept = vector_objects(centers, classes, (100, 100), (1, 2, 3))
+    ratios, _, ranks = vector_rows(topology_vector(centers, classes, (100, 100), (1, 2, 3)))
+    distances = np.hypot(*(centers[kept] - 100).T)
+    assert distances / distances.max() == pytest.approx(ratios, abs=1e-6)
+    assert classes[kept] / 3 == pytest.approx(ranks, abs=1e-6)

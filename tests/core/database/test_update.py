@@ -1,0 +1,372 @@
+"""An updated database is the one that a full rebuild makes, whatever was edited."""
+
+from dataclasses import fields, replace
+from types import SimpleNamespace
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.database import update as update_module
+from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+from semref.core.database.model import MapLandmarks, Windows
+from semref.core.database.update import DatabaseUpdater
+from semref.core.errors import DatabaseError, LabelMapError
+from semref.core.labels import block_hashes as map_hash_module
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.labels.sources import ArrayLabels, KeptTiles, PartOfMap
+from semref.core.landmarks.catalogue import measure_region
+from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
+from semref.core.landmarks.regions import RegionFinder
+from semref.core.windows import distinctiveness as distinctiveness_module
+
+TABLE = ClassTable(
+    (
+        LandCoverClass(2, "building", "#ff0000", "reference"),
+        LandCoverClass(3, "forest", "#00ff00"),
+        LandCoverClass(5, "water", "#0000ff", "reference"),
+    )
+)
+VALUES = (0, 2, 3, 5)
+PIXEL = 0.7
+FRAME = MapFrame("a metric CRS", (600000.3, PIXEL, 0.0, 5200000.1, 0.0, -PIXEL))
+SETTINGS = BuildSettings(window_size=40 * PIXEL, stride=18 * PIXEL, minimum_area=8 * PIXEL**2, levels=(1.0, 1.5))
+HEIGHT, WIDTH = 150, 190
+
+
+@pytest.fixture(autouse=True)
+def small_blocks(monkeypatch):
+    """So that a small map has many blocks and tiles."""
+    monkeypatch.setattr(map_hash_module, "HASHED_BLOCK", 32)
+    monkeypatch.setattr(update_module, "HASHED_BLOCK", 32)
+    monkeypatch.setattr(update_module, "RegionFinder", lambda source, value: RegionFinder(source, value, 24))
+
+
+def blobs(seed, scale=1.5):
+    noise = np.random.default_rng(seed).random((4, HEIGHT, WIDTH)).astype(np.float32)
+    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), scale) for layer in noise])
+    return np.array(VALUES, np.uint8)[smooth.argmax(axis=0)]
+
+
+def houses(seed):
+    """Few small objects, some windows without any."""
+    rng = np.random.default_rng(seed)
+    labels = np.full((HEIGHT, WIDTH), 3, np.uint8)
+    for _ in range(120):
+        row, column = rng.integers(0, HEIGHT), rng.integers(WIDTH // 3, WIDTH)
+        labels[row : row + rng.integers(2, 9), column : column + rng.integers(2, 9)] = rng.choice((2, 5))
+    return labels
+
+
+def rivers(seed):
+    """Long, thin, winding objects that cross the whole map, some around others, with houses between."""
+    rng = np.random.default_rng(seed)
+    labels = houses(seed)
+    for _ in range(5):
+        points = np.stack([rng.integers(-9, WIDTH + 9, 7), rng.integers(-9, HEIGHT + 9, 7)], axis=1).astype(np.int32)
+        cv2.polylines(labels, [points], bool(rng.integers(2)), int(rng.choice((2, 5))), int(rng.integers(1, 4)))
+    for inset in (20, 26, 34):
+        cv2.rectangle(labels, (inset, inset), (WIDTH - inset, HEIGHT - inset), int(rng.choice((2, 5))), 2)
+    return labels
+
+
+MAPS = {"blobs": blobs, "large blobs": lambda seed: blobs(seed, 5.0), "houses": houses, "rivers": rivers}
+
+
+def built(labels, settings=SETTINGS):
+    builder = DatabaseBuilder(ArrayLabels(labels), FRAME, TABLE, settings, "1.2.3")
+    for steps in (builder.steps(), builder.compare_windows()):
+        for _ in steps:
+            pass
+    return builder
+
+
+def updated(builder, labels, areas=None, frame=FRAME):
+    """(database, distinctiveness, overview, changes) after an update; ``builder``: of the map before."""
+    database = builder.database
+    updater = DatabaseUpdater(ArrayLabels(labels), frame, database, builder.distinctiveness, areas, "1.2.3")
+    for _ in updater.steps():
+        pass
+    changes, old = updater.changes, database.references
+    kept = np.delete(np.arange(len(old)), changes.removed)
+    names = [item.name for item in fields(MapLandmarks)]
+    references = {n: np.concatenate([getattr(old, n)[kept], getattr(changes.added, n)]) for n in names}
+    overview = builder.overview.copy()
+    for column, row, piece in changes.overview:
+        overview[row : row + piece.shape[0], column : column + piece.shape[1]] = piece
+    database = replace(
+        database, windows=changes.windows, references=MapLandmarks(**references), parameters=changes.parameters
+    )
+    return database, changes.distinctiveness, overview, changes
+
+
+def in_order(references):
+    columns = [references.positions, references.classes, references.areas_m2, references.touches_edge]
+    rows = np.column_stack([*columns, references.bounds_px])
+    return rows[np.lexsort(rows.T)]
+
+
+def assert_is_the_rebuild(builder, labels, areas=None):
+    expected = built(labels)
+    database, distinctiveness, overview, changes = updated(builder, labels, areas)
+    for item in fields(Windows):
+        np.testing.assert_array_equal(
+            getattr(database.windows, item.name), getattr(expected.database.windows, item.name), item.name
+        )
+    np.testing.assert_array_equal(in_order(database.references), in_order(expected.database.references))
+    np.testing.assert_array_equal(distinctiveness, expected.distinctiveness)
+    np.testing.assert_array_equal(overview, expected.overview)
+    assert database.parameters == expected.database.parameters
+    return changes
+
+
+def random_edit(labels, rng):
+    """(edited map, areas): one to three shapes drawn, anywhere, over the border too."""
+    edited, areas = labels.copy(), []
+    for _ in range(rng.integers(1, 4)):
+        before = edited.copy()
+        column, row = int(rng.integers(-5, WIDTH)), int(rng.integers(-5, HEIGHT))
+        size, value = int(rng.integers(1, 25)), int(rng.choice(VALUES))
+        if rng.integers(2):
+            cv2.rectangle(edited, (column, row), (column + size, row + size // 2), value, -1)
+        else:
+            cv2.line(edited, (column, row), (column + size, row - size), value, int(rng.integers(1, 3)))
+        rows, columns = np.nonzero(edited != before)
+        if len(rows):
+            slack = int(rng.integers(0, 4))
+            areas.append((columns.min() - slack, rows.min() - slack, columns.max() + 1 + slack, rows.max() + 1 + slack))
+    return edited, [tuple(map(int, area)) for area in areas]
+
+
+@pytest.mark.parametrize("kind", MAPS)
+@pytest.mark.parametrize("seed", range(6))
+def test_random_edits_give_the_rebuild(kind, seed):
+    rng = np.random.default_rng(seed)
+    labels = MAPS[kind](seed)
+    builder = built(labels)
+    for _ in range(5):
+        edited, areas = random_edit(labels, rng)
+        assert_is_the_rebuild(builder, edited, areas)
+        assert_is_the_rebuild(builder, edited)
+
+
+def test_an_edit_of_nothing_touches_nothing():
+    labels = blobs(0)
+    for areas in (None, [(10, 10, 50, 50)], []):
+        changes = assert_is_the_rebuild(built(labels), labels, areas)
+        assert not len(changes.touched) and not len(changes.removed) and not len(changes.added)
+
+
+def test_edits_far_apart_and_a_whole_new_map_give_the_rebuild():
+    labels = rivers(3)
+    edited = labels.copy()
+    for row, column in ((0, 0), (HEIGHT - 3, WIDTH - 4), (70, 95), (72, 99)):
+        edited[row : row + 3, column : column + 4] = 5
+    builder = built(labels)
+    changes = assert_is_the_rebuild(builder, edited)
+    assert 0 < len(changes.touched) < len(builder.database.windows)
+    assert_is_the_rebuild(builder, blobs(9))
+
+
+def field_with(*shapes):
+    labels = np.full((HEIGHT, WIDTH), 3, np.uint8)
+    for row, column in np.ndindex(12, 3):
+        labels[5 + 12 * row : 9 + 12 * row, 150 + 12 * column : 154 + 12 * column] = 2
+    for row, column, height, width in shapes:
+        labels[row : row + height, column : column + width] = 5
+    return labels
+
+
+RIVER, POND, U = (0, 90, HEIGHT, 4), (60, 60, 10, 10), ((20, 20, 100, 3), (20, 140, 100, 3), (117, 20, 3, 123))
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "removed", "added"),
+    [
+        ([], [POND], 0, 1),
+        ([POND], [], 1, 0),
+        ([POND], [(60, 60, 10, 4), (60, 66, 10, 4)], 1, 2),
+        ([(60, 60, 10, 4), (60, 66, 10, 4)], [POND], 2, 1),
+        ([RIVER], [(0, 90, 70, 4), (72, 90, HEIGHT - 72, 4)], 1, 2),
+        ([(0, 90, 70, 4), (72, 90, HEIGHT - 72, 4)], [RIVER], 2, 1),
+        ([RIVER], [RIVER, (70, 96, 10, 10)], 0, 1),
+        ([*U], [*U, POND], 0, 1),
+        ([*U, POND], [*U], 1, 0),
+        ([*U, POND], [*U, (60, 60, 10, 14)], 1, 1),
+        ([*U], [*U, (60, 20, 3, 123)], 1, 1),
+        ([RIVER], [], 1, 0),
+    ],
+    ids="pond new,pond gone,split,merged,river cut,river joined,beside the river,inside a U,gone inside a U,"
+    "grown inside a U,U closed,river gone".split(","),
+)
+def test_what_happens_to_objects_is_told(before, after, removed, added):
+    labels, edited = field_with(*before), field_with(*after)
+    rows, columns = np.nonzero(labels != edited)
+    area = (int(columns.min()), int(rows.min()), int(columns.max()) + 1, int(rows.max()) + 1)
+    for areas in ([area], None):
+        changes = assert_is_the_rebuild(built(labels), edited, areas)
+        assert (len(changes.removed), len(changes.added)) == (removed, added)
+
+
+def test_windows_away_from_the_change_are_not_touched_unless_their_nearest_one_is():
+    labels = rivers(4)
+    edited = labels.copy()
+    edited[70:80, 80:90] = 2
+    builder = built(labels)
+    changes = assert_is_the_rebuild(builder, edited, [(80, 70, 90, 80)])
+    for i in changes.touched:
+        column, row = map(int, builder.database.windows.names[i].split("_"))
+        size = round(builder.database.windows.sizes[i] / PIXEL)
+        reached = column < 90 and column + size > 80 and row < 80 and row + size > 70
+        assert reached or changes.distinctiveness[i] != builder.distinctiveness[i]
+
+
+def test_only_the_changed_areas_are_read():
+    labels = houses(2)
+    edited = labels.copy()
+    edited[70:76, 80:86] = 2
+    builder = built(labels)
+
+    class Watched(ArrayLabels):
+        pixels = 0
+
+        def read(self, *place):
+            Watched.pixels += place[2] * place[3]
+            return super().read(*place)
+
+    source = Watched(edited)
+    updater = DatabaseUpdater(source, FRAME, builder.database, builder.distinctiveness, [(80, 70, 86, 76)], "1.2.3")
+    updater._source = KeptTiles(source, 16)
+    for _ in updater.steps():
+        pass
+    assert 0 < Watched.pixels < 0.6 * labels.size
+
+
+def test_a_change_outside_the_areas_but_in_a_block_they_touch_is_seen():
+    labels = houses(2)
+    edited = labels.copy()
+    edited[70:76, 80:86] = edited[90:94, 66:70] = 2
+    assert_is_the_rebuild(built(labels), edited, [(80, 70, 86, 76)])
+
+
+def test_a_change_in_another_block_is_missed_until_the_whole_map_is_compared():
+    labels = houses(2)
+    edited = labels.copy()
+    edited[70:76, 80:86] = edited[10:16, 80:86] = 2
+    database, distinctiveness, overview, _ = updated(built(labels), edited, [(80, 70, 86, 76)])
+    assert database.parameters != built(edited).database.parameters
+    half_way = SimpleNamespace(database=database, distinctiveness=distinctiveness, overview=overview)
+    assert_is_the_rebuild(half_way, edited)
+
+
+def test_a_map_that_loses_its_last_reference_object_is_refused():
+    labels = np.full((HEIGHT, WIDTH), 3, np.uint8)
+    labels[50:60, 50:60] = 2
+    builder = built(labels)
+    with pytest.raises(LabelMapError, match="^The corrected map shows no landmark any more"):
+        updated(builder, np.full_like(labels, 3))
+
+
+@pytest.mark.parametrize(
+    ("labels", "transform", "sentence"),
+    [
+        (houses(0)[1:], FRAME.geotransform, "^The label map has 190 × 149 pixels from 600000.3, 5200000.1, the data"),
+        (houses(0), (600001.0, PIXEL, 0, 5200000.1, 0, -PIXEL), "^The label map has 190 × 150 pixels from 600001, "),
+        (houses(0), (600000.3, 1.0, 0, 5200000.1, 0, -1.0), "^The label map has pixels of 1 m, the database was built"),
+        (houses(0) + 4 * (houses(0) == 3), FRAME.geotransform, "^The label map has the value 7, which the database's"),
+    ],
+    ids=["size", "corner", "pixel size", "classes"],
+)
+def test_a_map_that_does_not_fit_is_refused(labels, transform, sentence):
+    with pytest.raises(LabelMapError, match=sentence):
+        updated(built(houses(0)), labels.astype(np.uint8), frame=MapFrame(FRAME.crs, transform))
+
+
+def test_databases_without_hashes_or_bounds_or_windows_are_refused():
+    builder = built(houses(0))
+    database = builder.database
+    windows = Windows(*(getattr(database.windows, item.name)[1:] for item in fields(Windows)))
+    for lacking, sentence in (
+        (replace(database, parameters=replace(database.parameters, block_hashes=())), "kept no block hashes"),
+        (replace(database, references=replace(database.references, bounds_px=None)), "bounds of landmarks"),
+        (replace(database, windows=windows), "windows of level 1 where its grid has"),
+    ):
+        builder.database = lacking
+        with pytest.raises(DatabaseError, match=sentence):
+            updated(builder, houses(0))
+
+
+# --- what it rests on ---
+
+
+@pytest.mark.parametrize("kind", MAPS)
+def test_a_region_is_the_same_to_the_last_bit_whatever_piece_it_is_found_in(kind):
+    labels = MAPS[kind](7)
+    whole = {tuple(row[4:]): tuple(row) for row in rows_from_objects(extract_landmarks(labels, (2,), 1))}
+    for column, row in ((0, 0), (17, 5), (61, 44)):
+        piece = extract_landmarks(labels[row:, column:], (2,), 1)
+        rows = rows_from_objects(piece) + (0, column, row, 0, column, row, column, row)
+        found = [tuple(r) for r in rows if r[4] > column and r[5] > row]
+        assert len(found) > 3 and all(whole[r[4:]] == r for r in found)
+
+
+@pytest.mark.parametrize("tile", [7, 24, 1000])
+@pytest.mark.parametrize("kind", MAPS)
+def test_regions_are_found_from_any_pixel_in_tiles_of_any_size(kind, tile):
+    labels = MAPS[kind](11)
+    source = ArrayLabels(labels)
+    finder = RegionFinder(source, 5, tile)
+    objects = extract_landmarks(labels, (5,), 1)
+    regions = finder.touching((0, 0, WIDTH, HEIGHT))
+    for patch_pixels in (10**9, 100):
+        rows = [measure_region(source, 5, r.bounds, r.first_pixel, 1, patch_pixels) for r in regions]
+        assert {row for row in rows if row} == {tuple(row) for row in rows_from_objects(objects).tolist()}
+    count, parts = cv2.connectedComponents((labels == 5).astype(np.uint8), connectivity=8)
+    assert len(regions) == count - 1
+    inside = finder.touching((60, 40, 90, 70))
+    assert len(inside) == len(np.unique(parts[40:70, 60:90])) - 1
+
+
+def test_distances_do_not_depend_on_what_else_is_compared():
+    rng = np.random.default_rng(4)
+    vectors = np.round(rng.random((300, 30)), 1).astype(np.float32)
+    vectors[100:] = vectors[:200] + rng.choice((0, 1e-6, -1e-6), (200, 30)).astype(np.float32)
+    windows = vectors, rng.uniform(0, 2000, (300, 2)), np.full(300, 50.0)
+    found = np.concatenate([d for _, d in distinctiveness_module.distinctiveness(*windows)])
+    for i in range(0, 300, 13):
+        single = [part[i : i + 1] for part in windows]
+        [(_, distances)] = distinctiveness_module.nearest_distances(single, windows)
+        apart = (np.abs(windows[1] - windows[1][i]) >= 50).any(axis=1)
+        exact = np.sqrt(((vectors[i].astype(float) - vectors[apart]) ** 2).sum(axis=1)).min()
+        assert distances[0] == found[i] == pytest.approx(exact, rel=1e-12)
+
+
+def test_kept_tiles_and_parts_show_the_same_labels():
+    labels = blobs(1)
+    tiles = KeptTiles(ArrayLabels(labels), 16, kept=2)
+    part = PartOfMap(tiles, 20, 30, 100, 90)
+    assert tiles.shape_hw == labels.shape and part.shape_hw == (90, 100)
+    for place in ((0, 0, WIDTH, HEIGHT), (15, 16, 17, 1), (WIDTH - 1, HEIGHT - 1, 1, 1)):
+        column, row, width, height = place
+        np.testing.assert_array_equal(tiles.read(*place), labels[row : row + height, column : column + width])
+    np.testing.assert_array_equal(part.read(3, 4, 50, 60), labels[34:94, 23:73])
+
+
+@pytest.mark.parametrize("rows", [1, 7, 32, 45, 150])
+def test_hashes_are_the_blocks_whatever_pieces_the_map_comes_in(rows):
+    labels = blobs(6)
+    # Blocks of one value, of one until the last row, and of two halves.
+    labels[:70, :70] = 3
+    labels[63, 40] = 5
+    labels[96:112, :32] = 2
+    labels[112:128, :32] = 5
+    hasher = map_hash_module.BlockHasher(WIDTH)
+    for first in range(0, HEIGHT, rows):
+        hasher.add(labels[first : first + rows])
+    expected = [
+        map_hash_module.block_hash(labels[row : row + 32, column : column + 32])
+        for row in range(0, HEIGHT, 32)
+        for column in range(0, WIDTH, 32)
+    ]
+    assert list(hasher.hashes) == expected and len(set(expected)) == 28
+    assert map_hash_module.blocks_shape(labels.shape) == (5, 6)

@@ -1,0 +1,321 @@
+"""Evaluation: queries show what they say, right and wrong are told apart, a seed repeats everything."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+from semref.core.errors import ParameterError
+from semref.core.evaluation.evaluation import (
+    MAP,
+    MIRRORED,
+    NOISE,
+    NOISE_LEVELS,
+    OFFSETS,
+    ROTATION,
+    ROTATIONS_DEG,
+    SCALES,
+    SCALING,
+    Evaluation,
+    Outcome,
+    TrialRanges,
+    ellipse_ratio,
+)
+from semref.core.evaluation.rates import Rate, rate_of
+from semref.core.evaluation.summary import (
+    error_curve,
+    noise_rates,
+    reliability,
+    success_by_landmarks,
+    success_by_offset,
+    summarize,
+)
+from semref.core.geometry.pose import PoseUncertainty
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.labels.sources import ArrayLabels
+from semref.core.localizer.localizer import CONSTELLATION, TOPOLOGY_VECTOR, Localization
+from semref.core.simulation.views import ObjectNoise
+
+WEST, NORTH = 1000.0, 9000.0
+REFERENCES = [LandCoverClass(value, f"class {value}", "#808080", "reference") for value in (1, 2, 3)]
+TABLE = ClassTable((*REFERENCES, LandCoverClass(4, "field", "#c0c0c0", "background")))
+CLEAN = {"missed": (0, 0), "invented": (0, 0), "misnamed": (0, 0), "ragged": (0, 0)}
+
+
+def scattered(height=600, width=700, count=400, seed=3):
+    rng = np.random.default_rng(seed)
+    labels = np.full((height, width), 4, np.uint8)
+    for _ in range(count):
+        h, w = rng.integers(6, 16, 2)
+        row, column = rng.integers(1, height - h - 1), rng.integers(1, width - w - 1)
+        if (labels[row - 1 : row + h + 1, column - 1 : column + w + 1] == 4).all():
+            labels[row : row + h, column : column + w] = rng.integers(1, 4)
+    return labels
+
+
+LABELS = scattered()
+
+
+@pytest.fixture(scope="module")
+def database():
+    frame = MapFrame("", (WEST, 1.0, 0.0, NORTH, 0.0, -1.0))
+    settings = BuildSettings(160.0, 40.0, 30.0, (1.0,), 10, threads=1)
+    builder = DatabaseBuilder(ArrayLabels(LABELS), frame, TABLE, settings, "0")
+    for _ in builder.steps():
+        continue
+    return builder.database
+
+
+@pytest.fixture
+def evaluate(database):
+    """`evaluate(labels=LABELS, pixel=1.0, seed=1, **ranges)` gives an Evaluation."""
+
+    def make(labels=LABELS, pixel=1.0, seed=1, right_within=None, minimum=3, **ranges):
+        transform = (WEST, pixel, 0.0, NORTH, 0.0, -pixel)
+        ranges = TrialRanges(**ranges)
+        return Evaluation(database, ArrayLabels(labels), transform, ranges, seed, minimum, right_within)
+
+    return make
+
+
+# --- queries ---
+
+
+def test_no_trials_are_no_queries(evaluate):
+    assert list(evaluate().trials(0, 0)) == []
+
+
+def test_every_value_lies_in_its_range_and_fills_it(evaluate):
+    ranges = {"scale": (0.5, 2.0), "rotation": (10.0, 20.0), "offset": (0.1, 0.4), "missed": (10, 30), "ragged": (1, 3)}
+    queries = list(evaluate(**ranges).trials(300, 0))
+    values = {
+        "scale": [q.scale for q in queries],
+        "rotation": [q.heading_deg for q in queries],
+        "offset": [q.offset for q in queries],
+        "missed": [100 * q.noise.missed for q in queries],
+        "ragged": [q.ragged for q in queries],
+    }
+    for name, found in values.items():
+        low, high = ranges[name]
+        assert low <= min(found) < low + 0.1 * (high - low) and high - 0.1 * (high - low) < max(found) <= high, name
+
+
+def test_the_offset_is_the_distance_from_the_nearest_window_in_strides(evaluate, database):
+    for query in evaluate(offset=(0.2, 0.5)).trials(50, 0):
+        away = np.abs(database.windows.centers - query.position).max(axis=1).min() / database.parameters.stride
+        assert away == pytest.approx(query.offset, abs=1e-9)
+
+
+def test_an_image_shows_the_map_at_its_position(evaluate):
+    (query,) = evaluate(**CLEAN, offset=(0, 0), scale=(1, 1), rotation=(0, 0)).trials(1, 0)
+    column, row = query.position[0] - WEST, NORTH - query.position[1]
+    seen = LABELS[int(row) - 80 : int(row) + 80, int(column) - 80 : int(column) + 80]
+    np.testing.assert_array_equal(evaluate().image(query), seen)
+
+
+def test_a_map_with_finer_pixels_gives_the_same_images(evaluate):
+    fine = evaluate(np.kron(LABELS, np.ones((2, 2), np.uint8)), 0.5, **CLEAN)
+    for query, same in zip(evaluate(**CLEAN).trials(3, 0), fine.trials(3, 0)):
+        assert query.position == same.position
+        assert (evaluate(**CLEAN).image(query) == fine.image(same)).mean() > 0.999
+
+
+def test_a_mirrored_image_is_the_mirrored_map(evaluate):
+    _, query = evaluate(**CLEAN).trials(1, 1)
+    assert query.part == MIRRORED
+    np.testing.assert_array_equal(evaluate().image(query)[:, ::-1], evaluate().image(replace(query, part=MAP)))
+
+
+def test_a_seed_repeats_queries_and_images_and_another_one_does_not(evaluate):
+    first, again, other = (list(evaluate(seed=seed).trials(4, 2)) for seed in (5, 5, 6))
+    assert first == again and not {q.position for q in first} & {q.position for q in other}
+    for query in first:
+        np.testing.assert_array_equal(evaluate(seed=5).image(query), evaluate(seed=5).image(query))
+
+
+def test_more_trials_begin_with_the_same_ones(evaluate):
+    assert list(evaluate().trials(3, 0)) == list(evaluate().trials(6, 0))[:3]
+
+
+def test_the_grid_of_noise_has_every_pair_of_levels_at_the_same_places(evaluate):
+    queries = list(evaluate().noise_grid(2))
+    pairs = {(round(100 * q.noise.missed), round(100 * q.noise.invented)) for q in queries}
+    assert len(queries) == 32 and pairs == {(m, i) for m in NOISE_LEVELS for i in NOISE_LEVELS}
+    assert len({q.position for q in queries}) == 2
+
+
+def test_the_tables_scale_and_turn_whole_windows_without_noise(evaluate, database):
+    queries = list(evaluate().tables())
+    assert [q.scale for q in queries if q.part == SCALING][:10] == pytest.approx(SCALES)
+    assert [q.heading_deg for q in queries if q.part == ROTATION][:12] == pytest.approx(ROTATIONS_DEG)
+    assert len(queries) == 3 * 22
+    for query in queries:
+        assert query.noise == ObjectNoise() and query.ragged == query.offset == 0
+        assert query.position == tuple(database.windows.centers[list(database.windows.names).index(query.window)])
+
+
+def test_trials_lie_only_around_windows_with_enough_landmarks_on_the_map(evaluate, database):
+    enough = int(np.median(database.windows.counts))
+    assert all(query.landmarks >= enough for query in evaluate(minimum=enough).trials(60, 0))
+    part = evaluate(LABELS[:300])
+    assert all(query.position[1] >= NORTH - 300 + 80 - 20 - 1 for query in part.trials(60, 0))
+
+
+def test_a_map_of_elsewhere_is_refused(evaluate, database):
+    with pytest.raises(ParameterError, match="No window"):
+        Evaluation(database, ArrayLabels(LABELS), (0.0, 1.0, 0.0, 0.0, 0.0, -1.0), TrialRanges(), 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "limits"), [("missed", (0, 101)), ("scale", (0, 1)), ("offset", (0.3, 0.2)), ("ragged", (math.nan, 1))]
+)
+def test_ranges_that_cannot_be_are_refused_by_name(name, limits):
+    with pytest.raises(ParameterError, match=name.upper()):
+        TrialRanges(**{name: limits})
+
+
+# --- judging ---
+
+
+class Told:
+    """A localizer that tells what it is made to."""
+
+    def __init__(self, result):
+        self.result = result
+
+    def localize(self, labels_hw, method):
+        return self.result
+
+
+def told(evaluation, query, **known):
+    evaluation.localizer = Told(Localization(**{"status": "fix", "method": CONSTELLATION, "references": 9, **known}))
+    return evaluation.run(query, [CONSTELLATION])[0]
+
+
+def moved(query, meters):
+    return query.position[0] + meters, query.position[1]
+
+
+@pytest.mark.parametrize(("meters", "right"), [(0, True), (3.1, True), (3.3, False), (500, False)])
+def test_right_is_within_two_percent_of_the_ground_shown(evaluate, meters, right):
+    evaluation = evaluate(scale=(1, 1))
+    (query,) = evaluation.trials(1, 0)
+    outcome = told(evaluation, query, position=moved(query, meters), heading_deg=0.0, pixel_size_m=1.0)
+    assert (outcome.right, outcome.error) == (right, pytest.approx(meters))
+
+
+def test_right_is_within_what_was_asked_for(evaluate):
+    evaluation = evaluate(right_within=10.0)
+    (query,) = evaluation.trials(1, 0)
+    assert told(evaluation, query, position=moved(query, 9.9)).right
+    assert not told(evaluation, query, position=moved(query, 10.1)).right
+
+
+def test_errors_of_heading_and_scale_are_measured_the_short_way_and_relative(evaluate):
+    evaluation = evaluate(scale=(1, 1), rotation=(1, 1))
+    (query,) = evaluation.trials(1, 0)
+    outcome = told(evaluation, query, position=query.position, heading_deg=359.0, pixel_size_m=1.02)
+    assert outcome.heading_error_deg == pytest.approx(2) and outcome.scale_error == pytest.approx(0.02)
+
+
+def test_a_mirrored_image_is_never_right(evaluate):
+    evaluation = evaluate()
+    _, query = evaluation.trials(1, 1)
+    assert not told(evaluation, query, position=query.position).right
+
+
+def test_without_a_fix_nothing_is_right_and_no_error_known(evaluate):
+    evaluation = evaluate()
+    (query,) = evaluation.trials(1, 0)
+    outcome = told(evaluation, query, status="no_match")
+    assert (outcome.right, outcome.error, outcome.is_fix) == (False, None, False)
+
+
+def test_the_topology_vector_is_right_with_the_nearest_window(evaluate, database):
+    evaluation = evaluate(offset=(0.4, 0.4))
+    (query,) = evaluation.trials(1, 0)
+    order = np.argsort(np.hypot(*(database.windows.centers - query.position).T))
+    for rank, right in ((0, True), (1, False)):
+        index = int(order[rank])
+        position = tuple(database.windows.centers[index])
+        known = {"method": TOPOLOGY_VECTOR, "window_index": index, "window": str(database.windows.names[index])}
+        assert told(evaluation, query, position=position, **known).right is right
+
+
+def test_methods_on_a_made_map_behave_as_they_must(evaluate):
+    on_windows = evaluate(**CLEAN, offset=(0, 0), scale=(1, 1), rotation=(0, 0))
+    both = [TOPOLOGY_VECTOR, CONSTELLATION]
+    outcomes = [o for query in on_windows.trials(6, 0) for o in on_windows.run(query, both)]
+    assert [o.method for o in outcomes] == both * 6 and all(o.right for o in outcomes)
+    between = evaluate(**CLEAN, offset=(0.4, 0.5))
+    outcomes = [o for query in between.trials(6, 6) for o in between.run(query, both)]
+    assert summarize(outcomes, CONSTELLATION).right.share > summarize(outcomes, TOPOLOGY_VECTOR).right.share
+    assert summarize(outcomes, CONSTELLATION).false_accepts == Rate(0, 6)
+
+
+def test_an_error_on_the_ellipse_has_the_ratio_one():
+    uncertainty = PoseUncertainty(4.0, 2.0, 90.0, 0.1, 0.01)
+    assert ellipse_ratio(4.0, 0.0, uncertainty) == pytest.approx(1)
+    assert ellipse_ratio(0.0, 1.0, uncertainty) == pytest.approx(0.5)
+
+
+# --- summing up ---
+
+
+def outcome(query, right=True, error=1.0, confidence=0.9, status="fix", **changes):
+    result = Localization(status, CONSTELLATION, 9, confidence=confidence, position=(0.0, 0.0))
+    fix = status == "fix"
+    return Outcome(replace(query, **changes), CONSTELLATION, result, right and fix, error if fix else None)
+
+
+@pytest.fixture
+def query(evaluate):
+    return next(evaluate().trials(1, 0))
+
+
+def test_without_outcomes_nothing_is_known():
+    summary = summarize([], CONSTELLATION)
+    assert (summary.right.share, summary.median_error, summary.false_accepts.share) == (None, None, None)
+    assert success_by_offset([], CONSTELLATION) == reliability([], CONSTELLATION) == []
+    assert [len(part) for part in error_curve([], CONSTELLATION)] == [0, 0]
+
+
+def test_rates_and_errors_are_of_the_right_trials(query):
+    mirrored = [outcome(query, False, 5000, part=MIRRORED), *[outcome(query, status="no_match", part=MIRRORED)] * 3]
+    tried = [outcome(query, error=e) for e in (1, 2, 30)]
+    tried += [outcome(query, False, 900), outcome(query, status="ambiguous")]
+    other = [outcome(query, False, part=SCALING)] * 9
+    summary = summarize(mirrored + tried + other, CONSTELLATION)
+    assert (summary.right, summary.wrong, summary.false_accepts) == (Rate(3, 5), Rate(1, 5), Rate(1, 4))
+    assert summary.median_error == 2 and summary.statuses == {"ambiguous": 1, "fix": 4}
+    errors, shares = error_curve(mirrored + tried + other, CONSTELLATION)
+    assert errors.tolist() == [1, 2, 30, 900] and shares.tolist() == [0.2, 0.4, 0.6, 0.8]
+
+
+def test_success_is_told_for_each_offset_and_each_bin_of_landmarks(query, evaluate):
+    moved = [outcome(q, q.offset < 0.04) for q in evaluate().moves(2)]
+    found = success_by_offset(moved, CONSTELLATION)
+    assert [one.at for one in found] == pytest.approx(OFFSETS)
+    assert [one.rate for one in found] == [Rate(2, 2), *[Rate(0, 2)] * 6]
+    tried = [outcome(query, landmarks=4), outcome(query, False, landmarks=300)]
+    first, last = success_by_landmarks(tried, CONSTELLATION)
+    assert (first.low, first.high, last.low, last.high) == (0, 5, 80, np.inf)
+
+
+def test_reliability_counts_fixes_and_mirrored_ones_as_wrong(query):
+    tried = [outcome(query, confidence=1.0)] * 3 + [outcome(query, False, confidence=0.95, part=MIRRORED)]
+    (only,) = reliability([*tried, outcome(query, status="no_match", confidence=0.93)], CONSTELLATION)
+    assert only.rate == Rate(3, 4) and only.at == pytest.approx((3 + 0.95) / 4)
+
+
+def test_the_grid_of_noise_has_missed_in_rows_and_invented_in_columns(query, evaluate):
+    outcomes = [outcome(q, q.noise.missed == 0.4 and q.noise.invented == 0.2) for q in evaluate().noise_grid(2)]
+    rates = noise_rates(outcomes)
+    assert rates[2][1] == Rate(2, 2) and rates[1][2] == Rate(0, 2)
+    assert sum(rate.trials for row in rates for rate in row) == 32 and outcomes[0].query.part == NOISE
+
+
+def test_a_rate_counts_true():
+    assert rate_of([True, False, np.True_]) == Rate(2, 3)

@@ -1,0 +1,147 @@
+"""Leveling: a tilted view, leveled with its true attitude, is the level view; and everything finds its way back."""
+
+import numpy as np
+import pytest
+
+from semref.core.errors import LabelMapError, ParameterError
+from semref.core.geometry.leveling import (
+    Attitude,
+    attitude_from_gimbal,
+    focal_length_from_35mm,
+    focal_length_from_view,
+    leveling,
+)
+from semref.core.geometry.pose import turn_of
+from semref.core.labels.sources import ArrayLabels
+from semref.core.simulation.views import View, cut_view, map_coordinates
+
+SHAPE = (200, 260)
+FIELD_OF_VIEW = 60.0
+FOCAL = focal_length_from_view(FIELD_OF_VIEW, SHAPE)
+
+
+def tilted(tilt_deg: float, direction_deg: float, heading_deg: float = 25.0) -> View:
+    return View(500.3, 480.7, heading_deg, 1.3, SHAPE[1], SHAPE[0], tilt_deg, direction_deg, FIELD_OF_VIEW)
+
+
+def attitude_of(tilt_deg: float, direction_deg: float) -> Attitude:
+    """Of a View: the axis leans by ``tilt_deg`` towards ``direction_deg``, clockwise from the image's top."""
+    tilt, direction = np.radians((tilt_deg, direction_deg))
+    pitch = np.arcsin(np.sin(tilt) * np.cos(direction))
+    roll = np.arctan2(np.sin(tilt) * np.sin(direction), np.cos(tilt))
+    return Attitude(float(np.degrees(roll)), float(np.degrees(pitch)))
+
+
+def blocks() -> ArrayLabels:
+    """A map of 10 × 10 squares of any class."""
+    small = np.random.default_rng(3).integers(1, 6, (100, 100), dtype=np.uint8)
+    return ArrayLabels(np.kron(small, np.ones((10, 10), np.uint8)))
+
+
+TILTS = [(0, 0), (5, 0), (10, 90), (10, 200), (20, 45), (30, 0), (30, 300), (30, 180)]
+
+
+@pytest.mark.parametrize(("tilt", "direction"), TILTS)
+def test_the_homography_is_the_tilted_views_truth(tilt, direction):
+    view = tilted(tilt, direction)
+    way = leveling(attitude_of(tilt, direction), FOCAL, SHAPE)
+    rng = np.random.default_rng(0)
+    columns, rows = rng.uniform(0, SHAPE[1], 50), rng.uniform(0, SHAPE[0], 50)
+    x, y, w = way.homography @ np.array([columns, rows, np.ones(50)])
+    offsets = way.middle + (x / w - way.shape_hw[1] / 2) + 1j * (way.shape_hw[0] / 2 - y / w)
+    on_map = complex(view.column, -view.row) + turn_of(view.heading_deg, view.scale) * offsets
+    expected = map_coordinates(view, columns, rows)
+    np.testing.assert_allclose((on_map.real, -on_map.imag), expected, atol=1e-9)
+
+
+@pytest.mark.parametrize(("tilt", "direction"), TILTS)
+def test_a_tilted_view_leveled_with_its_true_attitude_is_the_level_view(tilt, direction):
+    view = tilted(tilt, direction)
+    way = leveling(attitude_of(tilt, direction), FOCAL, SHAPE)
+    leveled = way.level(cut_view(blocks(), view))
+    middle = complex(view.column, -view.row) + turn_of(view.heading_deg, view.scale) * way.middle
+    level = cut_view(
+        blocks(), View(middle.real, -middle.imag, view.heading_deg, view.scale, way.shape_hw[1], way.shape_hw[0])
+    )
+    seen = leveled > 0
+    # Nearest neighbor twice moves edges by up to a pixel; squares are 7.7 pixels wide.
+    assert (leveled == level)[seen].mean() > 0.85
+    assert (leveled == np.roll(level, 4, axis=0))[seen].mean() < 0.75
+    # Ground that no pixel shows: at 30° some of the far pixels are all that is seen of several.
+    area = 0.5 * abs((way.corners.conj() * np.roll(way.corners, -1)).imag.sum())
+    assert seen.sum() == pytest.approx(area, rel=0.02)
+
+
+def test_a_level_camera_changes_nothing():
+    labels = np.random.default_rng(1).integers(0, 9, SHAPE, dtype=np.uint8)
+    way = leveling(Attitude(0, 0), FOCAL, SHAPE)
+    assert way.shape_hw == SHAPE and way.middle == way.nadir == 0
+    np.testing.assert_array_equal(way.level(labels), labels)
+
+
+def test_pitch_leans_towards_the_top_and_roll_towards_the_right():
+    pitched, rolled = (leveling(attitude, FOCAL, SHAPE) for attitude in (Attitude(0, 10), Attitude(10, 0)))
+    assert pitched.nadir.imag < -20 and pitched.nadir.real == pytest.approx(0)
+    assert pitched.middle.imag > 3 and pitched.middle.real == pytest.approx(0, abs=0.5)
+    assert rolled.nadir.real < -20 and rolled.nadir.imag == pytest.approx(0)
+    assert rolled.middle.real > 3 and rolled.middle.imag == pytest.approx(0, abs=0.5)
+
+
+def test_the_nadir_is_as_far_away_as_height_and_tilt_say():
+    way = leveling(Attitude(0, 20), 1000.0, (600, 600))
+    height = 1000.0 * np.cos(np.radians(20)) ** 1.5
+    assert way.nadir == pytest.approx(-1j * height * np.tan(np.radians(20)))
+
+
+def test_what_the_center_shows_keeps_its_size():
+    way = leveling(Attitude(12, -17), FOCAL, SHAPE)
+    center = np.array([SHAPE[1] / 2, SHAPE[0] / 2, 1.0])
+    points = []
+    for step in ((0, 0, 0), (1e-4, 0, 0), (0, 1e-4, 0)):
+        x, y, w = way.homography @ (center + step)
+        points.append(complex(x / w, y / w))
+    across, along = (points[1] - points[0]) / 1e-4, (points[2] - points[0]) / 1e-4
+    assert abs((across.conjugate() * along).imag) == pytest.approx(1, abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("gimbal_roll", "gimbal_pitch", "roll", "pitch"),
+    [(0, -90, 0, 0), (0, -80, 0, 10), (0, -95, 0, -5), (180, -90, 0, 0), (90, -80, -10, 0), (-90, -80, 10, 0)],
+)
+def test_a_gimbals_angles_count_from_the_horizon_and_roll_about_the_axis(gimbal_roll, gimbal_pitch, roll, pitch):
+    attitude = attitude_from_gimbal(gimbal_roll, gimbal_pitch)
+    assert (attitude.roll_deg, attitude.pitch_deg) == pytest.approx((roll, pitch))
+
+
+def test_focal_lengths_agree_with_each_other():
+    # DJI: 24 mm on 35 mm film are 84° across the diagonal.
+    focal = focal_length_from_35mm(24, (3000, 4000))
+    assert np.degrees(2 * np.arctan(2500 / focal)) == pytest.approx(84.1, abs=0.1)
+    across = np.degrees(2 * np.arctan(2000 / focal))
+    assert focal_length_from_view(across, (3000, 4000)) == pytest.approx(focal)
+
+
+@pytest.mark.parametrize("attitude", [Attitude(0, 50), Attitude(-60, 0), Attitude(80, 80)])
+def test_a_view_near_the_horizon_is_refused(attitude):
+    with pytest.raises(ParameterError, match=r"away from straight down, more than 75°"):
+        leveling(attitude, FOCAL, SHAPE)
+
+
+@pytest.mark.parametrize("angles", [(90, 0), (0, -90), (200, 0), (float("nan"), 0)])
+def test_angles_that_look_away_from_the_ground_are_refused(angles):
+    with pytest.raises(ParameterError, match="does not look at the ground"):
+        Attitude(*angles)
+
+
+def test_a_gimbal_above_the_horizon_is_refused():
+    with pytest.raises(ParameterError, match="gimbal pitch of 10°"):
+        attitude_from_gimbal(0, 10)
+
+
+def test_no_focal_length_no_pixels_and_too_many_are_refused():
+    with pytest.raises(ParameterError, match="focal length is 0 pixels"):
+        leveling(Attitude(0, 1), 0.0, SHAPE)
+    with pytest.raises(LabelMapError, match="no pixels"):
+        leveling(Attitude(0, 1), 100.0, (0, 5))
+    with pytest.raises(LabelMapError, match="reduce it first"):
+        leveling(Attitude(0, 1), 1e6, (10, 40_000))

@@ -1,0 +1,303 @@
+"""The class table: read, written, looked up, and the sentence for everything that can be wrong with it."""
+
+import re
+
+import pytest
+
+from semref.core.errors import ClassTableError
+from semref.core.labels.class_table import (
+    ClassTable,
+    LandCoverClass,
+    class_table_from_csv,
+    class_table_from_names,
+    class_table_from_values,
+    default_color,
+    split_list,
+)
+
+TABLE = ClassTable(
+    (
+        LandCoverClass(7, "water", "#0000ff", "reference", 3.0, (100, 50, 50), (130, 255, 255)),
+        LandCoverClass(1, "building", "#ff0000", "reference", hsv_min=(170, 80, 0), hsv_max=(10, 255, 255)),
+        LandCoverClass(3, "bare, dry “land”", "#aabbcc"),
+    )
+)
+
+
+def refuses(sentence):
+    """The error carries this whole sentence (or these, as it ends)."""
+    return pytest.raises(ClassTableError, match=re.escape(sentence) + "$")
+
+
+def csv(*rows, header="value,name,color,role,draw_order,hsv_min,hsv_max"):
+    return class_table_from_csv("\n".join([header, *rows]), "classes.csv")
+
+
+@pytest.mark.parametrize(
+    "table",
+    [
+        ClassTable((LandCoverClass(1, "a", "#000000"),)),
+        TABLE,
+        ClassTable(tuple(LandCoverClass(v, f"class {v}", default_color(v)) for v in range(256))),
+        ClassTable((LandCoverClass(2, 'Weiß, Ödland; "q"', "#010203", "reference"),)),
+    ],
+    ids=["one class", "all columns", "256 classes", "awkward name"],
+)
+def test_a_table_written_as_csv_reads_back_equal(table):
+    again = class_table_from_csv(table.to_csv())
+    assert again == table
+    assert again.digest() == table.digest()
+
+
+@pytest.mark.parametrize("order", [0.0, 1.0, -3.0, 2.5, 1234567.0, 0.1, 1e-9, 123456789.25])
+def test_draw_orders_survive_the_csv_exactly(order):
+    table = ClassTable((LandCoverClass(1, "a", "#000000", draw_order=order),))
+    assert class_table_from_csv(table.to_csv()).classes[0].draw_order == order
+
+
+def test_csv_text_is_plain_and_ordered_by_value():
+    assert TABLE.to_csv().splitlines() == [
+        "value,name,color,role,draw_order,hsv_min,hsv_max",
+        "1,building,#ff0000,reference,,170 80 0,10 255 255",
+        '3,"bare, dry “land”",#aabbcc,background,,,',
+        "7,water,#0000ff,reference,3,100 50 50,130 255 255",
+    ]
+
+
+def test_another_table_has_another_digest():
+    assert TABLE.digest() != TABLE.with_references(["water"]).digest()
+
+
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+@pytest.mark.parametrize("bom", ["", "\ufeff"], ids=["no BOM", "BOM"])
+@pytest.mark.parametrize("newline", ["\n", "\r\n"])
+def test_spreadsheets_may_use_other_separators_line_ends_and_a_byte_order_mark(separator, bom, newline):
+    rows = ["value,name,color,role", "1,building,#ff0000,reference", "2,forest,#00ff00,background"]
+    table = class_table_from_csv(bom + newline.join(rows).replace(",", separator) + newline)
+    assert [(c.value, c.name, c.color, c.role) for c in table] == [
+        (1, "building", "#ff0000", "reference"),
+        (2, "forest", "#00ff00", "background"),
+    ]
+
+
+def test_blank_lines_spaces_and_capitals_do_no_harm():
+    table = class_table_from_csv(" Value , NAME,Color,role\n\n 4 , a class , #AABBCC , Reference \n\n")
+    assert table.classes == (LandCoverClass(4, "a class", "#aabbcc", "reference"),)
+
+
+def test_color_and_role_may_be_left_out():
+    table = class_table_from_csv("name,value\nbuilding,1\nwater,2\n")
+    assert [(c.name, c.color, c.role) for c in table] == [
+        ("building", default_color(1), "background"),
+        ("water", default_color(2), "background"),
+    ]
+
+
+@pytest.mark.parametrize("text", ["", "\n\n", "\ufeff", "value,name,color,role\n"])
+def test_a_table_without_classes_is_refused(text):
+    with refuses("classes.csv has no classes; it needs a header value,name,color,role and a line a class."):
+        class_table_from_csv(text, "classes.csv")
+
+
+@pytest.mark.parametrize(
+    ("header", "missing"),
+    [("name,color", "value"), ("value,color", "name"), ("id,label", "value and name")],
+)
+def test_a_missing_column_is_named(header, missing):
+    with refuses(f"classes.csv lacks the column {missing}; its header is “{header}”."):
+        csv("1,2", header=header)
+
+
+@pytest.mark.parametrize("value", ["", "x", "1.5", "1e2"])
+def test_a_value_that_is_no_whole_number_is_refused(value):
+    with refuses(f"classes.csv, line 3: “{value}” is not a whole number for value."):
+        csv("1,building", f"{value},water", header="value,name")
+
+
+@pytest.mark.parametrize("value", [-20, -1, 256, 1000])
+@pytest.mark.parametrize("color", ["", "#000000"])
+def test_a_value_outside_a_byte_is_refused(value, color):
+    with refuses(f"classes.csv, line 2: Class “water” has the value {value}; class values go from 0 to 255."):
+        csv(f"{value},water,{color},background")
+
+
+def test_a_class_without_name_is_refused():
+    with refuses("classes.csv, line 2: The class with value 1 has no name; give it one."):
+        csv("1,,#000000,background")
+
+
+def test_a_line_that_ends_early_is_read_or_refused_by_its_sentence():
+    assert csv("1,building").classes[0].role == "background"
+    with refuses("classes.csv, line 2: The class with value 1 has no name; give it one."):
+        csv("1")
+
+
+def test_cells_beyond_the_header_are_ignored():
+    assert csv("1,building,#000000,reference,,,,left,over").classes[0].name == "building"
+
+
+@pytest.mark.parametrize("color", ["red", "#12345", "#1234567", "123456", "#gggggg"])
+def test_a_color_that_is_none_is_refused(color):
+    with refuses(f"classes.csv, line 2: Class “water” has the color “{color}”; write it as #rrggbb."):
+        csv(f"1,water,{color},background")
+
+
+def test_an_unknown_role_is_refused():
+    with refuses("classes.csv, line 2: Class “water” has the role “landmark”; it must be “reference” or “background”."):
+        csv("1,water,#000000,landmark")
+
+
+def test_value_zero_can_be_a_class_but_no_reference():
+    assert csv("0,other,#000000,background").by_value(0).name == "other"
+    with refuses("classes.csv, line 2: Class “other” has the value 0, which means unlabeled; it can't be a reference."):
+        csv("0,other,#000000,reference")
+
+
+def test_a_draw_order_that_is_no_number_is_refused():
+    with refuses("classes.csv, line 2: “top” is not a number for draw_order."):
+        csv("1,water,#000000,background,top")
+
+
+@pytest.mark.parametrize("cells", ["10 20 30,", ",10 20 30"])
+def test_half_an_hsv_range_is_refused(cells):
+    with refuses("classes.csv, line 2: Class “water” has only one of hsv_min and hsv_max; give both or none."):
+        csv(f"1,water,#000000,background,,{cells}")
+
+
+@pytest.mark.parametrize(
+    "hsv", ["181 0 0", "0 256 0", "0 0 256", "1 2", "1 2 3 4", "a b c", "-1 2 3", "1.5 2 3", "² 2 3"]
+)
+def test_hsv_outside_opencvs_ranges_is_refused(hsv):
+    with refuses(f"classes.csv, line 2: “{hsv}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255)."):
+        csv(f"1,water,#000000,background,,{hsv},1 2 3")
+
+
+@pytest.mark.parametrize(
+    ("rows", "sentence"),
+    [
+        (("1,a", "1,b", "2,c"), "The class table has the value 1 more than once."),
+        (("1,a", "2,a", "3,b"), "The class table has the name a more than once."),
+        (("1,a", "1,b", "2,c", "2,d"), "The class table has the value 1, 2 more than once."),
+    ],
+)
+def test_repeated_values_and_names_are_refused(rows, sentence):
+    with refuses(sentence):
+        csv(*rows, header="value,name")
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("", None),
+        ("forest", None),
+        ("8", None),
+        ("1000", None),
+        ("water", "water"),
+        (" Water ", "water"),
+        ("7", "water"),
+        ("007", "water"),
+        ("BUILDING", "building"),
+    ],
+)
+def test_a_class_is_found_by_name_or_value(text, name):
+    found = TABLE.find(text)
+    assert (found and found.name) == name
+
+
+def test_a_name_that_looks_like_a_value_is_a_name_first():
+    table = class_table_from_names(["2", "1"])
+    assert table.find("2").value == 1
+
+
+def test_names_that_differ_only_in_case_are_told_apart():
+    table = class_table_from_names(["Road", "road"])
+    assert (table.find("Road").value, table.find("road").value, table.find("ROAD")) == (1, 2, None)
+
+
+@pytest.mark.parametrize(
+    ("chosen", "values"), [([], ()), (["3"], (3,)), (["Water", "bare, dry “land”"], (3, 7)), (["7", "water"], (7,))]
+)
+def test_exactly_the_named_classes_become_references(chosen, values):
+    table = TABLE.with_references(chosen)
+    assert table.reference_values == values
+    assert [c.name for c in table] == [c.name for c in TABLE]
+
+
+def test_an_unknown_reference_class_is_refused_with_the_classes_there_are():
+    with refuses("There is no class “wood”; the classes are 1 building, 3 bare, dry “land”, 7 water."):
+        TABLE.with_references(["wood"])
+
+
+def test_value_zero_can_not_be_chosen_as_a_reference():
+    table = ClassTable((LandCoverClass(0, "other", "#000000"), LandCoverClass(1, "a", "#000000")))
+    with refuses("Class “other” has the value 0, which means unlabeled; it can't be a reference."):
+        table.with_references(["other"])
+
+
+def test_a_table_without_references_is_refused_where_one_is_needed():
+    assert TABLE.require_references() is TABLE
+    with refuses(
+        "No class is a reference class; name at least one of 1 building, 3 bare, dry “land”, 7 water "
+        "in REFERENCE_CLASSES, or give it the role “reference” in the class table."
+    ):
+        TABLE.with_references([]).require_references()
+
+
+def test_references_stand_in_order_of_class_value():
+    assert [c.value for c in TABLE] == [1, 3, 7]
+    assert [c.name for c in TABLE.references] == ["building", "water"]
+
+
+def test_long_tables_are_described_in_short():
+    assert class_table_from_values(range(1, 31)).describe().endswith("12 12 and 18 more")
+
+
+def test_default_colors_are_valid_distinct_and_always_the_same():
+    colors = [default_color(value) for value in range(1, 256)]
+    assert all(re.fullmatch("#[0-9a-f]{6}", color) for color in [default_color(0), *colors])
+    assert len(set(colors)) == 255
+    assert colors[:2] == ["#cc6677", "#332288"]
+
+
+@pytest.mark.parametrize("names", [[], ["b", "a"]], ids=["empty", "two"])
+def test_classes_known_by_name_are_numbered_in_their_order(names):
+    table = class_table_from_names(names)
+    assert [(c.value, c.name, c.role) for c in table] == [(n + 1, name, "background") for n, name in enumerate(names)]
+
+
+def test_a_label_map_holds_255_classes_and_no_more():
+    assert len(class_table_from_names(str(n) for n in range(255))) == 255
+    with refuses(
+        "There are 256 classes, but a label map holds 255; "
+        "choose another class field, or merge classes with a class table."
+    ):
+        class_table_from_names(str(n) for n in range(256))
+
+
+@pytest.mark.parametrize(("values", "expected"), [([], []), ([9, 2, 9], [2, 9])])
+def test_classes_known_by_value_are_named_by_it(values, expected):
+    assert [(c.value, c.name) for c in class_table_from_values(values)] == [(v, str(v)) for v in expected]
+
+
+@pytest.mark.parametrize("value", [-3, 256])
+def test_a_field_value_outside_a_byte_is_refused(value):
+    with refuses(f"Class “{value}” has the value {value}; class values go from 0 to 255."):
+        class_table_from_values([1, value])
+
+
+@pytest.mark.parametrize(
+    ("text", "items"),
+    [
+        (None, []),
+        ("", []),
+        (" ; ", []),
+        ("building;water", ["building", "water"]),
+        (" 1 ; bare land;", ["1", "bare land"]),
+    ],
+)
+def test_lists_are_text_separated_by_semicolons(text, items):
+    assert split_list(text) == items
+
+
+def test_colors_are_read_as_red_green_blue():
+    assert LandCoverClass(1, "a", "#0a80FF").rgb == (10, 128, 255)

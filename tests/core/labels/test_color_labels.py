@@ -1,0 +1,108 @@
+"""Color label images become label maps."""
+
+import colorsys
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.errors import ClassTableError
+from semref.core.labels.class_table import ClassTable, LandCoverClass, class_table_from_values
+from semref.core.labels.color_labels import decode_by_hsv, decode_by_nearest_color
+
+RED = LandCoverClass(1, "building", "#ff0000", hsv_min=(170, 100, 100), hsv_max=(10, 255, 255))
+BLUE = LandCoverClass(2, "water", "#0000ff", hsv_min=(110, 100, 100), hsv_max=(130, 255, 255))
+BLUISH = LandCoverClass(5, "ice", "#8888ff", hsv_min=(90, 50, 50), hsv_max=(150, 255, 255))
+GREEN = LandCoverClass(3, "forest", "#00ff00")
+
+
+def image_of(*colors_rgb):
+    """(1, N, 3) BGR image."""
+    return np.array([[color[::-1] for color in colors_rgb]], np.uint8).reshape(1, -1, 3)
+
+
+def painted(labels_hw, table):
+    image = np.zeros((*labels_hw.shape, 3), np.uint8)
+    for c in table:
+        image[labels_hw == c.value] = c.rgb[::-1]
+    return image
+
+
+def hue(degrees):
+    return tuple(round(255 * part) for part in colorsys.hsv_to_rgb(degrees / 360, 1, 1))
+
+
+@pytest.mark.parametrize("decode", [decode_by_hsv, decode_by_nearest_color])
+@pytest.mark.parametrize("shape", [(1, 1), (1, 7), (5, 4)])
+def test_a_black_image_is_unlabeled(decode, shape):
+    labels = decode(np.zeros((*shape, 3), np.uint8), ClassTable((RED, BLUE)))
+    assert labels.shape == shape and labels.dtype == np.uint8 and not labels.any()
+
+
+@pytest.mark.parametrize(
+    ("degrees", "label"), [(0, 1), (18, 1), (22, 0), (338, 0), (342, 1), (358, 1), (120, 0), (240, 2)]
+)
+def test_a_hue_range_may_wrap_around_red(degrees, label):
+    assert decode_by_hsv(image_of(hue(degrees)), ClassTable((RED, BLUE))).tolist() == [[label]]
+
+
+@pytest.mark.parametrize("color", [(70, 0, 0), (255, 200, 200), (40, 10, 10)])
+def test_saturation_and_value_count_on_both_sides_of_the_wrap(color):
+    assert decode_by_hsv(image_of(color), ClassTable((RED,))).tolist() == [[0]]
+
+
+def test_a_class_without_range_is_never_decoded_by_hsv():
+    assert decode_by_hsv(image_of((0, 255, 0)), ClassTable((RED, GREEN))).tolist() == [[0]]
+
+
+def test_where_ranges_overlap_the_first_class_by_value_wins():
+    image = image_of((0, 0, 255), (128, 128, 255))
+    assert decode_by_hsv(image, ClassTable((BLUISH, BLUE))).tolist() == [[2, 2]]
+    renumbered = LandCoverClass(1, "ice", "#8888ff", hsv_min=BLUISH.hsv_min, hsv_max=BLUISH.hsv_max)
+    assert decode_by_hsv(image, ClassTable((renumbered, BLUE))).tolist() == [[1, 1]]
+
+
+def test_decoding_by_hsv_without_any_range_is_refused():
+    with pytest.raises(
+        ClassTableError,
+        match="^No class has hsv_min and hsv_max; add them to the class table or decode by nearest color.$",
+    ):
+        decode_by_hsv(image_of((0, 0, 0)), ClassTable((GREEN,)))
+
+
+def test_the_nearest_color_wins_and_black_is_unlabeled():
+    image = image_of((250, 10, 20), (20, 20, 130), (0, 0, 0), (10, 20, 30), (10, 10, 250))
+    assert decode_by_nearest_color(image, ClassTable((RED, BLUE))).tolist() == [[1, 2, 0, 0, 2]]
+
+
+def test_a_black_class_keeps_its_pixels():
+    table = ClassTable((RED, LandCoverClass(9, "coal", "#000000")))
+    assert decode_by_nearest_color(image_of((0, 0, 0), (9, 9, 9)), table).tolist() == [[9, 9]]
+
+
+def test_equally_near_colors_go_to_the_smaller_value():
+    table = ClassTable((LandCoverClass(4, "a", "#640000"), LandCoverClass(8, "b", "#840000")))
+    assert decode_by_nearest_color(image_of((0x74, 0, 0)), table).tolist() == [[4]]
+
+
+@pytest.mark.parametrize("values", [[1], [1, 2, 3, 7], range(1, 256)], ids=["one class", "four", "255"])
+def test_decoding_the_nearest_color_exactly_inverts_painting(values):
+    table = class_table_from_values(values)
+    labels = np.random.default_rng(0).choice(np.array([0, *values], np.uint8), (40, 60))
+    assert (decode_by_nearest_color(painted(labels, table), table) == labels).all()
+
+
+def test_decoding_by_hsv_exactly_inverts_painting():
+    table = ClassTable((RED, BLUE))
+    labels = np.random.default_rng(1).choice(np.array([0, 1, 2], np.uint8), (40, 60))
+    assert (decode_by_hsv(painted(labels, table), table) == labels).all()
+
+
+@pytest.mark.parametrize("decode", [decode_by_hsv, decode_by_nearest_color])
+def test_a_view_of_a_larger_image_decodes_like_a_copy_and_stays_as_it_was(decode):
+    image = np.random.default_rng(2).integers(0, 256, (30, 40, 3), dtype=np.uint8)
+    view, before = image[5:20, 3:33], image.copy()
+    table = ClassTable((RED, BLUE, BLUISH))
+    assert (decode(view, table) == decode(view.copy(), table)).all()
+    assert (decode(image[..., ::-1], table) == decode(cv2.cvtColor(image, cv2.COLOR_BGR2RGB), table)).all()
+    assert (image == before).all()

@@ -1,0 +1,63 @@
+"""Tiles of training and validation: apart by place, whole, and about as many as asked."""
+
+import numpy as np
+import pytest
+
+from semref.core.errors import ParameterError
+from semref.core.labels.training_tiles import block_size, plan_tiles, validation_blocks
+
+
+def pixels_of(tiles, subset, shape_hw, size):
+    used = np.zeros(shape_hw, bool)
+    for tile in tiles:
+        if tile.subset == subset:
+            used[tile.row : tile.row + size, tile.column : tile.column + size] = True
+    return used
+
+
+@pytest.mark.parametrize("stride", [64, 40, 7])
+@pytest.mark.parametrize("shape_hw", [(640, 900), (64, 2000), (333, 777)])
+def test_no_pixel_is_used_for_both(shape_hw, stride):
+    block = block_size(shape_hw, 64)
+    grid = np.ones([-(-edge // block) for edge in shape_hw], int)
+    tiles = plan_tiles(shape_hw, 64, stride, validation_blocks(grid, 0.3), block)
+    training, validation = (pixels_of(tiles, subset, shape_hw, 64) for subset in ("train", "validation"))
+    assert training.any() and validation.any()
+    assert not (training & validation).any()
+
+
+def test_tiles_stay_on_the_image():
+    tiles = plan_tiles((333, 777), 64, 50, np.zeros((4, 7), bool), 128)
+    assert max(tile.row + 64 for tile in tiles) <= 333
+    assert max(tile.column + 64 for tile in tiles) <= 777
+    assert len(tiles) == 6 * 15
+
+
+@pytest.mark.parametrize("fraction", [0.1, 0.25, 0.5])
+def test_validation_holds_about_the_fraction_of_the_labels(fraction):
+    labeled = np.random.default_rng(3).integers(0, 1000, (8, 8))
+    taken = validation_blocks(labeled, fraction)
+    assert labeled[taken].sum() / labeled.sum() == pytest.approx(fraction, abs=0.02)
+
+
+def test_a_fraction_of_zero_sets_nothing_aside():
+    assert not validation_blocks(np.ones((5, 5), int), 0).any()
+
+
+@pytest.mark.parametrize("labeled", [[[7]], [[0, 0, 9]], [[0, 5], [0, 0]]])
+def test_one_labeled_block_is_never_set_aside(labeled):
+    assert not validation_blocks(np.array(labeled), 0.9).any()
+
+
+def test_without_labels_nothing_is_set_aside():
+    assert not validation_blocks(np.zeros((3, 3), int), 0.5).any()
+
+
+def test_the_same_image_is_always_divided_alike():
+    labeled = np.random.default_rng(1).integers(0, 9, (6, 6))
+    np.testing.assert_array_equal(validation_blocks(labeled, 0.3), validation_blocks(labeled, 0.3))
+
+
+def test_an_image_smaller_than_a_tile_is_refused():
+    with pytest.raises(ParameterError, match="300 × 50 pixels, less than a tile of 64"):
+        plan_tiles((50, 300), 64, 64, np.zeros((1, 5), bool), 64)

@@ -1,0 +1,246 @@
+"""METHOD 0: the constellation, map correlation where that has no fix, and each one's fix checked by the other."""
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+from semref.core.errors import LabelMapError
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.labels.sources import ArrayLabels
+from semref.core.localization import MAP_CORRELATION, Localization, PossiblePlace
+from semref.core.localizer.combined import LEAST_AGREEMENT, checked_by_areas, confirmed, near, neither
+from semref.core.localizer.localizer import AMBIGUOUS, AUTOMATIC, FIX, NO_MATCH, TOO_FEW_REFERENCES, Localizer, Prior
+from semref.core.simulation.views import View, cut_view
+
+ORIGIN = 500_000.0, 5_200_000.0
+TABLE = ClassTable(
+    tuple(LandCoverClass(n, f"class {n}", "#808080", "reference" if n == 1 else "background") for n in range(1, 7))
+)
+SIZE = 560
+WIDTH, HEIGHT = 2400, 2000
+
+
+def patches(seed: int) -> np.ndarray:
+    """(HEIGHT, WIDTH) uint8: patches of classes 2 to 6 around random points."""
+    rng = np.random.default_rng(seed)
+    small = np.full((HEIGHT // 4, WIDTH // 4), 255, np.uint8)
+    small[rng.integers(0, HEIGHT // 4, 500), rng.integers(0, WIDTH // 4, 500)] = 0
+    _, cells = cv2.distanceTransformWithLabels(small, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
+    labels = rng.integers(2, 7, cells.max() + 1).astype(np.uint8)[cells]
+    return cv2.resize(labels, (WIDTH, HEIGHT), interpolation=cv2.INTER_NEAREST)
+
+
+def houses(seed: int, count: int = 700) -> np.ndarray:
+    """(HEIGHT, WIDTH) bool: houses apart from each other."""
+    rng = np.random.default_rng(seed)
+    mask = np.zeros((HEIGHT, WIDTH), bool)
+    for _ in range(count):
+        left, top = int(rng.integers(3, WIDTH - 40)), int(rng.integers(3, HEIGHT - 40))
+        width, height = rng.integers(10, 28, 2)
+        if not mask[top - 3 : top + height + 3, left - 3 : left + width + 3].any():
+            mask[top : top + height, left : left + width] = True
+    return mask
+
+
+GROUND, HOUSES = patches(1), houses(2)
+
+
+def localizer_of(ground: np.ndarray, built: np.ndarray, with_overview: bool = True) -> Localizer:
+    labels = np.where(built, 1, ground).astype(np.uint8)
+    frame = MapFrame("a metric CRS", (ORIGIN[0], 1.0, 0.0, ORIGIN[1], 0.0, -1.0))
+    builder = DatabaseBuilder(ArrayLabels(labels), frame, TABLE, BuildSettings(SIZE, SIZE, 60.0), "0")
+    for _ in builder.steps():
+        pass
+    return Localizer(replace(builder.database, overview=builder.overview if with_overview else None))
+
+
+@pytest.fixture(scope="module")
+def localizer():
+    return localizer_of(GROUND, HOUSES)
+
+
+def view(ground, built, column=1203.7, row=905.2, heading=40.0, scale=1.0) -> np.ndarray:
+    seen = View(column, row, heading, scale, SIZE, SIZE)
+    areas, objects = cut_view(ArrayLabels(ground), seen), cut_view(ArrayLabels(built.astype(np.uint8)), seen)
+    return np.where(objects > 0, 1, areas).astype(np.uint8)
+
+
+NOTHING_BUILT = np.zeros_like(HOUSES)
+MOVED_HOUSES = houses(3)
+
+
+def distance(position, column=1203.7, row=905.2) -> float:
+    return float(np.hypot(position[0] - ORIGIN[0] - column, ORIGIN[1] - row - position[1]))
+
+
+def test_a_fix_of_the_constellation_is_taken_as_it_is(localizer):
+    image = view(GROUND, HOUSES)
+    found = localizer.localize(image, AUTOMATIC)
+    assert found.status == FIX and found.method == "constellation"
+    assert found == localizer.localize_by_constellation(image)
+
+
+def test_without_landmarks_the_class_areas_find_the_image(localizer):
+    found = localizer.localize(view(GROUND, NOTHING_BUILT), AUTOMATIC)
+    assert (found.status, found.method, found.reason) == (FIX, "map correlation", "")
+    assert distance(found.position) < 4
+    assert 0 < found.error_95_m < 30 and found.confidence > 0.9
+
+
+def test_landmarks_that_class_areas_speak_against_are_no_fix(localizer):
+    """The houses of one place over the ground of another."""
+    image = view(patches(9), HOUSES)
+    assert localizer.localize_by_constellation(image).status == FIX
+    found = localizer.localize(image, AUTOMATIC)
+    assert found.status == AMBIGUOUS and found.position is None
+    assert "class areas" in found.reason
+    (place,) = found.alternatives
+    assert distance(place.position) < 2
+
+
+def test_class_areas_are_enough_where_landmarks_do_not_come_out_whole(localizer):
+    image = view(GROUND, MOVED_HOUSES)
+    found = localizer.localize(image, AUTOMATIC)
+    assert (found.status, found.method) == (FIX, MAP_CORRELATION)
+    assert distance(found.position) < 4
+    assert found.references > 20
+
+
+@pytest.fixture(scope="module")
+def twin_houses():
+    """The houses of the left half again in the right half, over other ground."""
+    built = HOUSES.copy()
+    built[:, WIDTH // 2 :] = built[:, : WIDTH // 2]
+    return built
+
+
+def test_what_is_ambiguous_for_landmarks_is_told_by_class_areas(twin_houses):
+    localizer = localizer_of(GROUND, twin_houses)
+    for column in (600, 600 + WIDTH // 2):
+        image = view(GROUND, twin_houses, column, 1000)
+        unsure = localizer.localize_by_constellation(image)
+        assert unsure.status == AMBIGUOUS and len(unsure.alternatives) == 2
+        found = localizer.localize(image, AUTOMATIC)
+        assert (found.status, found.method, found.reason, found.alternatives) == (FIX, "constellation", "", ())
+        assert distance(found.position, column, 1000) < 1
+        assert found.error_95_m < 3 and found.inliers > 10 and found.confidence > 0.99
+
+
+def test_without_an_overview_it_is_the_constellation_alone():
+    localizer = localizer_of(GROUND, HOUSES, with_overview=False)
+    assert not localizer.has_overview
+    for image in (view(GROUND, HOUSES), view(GROUND, NOTHING_BUILT)):
+        assert localizer.localize(image, AUTOMATIC) == localizer.localize_by_constellation(image)
+
+
+def test_without_any_fix_the_reasons_of_both_are_told(localizer):
+    found = localizer.localize(view(patches(8), houses(4)), AUTOMATIC)
+    assert found.status == NO_MATCH and found.position is None
+    assert found.reason.startswith("The best place has log odds of")
+    assert "Map correlation has no fix either: the best place" in found.reason
+    assert found.reason.endswith(".")
+
+
+def test_an_image_without_labels_says_how_many_landmarks_are_missing(localizer):
+    found = localizer.localize(np.zeros((SIZE, SIZE), np.uint8), AUTOMATIC)
+    assert found.status == TOO_FEW_REFERENCES
+    assert "more are needed. Map correlation has no fix either: only 0%" in found.reason
+
+
+def test_an_image_without_pixels_is_an_error(localizer):
+    with pytest.raises(LabelMapError, match="^The image has no pixels.$"):
+        localizer.localize(np.zeros((0, 5), np.uint8), AUTOMATIC)
+
+
+def test_each_method_searches_its_own_range_of_scales_unless_one_is_given(localizer):
+    image = view(GROUND, NOTHING_BUILT, scale=2.2)
+    assert localizer.localize(image, AUTOMATIC).status != FIX
+    given = Prior(pixel_size_range=(2.0, 2.4))
+    assert localizer.localize(image, AUTOMATIC, given).status == FIX
+    found = localizer.localize(view(GROUND, HOUSES, scale=2.2), AUTOMATIC)
+    assert (found.status, found.method) == (FIX, "constellation")
+
+
+def test_pixel_sizes_lie_around_window_size_over_image_size(localizer):
+    assert localizer.pixel_sizes((280, 800), (0.7, 1.4)) == pytest.approx((1.4, 2.8))
+
+
+def test_a_prior_holds_for_both_methods(localizer):
+    image = view(GROUND, NOTHING_BUILT)
+    here = Prior(position=(ORIGIN[0] + 1150, ORIGIN[1] - 950), radius=150.0)
+    assert localizer.localize(image, AUTOMATIC, here).status == FIX
+    assert localizer.localize(image, AUTOMATIC, replace(here, position=ORIGIN)).status != FIX
+
+
+@pytest.mark.parametrize("built", [HOUSES, NOTHING_BUILT, MOVED_HOUSES], ids=["houses", "none", "moved"])
+def test_the_same_image_gives_the_same_result(localizer, built):
+    image = view(GROUND, built)
+    assert localizer.localize(image, AUTOMATIC) == localizer.localize(image, AUTOMATIC)
+
+
+# --- the decisions alone ---
+
+PLACE = PossiblePlace((100.0, 200.0), 30.0, 1.0)
+STARS = Localization(
+    FIX,
+    "constellation",
+    30,
+    position=(100.0, 200.0),
+    heading_deg=30.0,
+    pixel_size_m=1.0,
+    confidence=0.9,
+    error_95_m=1.0,
+)
+AREAS = replace(STARS, method=MAP_CORRELATION, position=(103.0, 204.0), error_95_m=8.0, confidence=0.8)
+
+
+@pytest.mark.parametrize(("agreement", "status"), [(None, FIX), (0.9, FIX), (LEAST_AGREEMENT, FIX), (-0.1, AMBIGUOUS)])
+def test_a_fix_stands_where_class_areas_agree_or_cannot_tell(agreement, status):
+    assert checked_by_areas(STARS, agreement).status == status
+
+
+def test_the_constellation_looks_again_where_map_correlation_found_the_image():
+    prior = near(AREAS, Prior(), 1000)
+    assert (prior.position, prior.radius, prior.heading_deg) == ((103.0, 204.0), 20.0, 30.0)
+    assert near(replace(AREAS, error_95_m=48.0), Prior(), 1000).radius == 60.0
+    assert prior.pixel_size_range[0] < 1.0 < prior.pixel_size_range[1]
+
+
+def test_two_methods_at_one_place_are_surer_than_each():
+    found = confirmed(AREAS, STARS, 20.0)
+    assert (found.position, found.error_95_m, found.method) == (STARS.position, 1.0, "constellation")
+    assert found.confidence == pytest.approx(0.98)
+
+
+def test_a_place_of_the_constellation_farther_off_confirms_nothing():
+    assert confirmed(AREAS, STARS, 4.0) is None
+    assert confirmed(AREAS, Localization(NO_MATCH, "constellation", 30), 20.0) is None
+
+
+def test_of_places_alike_the_one_where_class_areas_agree_is_taken_if_it_is_the_only_one():
+    far, close = replace(PLACE, position=(900.0, 200.0)), replace(PLACE, position=(101.0, 203.0))
+    unsure = Localization(AMBIGUOUS, "constellation", 30, "Two places.", confidence=0.5, log_odds=40.0)
+    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, far)), 20.0).position == PLACE.position
+    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, close)), 20.0) is None
+    # Only the mirrored image rivals it: nothing that a place could tell.
+    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE,)), 20.0) is None
+
+
+def test_without_a_fix_all_places_are_told_and_ambiguity_of_either_counts():
+    other = replace(PLACE, heading_deg=99.0)
+    stars = Localization(NO_MATCH, "constellation", 30, "No stars.")
+    areas = Localization(AMBIGUOUS, MAP_CORRELATION, 0, "Two places agree.", alternatives=(PLACE, other))
+    found = neither(stars, areas, 1000)
+    assert (found.status, found.alternatives) == (AMBIGUOUS, (PLACE, other))
+    assert found.reason == "No stars. Map correlation has no fix either: two places agree."
+
+
+def test_a_place_that_both_methods_found_is_told_once():
+    apart = replace(PLACE, position=(PLACE.position[0] + 500.0, PLACE.position[1]))
+    beside = replace(PLACE, position=(PLACE.position[0] + 1.0, PLACE.position[1]))
+    stars = Localization(AMBIGUOUS, "constellation", 30, "Two places.", alternatives=(PLACE,))
+    areas = Localization(AMBIGUOUS, MAP_CORRELATION, 0, "Two places agree.", alternatives=(beside, apart))
+    assert neither(stars, areas, round(100 / PLACE.pixel_size_m)).alternatives == (PLACE, apart)

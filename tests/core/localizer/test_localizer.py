@@ -1,0 +1,234 @@
+"""The published method from label image to position: what is found, and the sentence where nothing is."""
+
+import re
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+from semref.core.errors import DatabaseError, LabelMapError
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.labels.sources import ArrayLabels
+from semref.core.localizer.localizer import FIX, NO_MATCH, TOO_FEW_REFERENCES, Localizer, describe_image
+
+TABLE = ClassTable(
+    (
+        LandCoverClass(2, "building", "#ff0000", "reference"),
+        LandCoverClass(3, "forest", "#00ff00"),
+        LandCoverClass(5, "water", "#0000ff", "reference"),
+    )
+)
+FRAME = MapFrame("a metric CRS", (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
+SIZE, STRIDE = 60, 20
+SETTINGS = BuildSettings(2.0 * SIZE, 2.0 * STRIDE, minimum_area=28.0)
+
+
+def blobs(seed=0, height=160, width=200):
+    noise = np.random.default_rng(seed).random((4, height, width)).astype(np.float32)
+    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), 1.8) for layer in noise])
+    return np.array((0, 2, 3, 5), np.uint8)[smooth.argmax(axis=0)]
+
+
+def localizer_of(labels, settings=SETTINGS):
+    builder = DatabaseBuilder(ArrayLabels(labels), FRAME, TABLE, settings, "0")
+    for _ in builder.steps():
+        pass
+    return Localizer(builder.database), builder.database.windows
+
+
+def with_blocks(shape, *blocks):
+    """Labels with blocks (column, row, size, value)."""
+    labels = np.zeros(shape, np.uint8)
+    for column, row, size, value in blocks:
+        labels[row : row + size, column : column + size] = value
+    return labels
+
+
+def cut(labels, name, size=SIZE):
+    column, row = map(int, name.split("_"))
+    return labels[row : row + size, column : column + size]
+
+
+MAP = blobs()
+
+
+@pytest.fixture(scope="module")
+def localizer_and_windows():
+    return localizer_of(MAP)
+
+
+@pytest.fixture(scope="module")
+def localizer(localizer_and_windows):
+    return localizer_and_windows[0]
+
+
+@pytest.fixture(scope="module")
+def windows(localizer_and_windows):
+    return localizer_and_windows[1]
+
+
+@pytest.mark.parametrize(
+    ("image", "reason"),
+    [
+        (with_blocks((60, 60)), "The image shows 0 landmarks; at least 3 more are needed."),
+        (with_blocks((60, 60), (5, 5, 9, 3)), "The image shows 0 landmarks; at least 3 more are needed."),
+        (with_blocks((60, 60), (5, 5, 9, 2)), "The image shows 1 landmark; at least 2 more are needed."),
+        (
+            with_blocks((60, 60), (5, 5, 9, 2), (25, 25, 9, 5)),
+            "The image shows 2 landmarks; at least 1 more is needed.",
+        ),
+        (with_blocks((1, 1)), "The image shows 0 landmarks; at least 3 more are needed."),
+        (np.full((1, 1), 2, np.uint8), "The image shows 0 landmarks; at least 3 more are needed."),
+    ],
+)
+def test_an_image_with_too_few_references_has_no_position(localizer, image, reason):
+    result = localizer.localize_by_topology_vector(image)
+    assert (result.status, result.reason) == (TOO_FEW_REFERENCES, reason)
+    assert (result.position, result.distance, result.window, result.confidence) == (None, None, None, 0.0)
+    assert str(result.references) in reason
+
+
+@pytest.mark.parametrize("shape", [(0, 0), (0, 20), (20, 0)])
+def test_an_image_without_pixels_is_refused(localizer, shape):
+    with pytest.raises(LabelMapError, match="^The image has no pixels.$"):
+        localizer.localize_by_topology_vector(np.zeros(shape, np.uint8))
+
+
+@pytest.mark.parametrize("quarter_turns", [0, 1, 2, 3])
+def test_an_image_cut_on_a_window_is_found_however_it_is_turned_by_right_angles(localizer, windows, quarter_turns):
+    assert windows.described.sum() > 40
+    for k in np.flatnonzero(windows.described):
+        result = localizer.localize_by_topology_vector(np.rot90(cut(MAP, windows.names[k]), quarter_turns))
+        assert (result.status, result.window, result.window_index) == (FIX, windows.names[k], k)
+        assert result.distance < 2e-5 and result.confidence > 0.99999
+        assert result.position == tuple(windows.centers[k])
+        assert result.references == windows.counts[k]
+        assert result.reason == ""
+
+
+def test_a_fix_names_the_middle_of_the_window_in_map_coordinates(localizer):
+    result = localizer.localize_by_topology_vector(cut(MAP, "40_60"))
+    assert result.position == (600000 + 2 * (40 + 30), 5200000 - 2 * (60 + 30))
+    assert (result.heading_deg, result.pixel_size_m, result.error_95_m) == (None, None, None)
+
+
+@pytest.mark.parametrize("factor", [2, 3, 5])
+def test_an_image_of_finer_pixels_is_found(factor):
+    """Plots of 5 to 12 pixels, each in a cell of its own: their centers of gravity do not hang on the pixels' size."""
+    rng = np.random.default_rng(1)
+    cells = [(column, row) for row in range(0, 160, 20) for column in range(0, 200, 20) if rng.random() < 0.9]
+    plots = [
+        (c + rng.integers(1, 8), r + rng.integers(1, 8), rng.integers(5, 13), rng.choice([2, 5])) for c, r in cells
+    ]
+    labels = with_blocks((160, 200), *plots)
+    localizer, windows = localizer_of(labels)
+    assert windows.described.all()
+    for name in windows.names:
+        result = localizer.localize_by_topology_vector(np.kron(cut(labels, name), np.ones((factor, factor), np.uint8)))
+        assert result.window == name and result.distance < 2e-5
+
+
+def test_regular_plots_cut_on_a_window_have_distance_zero():
+    """All distances are tied; the map and the image must order the plots alike all the same."""
+    plot = np.array([[0, 0], [5, 0], [0, 5]], np.int32)
+    labels = np.zeros((160, 160), np.uint8)
+    for row in range(3, 150, 12):
+        for column in range(3, 150, 12):
+            cv2.fillPoly(labels, [plot + (column, row)], 5)
+    localizer, windows = localizer_of(labels, BuildSettings(120.0, 24.0, 20.0))
+    for name in windows.names:
+        assert localizer.localize_by_topology_vector(cut(labels, name)).distance < 1e-5
+
+
+@pytest.mark.parametrize(("size", "side"), [(30, 5), (40, 7), (60, 20), (44, 25)])
+def test_objects_of_exactly_the_minimum_area_count_in_the_map_and_in_the_image(size, side):
+    """In these sizes the way to a fraction of the window's area and back ends a rounding error above the area."""
+    labels = np.zeros((size, size), np.uint8)
+    for row in (4, 12, 20):
+        labels[row : row + 2, : side + 1] = 2
+    localizer, windows = localizer_of(labels, BuildSettings(2.0 * size, 2.0 * size, minimum_area=4.0 * side))
+    assert windows.counts.tolist() == [3]
+    assert localizer.localize_by_topology_vector(labels).references == 3
+
+
+def test_an_image_that_no_vector_is_near_to_is_no_match():
+    """Ten plots around the middle of every window, but three in the image: seven columns of the vector differ."""
+    around = [(28 + round(20 * np.cos(a)), 28 + round(20 * np.sin(a)), 5, 5) for a in np.arange(10) * np.pi / 5]
+    localizer, _ = localizer_of(with_blocks((60, 60), *around))
+    image = with_blocks((60, 60), (5, 28, 5, 2), (28, 5, 5, 2), (50, 40, 5, 2))
+    result = localizer.localize_by_topology_vector(image)
+    assert result.status == NO_MATCH
+    assert result.distance > 2
+    assert result.reason == f"The nearest window has distance {result.distance:.3f}, more than 2."
+    assert (result.position, result.window, result.confidence, result.references) == (None, None, 0.0, 3)
+
+
+@pytest.mark.parametrize(("above", "left"), [(0, 0), (9, 0), (0, 14), (1, 0)])
+def test_an_image_that_is_not_square_is_described_in_its_centered_square(localizer, above, left):
+    square = cut(MAP, "40_60")
+    framed = np.pad(square, ((above, above), (left, left)), constant_values=2)
+    result = localizer.localize_by_topology_vector(framed)
+    assert result.window == "40_60"
+    described = describe_image(framed, TABLE.reference_values, 7 / 3600, 10)
+    alone = describe_image(square, TABLE.reference_values, 7 / 3600, 10)
+    assert (described.first_xy, described.size) == ((left, above), 60)
+    assert (described.vector == alone.vector).all()
+    assert described.objects.centers_xy.tolist() == alone.objects.centers_xy.tolist()
+
+
+def test_describing_an_image_without_objects_gives_no_vector():
+    described = describe_image(np.zeros((30, 40), np.uint8), (2, 5), 0.01, 10)
+    assert (described.first_xy, described.size, len(described.objects), described.vector) == ((5, 0), 30, 0, None)
+
+
+def test_the_smallest_object_is_a_fraction_of_the_square():
+    image = with_blocks((50, 80), (20, 5, 6, 2), (30, 20, 11, 2))  # areas 25 and 100 of 2500
+    counts = [len(describe_image(image, (2,), fraction, 10).objects) for fraction in (0.01, 0.0101, 0.04, 0.041)]
+    assert counts == [2, 1, 1, 0]
+
+
+def test_with_several_levels_images_of_each_window_size_are_found():
+    localizer, windows = localizer_of(MAP, BuildSettings(80.0, 40.0, 28.0, levels=(1.0, 1.5, 2.0)))
+    found = []
+    for k in np.flatnonzero(windows.described):
+        image = cut(MAP, windows.names[k], int(windows.sizes[k] / 2))
+        result = localizer.localize_by_topology_vector(image)
+        assert result.status == FIX and result.distance < 2e-5
+        found.append(result.window_index == k)
+    assert set(windows.levels[windows.described]) == {1, 2, 3}
+    assert np.mean(found) > 0.99
+
+
+def test_too_few_references_are_counted_only_where_windows_can_be_matched():
+    """Only the small windows have vectors here; in the large windows' terms the image has a third object."""
+    plots = [(42, 2, 4, 2), (52, 4, 4, 5), (46, 12, 4, 2)]
+    localizer, windows = localizer_of(with_blocks((40, 60), *plots), BuildSettings(40.0, 40.0, 16.0, levels=(1.0, 2.0)))
+    assert windows.names[windows.described].tolist() == ["40_0"]
+    image = with_blocks((40, 40), (2, 2, 6, 2), (20, 20, 6, 2), (30, 5, 4, 2))
+    result = localizer.localize_by_topology_vector(image)
+    assert result.reason == "The image shows 2 landmarks; at least 1 more is needed."
+    assert (result.status, result.references) == (TOO_FEW_REFERENCES, 2)
+
+
+def test_a_database_without_any_vector_is_refused():
+    with pytest.raises(
+        DatabaseError,
+        match=re.escape(
+            "No window of the database has the 3 landmarks a topology vector needs; build it with larger "
+            "windows, a smaller minimum area or more reference classes."
+        ),
+    ):
+        localizer, _ = localizer_of(with_blocks((60, 60), (5, 5, 9, 2), (25, 25, 9, 5)))
+        localizer.check("topology vector")
+
+
+def test_the_nearest_windows_begin_with_the_match_and_grow_more_distant(localizer, windows):
+    found = localizer.nearest_windows(cut(MAP, "40_20"), 4)
+    assert (str(windows.names[found[0][0]]), found[0][1]) == ("40_20", 0)
+    distances = [distance for _, distance in found]
+    assert len(found) == 4 and distances == sorted(distances) and distances[1] > 0
+
+
+def test_an_image_without_landmarks_has_no_nearest_windows(localizer):
+    assert localizer.nearest_windows(np.zeros((60, 60), np.uint8), 4) == []

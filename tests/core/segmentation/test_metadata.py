@@ -1,0 +1,153 @@
+"""What models say about themselves: Deepness's keys, our own, and what is wrong with them."""
+
+import json
+
+import pytest
+
+from semref.core.errors import ModelError
+from semref.core.labels.class_table import class_table_from_csv
+from semref.core.segmentation.metadata import read_classes, read_settings
+
+NAMES = '{"0": "building", "1": "water"}'
+
+
+def values_of(texts, channels=2, given=None):
+    return read_classes(texts, channels, "m.onnx", given).values
+
+
+def test_a_model_that_says_nothing_has_the_defaults():
+    found = read_settings({}, "m.onnx")
+    assert (found.resolution_m, found.tile_size_px, found.overlap, found.threshold) == (None, None, 0.2, 0.5)
+    assert (found.mean, found.std) == ((0, 0, 0), (1, 1, 1))
+
+
+def test_the_keys_of_deepness_are_read():
+    texts = {
+        "model_type": '"Segmentor"',
+        "resolution": "20.5",
+        "tile_size": "256",
+        "tiles_overlap": "40",
+        "seg_thresh": "0.7",
+        "standardization_mean": "[0.4, 0.5, 0.6]",
+        "standardization_std": "[0.1, 0.2, 0.3]",
+    }
+    found = read_settings(texts, "m.onnx")
+    assert (found.resolution_m, found.tile_size_px, found.overlap) == (0.205, 256, 0.4)
+    assert (found.mean, found.std, found.threshold) == ((0.4, 0.5, 0.6), (0.1, 0.2, 0.3), 0.7)
+
+
+def test_the_older_spelling_tiles_size_is_read():
+    assert read_settings({"tiles_size": "640"}, "m.onnx").tile_size_px == 640
+
+
+@pytest.mark.parametrize("text", [NAMES, "{0: 'building', 1: 'water'}", '["building", "water"]'])
+def test_class_names_may_be_json_or_python(text):
+    assert read_classes({"class_names": text}, 2, "m.onnx").names == ("building", "water")
+
+
+def test_class_names_follow_their_numbers_not_their_order():
+    texts = {"class_names": json.dumps({str(n): f"c{n}" for n in (10, *range(10))})}
+    assert read_classes(texts, 11, "m.onnx").names == tuple(f"c{n}" for n in range(11))
+
+
+@pytest.mark.parametrize(
+    ("names", "values"),
+    [
+        (["building", "water"], (1, 2)),
+        (["background", "water"], (0, 1)),
+        (["Unlabeled", "water"], (0, 1)),
+        (["water", "background"], (1, 2)),
+    ],
+)
+def test_a_background_in_front_is_0(names, values):
+    found = read_classes({"class_names": json.dumps(names)}, 2, "m.onnx")
+    assert found.values == values
+    assert [c.value for c in found.table] == [v for v in values if v]
+
+
+def test_our_own_keys_say_values_colors_and_roles():
+    texts = {
+        "class_names": NAMES,
+        "class_values": "[9, 4]",
+        "class_colors": '["#010203", "#040506"]',
+        "class_roles": '["reference", "background"]',
+    }
+    table = read_classes(texts, 2, "m.onnx").table
+    assert [(c.value, c.name, c.color, c.role) for c in table] == [
+        (4, "water", "#040506", "background"),
+        (9, "building", "#010203", "reference"),
+    ]
+
+
+@pytest.mark.parametrize("names", ['{"0": "building"}', '{"0": "background", "1": "building"}'])
+def test_a_single_probability_is_of_the_class_beside_the_background(names):
+    found = read_classes({"class_names": names}, 2, "m.onnx")
+    assert (found.names, found.values) == (("background", "building"), (0, 1))
+
+
+def test_a_table_given_has_the_last_word_by_name():
+    given = class_table_from_csv("value,name,color,role\n7,Water,#0000ff,reference\n3,building,#ff0000,background\n")
+    found = read_classes({"class_names": NAMES, "class_values": "[1, 2]"}, 2, "m.onnx", given)
+    assert found.values == (3, 7)
+    assert [c.role for c in found.table] == ["background", "reference"]
+
+
+def test_a_table_given_names_the_channels_of_a_silent_model():
+    given = class_table_from_csv("value,name\n5,b\n2,a\n")
+    assert read_classes({}, 2, "m.onnx", given).names == ("a", "b")
+    assert read_classes({}, 3, "m.onnx", given).values == (0, 2, 5)
+
+
+def test_channels_are_mapped_to_a_database_by_name():
+    classes = read_classes({"class_names": '["Building", "water", "snow"]'}, 3, "m.onnx")
+    database = class_table_from_csv("value,name,role\n4,water,reference\n6,building,reference\n7,field,background\n")
+    assert classes.values_in(database, "m.onnx") == (6, 4, 0)
+
+
+def test_a_reference_class_that_the_model_does_not_know_is_refused():
+    classes = read_classes({"class_names": NAMES}, 2, "m.onnx")
+    database = class_table_from_csv("value,name,role\n4,bare_land,reference\n6,building,reference\n")
+    with pytest.raises(ModelError, match="m.onnx does not know the database's class bare_land, only building, water"):
+        classes.values_in(database, "m.onnx")
+
+
+@pytest.mark.parametrize(
+    ("texts", "message"),
+    [
+        ({"model_type": '"Detector"'}, "model of type Detector"),
+        ({"resolution": "fine"}, "“fine” as resolution"),
+        ({"resolution": "-3"}, "“-3” as resolution"),
+        ({"resolution": "NaN"}, "“NaN” as resolution"),
+        ({"tile_size": "[512]"}, "as tile_size"),
+        ({"tiles_overlap": "100"}, "number from 0 to 75"),
+        ({"standardization_mean": "[0.5]"}, "list of three numbers"),
+        ({"standardization_std": "[0.5, 0.0, 0.5]"}, "above 0"),
+    ],
+)
+def test_settings_that_cannot_be_are_refused_with_their_key(texts, message):
+    with pytest.raises(ModelError, match=message):
+        read_settings(texts, "m.onnx")
+
+
+@pytest.mark.parametrize(
+    ("texts", "channels", "message"),
+    [
+        ({}, 3, "does not name its classes"),
+        ({"class_names": NAMES}, 3, "tells 3 classes apart, but there are 2"),
+        ({"class_names": '{"0": "a", "2": "b"}'}, 2, "one entry for each output"),
+        ({"class_names": "building"}, 2, "one entry for each output"),
+        ({"class_names": '["a", "a"]'}, 2, "the name a more than once"),
+        ({"class_names": NAMES, "class_values": "[1]"}, 2, "class_values"),
+        ({"class_names": NAMES, "class_values": "[1, 999]"}, 2, "999 in class_values"),
+        ({"class_names": NAMES, "class_values": "[1, 1]"}, 2, "the value 1 more than once"),
+        ({"class_names": NAMES, "class_colors": '["red", "blue"]'}, 2, "color “red”"),
+    ],
+)
+def test_classes_that_cannot_be_are_refused(texts, channels, message):
+    with pytest.raises(ModelError, match=message):
+        values_of(texts, channels)
+
+
+def test_a_table_without_one_of_the_classes_is_refused():
+    with pytest.raises(ModelError, match="CLASS_TABLE lacks the class water"):
+        values_of({"class_names": NAMES}, 2, class_table_from_csv("value,name\n1,building\n"))

@@ -1,0 +1,211 @@
+"""Networks of every shape that is taken, and a sentence for each that isn't."""
+
+import sys
+
+import numpy as np
+import pytest
+from made_models import NAMES, brightest_color, metadata, painted, write_model, writer
+
+from semref.core.errors import ModelError
+from semref.core.labels.class_table import class_table_from_csv
+from semref.core.segmentation import model as segmentation_model
+from semref.core.segmentation.model import SegmentationModel
+
+LABELS = np.random.default_rng(2).integers(1, 4, (64, 64)).astype(np.uint8)
+PHOTO = painted(LABELS)
+
+
+@pytest.fixture
+def load(tmp_path):
+    """`load(network, **options)` writes a model and loads it; `classes` may be a class table."""
+
+    def run(network=None, table=None, **options):
+        return SegmentationModel(str(write_model(tmp_path / "m.onnx", network, **options)), 1, table)
+
+    return run
+
+
+def seen_by(model, photo=PHOTO):
+    """(H, W) class values: of each pixel the channel with the highest score."""
+    scores = model.scores([photo])[0]
+    return np.array(model.classes.values)[scores.argmax(0)]
+
+
+def test_the_highest_score_is_the_class(load):
+    model = load()
+    np.testing.assert_array_equal(seen_by(model), LABELS)
+    assert (model.tile_hw, model.classes.names, model.notes) == ((64, 64), NAMES, [])
+    assert model.provider.endswith("ExecutionProvider")
+
+
+def test_images_are_standardized_as_the_model_was_trained(load):
+    network = writer.Network().convolution(np.eye(3).reshape(3, 3, 1, 1), np.zeros(3))
+    model = load(network, metadata=metadata(standardization_mean=[0.1, 0.2, 0.3], standardization_std=[0.5, 1, 2]))
+    wanted = (PHOTO / 255 - (0.1, 0.2, 0.3)) / (0.5, 1, 2)
+    np.testing.assert_allclose(np.moveaxis(model.scores([PHOTO])[0], 0, 2), wanted, atol=1e-6)
+
+
+def test_fixed_sizes_go_before_the_metadata_and_that_is_said(load):
+    model = load(size=(32, 48))
+    assert model.tile_hw == (32, 48)
+    assert "tile_size in the model's metadata is 64, but the network takes 48 × 32" in model.notes[0]
+
+
+def test_a_free_size_without_metadata_is_512(load):
+    assert load(metadata=metadata(tile_size=None)).tile_hw == (512, 512)
+
+
+def test_a_network_of_half_floats_will_do(load):
+    network = writer.Network().add("Cast", to=writer.FLOAT)
+    kernels = np.zeros((3, 3, 1, 1), np.float32)
+    kernels[[0, 1, 2], [0, 2, 1]] = 1
+    network.convolution(kernels, np.zeros(3))
+    np.testing.assert_array_equal(seen_by(load(network, input_type=writer.FLOAT16)), LABELS)
+
+
+@pytest.mark.parametrize("keep", [0, 1])
+def test_class_numbers_are_taken_as_they_are(load, keep):
+    network = brightest_color().add("ArgMax", axis=1, keepdims=keep)
+    shape = (1, *((1,) if keep else ()), "height", "width")
+    np.testing.assert_array_equal(seen_by(load(network, output_shape=shape, output_type=writer.INT64)), LABELS)
+
+
+def test_class_numbers_as_floats_are_taken_when_there_are_more_than_two_classes(load):
+    network = brightest_color().add("ArgMax", axis=1, keepdims=0).add("Cast", to=writer.FLOAT)
+    np.testing.assert_array_equal(seen_by(load(network, output_shape=(1, "height", "width"))), LABELS)
+
+
+@pytest.mark.parametrize(("threshold", "share"), [(None, 0.5), (0.25, 0.25), (0.9, 0.9)])
+@pytest.mark.parametrize("flat", [False, True])
+def test_a_single_probability_counts_from_its_threshold_on(load, threshold, share, flat):
+    kernels = np.zeros((1, 3, 1, 1))
+    kernels[0, 0] = 1
+    network, shape = writer.Network().convolution(kernels, np.zeros(1)), (1, 1, "height", "width")
+    if flat:
+        axes = network.weight("axes", np.array([1], np.int64))
+        network.add("Squeeze", network.last, axes)
+        shape = (1, "height", "width")
+    more = metadata(
+        class_names={"0": "building"}, seg_thresh=threshold, standardization_mean=None, standardization_std=None
+    )
+    photo = np.zeros((64, 64, 3), np.uint8)
+    photo[..., 0] = np.arange(0, 256, 4)
+    found = seen_by(load(network, output_shape=shape, metadata=more), photo)
+    np.testing.assert_array_equal(found, photo[..., 0] / 255 > share)
+
+
+def test_several_images_at_once_give_what_each_gives(load):
+    model = load(batch="batch")
+    model.tiles_at_once = 2
+    both = model.scores([PHOTO, PHOTO[::-1]])
+    np.testing.assert_array_equal(both[1], model.scores([PHOTO[::-1]])[0])
+
+
+def test_a_class_table_names_the_channels_of_a_model_that_does_not(load):
+    table = class_table_from_csv("value,name\n10,a\n20,b\n30,c\n")
+    np.testing.assert_array_equal(seen_by(load(table=table, metadata=metadata(class_names=None))), LABELS * 10)
+
+
+# --- what can't be used ---
+
+
+@pytest.mark.parametrize("content", [b"", b"hello", b"\x08\x08", bytes(range(256)) * 40])
+def test_a_file_that_is_no_model_is_refused(tmp_path, content):
+    path = tmp_path / "m.onnx"
+    path.write_bytes(content)
+    with pytest.raises(ModelError, match="m.onnx is not an ONNX model, or it is damaged"):
+        SegmentationModel(str(path), 1)
+
+
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.9])
+def test_a_model_cut_short_is_refused(tmp_path, share):
+    path = write_model(tmp_path / "m.onnx")
+    content = path.read_bytes()
+    path.write_bytes(content[: int(len(content) * share)])
+    with pytest.raises(ModelError, match="m.onnx"):
+        SegmentationModel(str(path), 1)
+
+
+def test_a_file_that_is_not_there_is_refused(tmp_path):
+    with pytest.raises(ModelError, match="none.onnx does not exist; choose a model file"):
+        SegmentationModel(str(tmp_path / "none.onnx"), 1)
+
+
+def test_weights_missing_beside_the_model_are_said(load):
+    with pytest.raises(ModelError, match="keeps its weights in another file that is missing"):
+        load(brightest_color(external="weights.bin"))
+
+
+def test_a_newer_format_is_said_with_both_versions(load):
+    with pytest.raises(ModelError, match=r"ONNX format 99 \(IR version\), but onnxruntime .* reads up to \d+"):
+        load(ir_version=99)
+
+
+def test_newer_operators_are_said_with_both_versions(load):
+    with pytest.raises(ModelError, match=r"operators of version 99 \(opset\), but onnxruntime .* knows up to \d+"):
+        load(opset=99)
+
+
+@pytest.mark.parametrize(
+    ("network", "options", "message"),
+    [
+        (brightest_color(bands=4), {"input_shape": (1, 4, "h", "w")}, "takes input of the shape 1 × 4 × any × any"),
+        (brightest_color(), {"batch": 8}, "takes 8 images at once"),
+        (brightest_color().add("Frobnicate"), {}, "can't be run by onnxruntime"),
+        (
+            writer.Network().convolution(np.ones((3, 3, 3, 3)), np.zeros(3), stride=2),
+            {"output_shape": (1, 3, "h", "w")},
+            "gives the shape 1 × 3 × 32 × 32 for an image of 64 × 64",
+        ),
+        (brightest_color().add("Flatten"), {"output_shape": (1, "n")}, "gives the shape 1 × 12288"),
+        (brightest_color(), {"metadata": metadata(class_names=["a", "b"])}, "tells 3 classes apart"),
+        (brightest_color(), {"metadata": metadata(class_names=None)}, "does not name its classes"),
+        (brightest_color(), {"metadata": metadata(model_type="Detector")}, "model of type Detector"),
+    ],
+)
+def test_networks_that_do_not_segment_are_refused(load, network, options, message):
+    with pytest.raises(ModelError, match=message):
+        load(network, **options)
+
+
+def test_values_that_are_no_numbers_are_refused(load):
+    model = load(brightest_color().add("Sqrt"))
+    with pytest.raises(ModelError, match=r"values that are not numbers \(NaN"):
+        model.scores([PHOTO])
+
+
+def test_class_numbers_beyond_the_names_are_refused(load):
+    network = brightest_color().add("ArgMax", axis=1, keepdims=0)
+    model = load(
+        network,
+        output_shape=(1, "height", "width"),
+        output_type=writer.INT64,
+        metadata=metadata(class_names=["a", "b"]),
+    )
+    with pytest.raises(ModelError, match="gives the class number 2, but it names 2 classes"):
+        model.scores([PHOTO])
+
+
+def test_a_missing_onnxruntime_is_said_with_how_to_get_it(load, monkeypatch):
+    monkeypatch.setitem(sys.modules, "onnxruntime", None)
+    with pytest.raises(ModelError, match="Segmentation needs the Python package onnxruntime .*pip install onnxruntime"):
+        load()
+
+
+def test_the_best_provider_that_is_there_is_asked_for(tmp_path, monkeypatch):
+    import onnxruntime
+
+    asked = []
+    session = onnxruntime.InferenceSession
+    monkeypatch.setattr(
+        onnxruntime, "get_available_providers", lambda: ["CPUExecutionProvider", "XyzProvider", "DmlExecutionProvider"]
+    )
+
+    def open_session(path, options, providers):
+        asked.extend(providers)
+        return session(path, options, providers=["CPUExecutionProvider"])
+
+    monkeypatch.setattr(onnxruntime, "InferenceSession", open_session)
+    assert SegmentationModel(str(write_model(tmp_path / "m.onnx")), 3).provider == "CPUExecutionProvider"
+    assert asked == ["DmlExecutionProvider", "CPUExecutionProvider"]
+    assert segmentation_model.PROVIDERS[-1] == "CPUExecutionProvider"

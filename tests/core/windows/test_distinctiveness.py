@@ -1,0 +1,83 @@
+"""Distinctiveness: the distance to the nearest vector of a window elsewhere."""
+
+import numpy as np
+import pytest
+
+from semref.core.windows import distinctiveness as module
+from semref.core.windows.distinctiveness import distinctiveness
+
+NEARLY = 1e-12
+
+
+def all_at_once(vectors, centers, sizes):
+    found = np.full(len(vectors), -1.0)
+    for block, distances in distinctiveness(vectors, centers, sizes):
+        assert (found[block] == -1).all() and len(distances) == block.stop - block.start
+        found[block] = distances
+    return found
+
+
+def plain(vectors, centers, sizes):
+    found = []
+    for vector, center, size in zip(vectors.astype(float), centers, sizes):
+        nearest = float("inf")
+        for other, other_center, other_size in zip(vectors.astype(float), centers, sizes):
+            reach = (size + other_size) / 2
+            if abs(center[0] - other_center[0]) >= reach or abs(center[1] - other_center[1]) >= reach:
+                nearest = min(nearest, float(np.linalg.norm(vector - other)))
+        found.append(nearest)
+    return found
+
+
+def random_windows(seed, count, extent=1000.0, sizes=(100.0,)):
+    rng = np.random.default_rng(seed)
+    vectors = rng.random((count, 30)).astype(np.float32)
+    return vectors, rng.uniform(0, extent, (count, 2)), rng.choice(sizes, count)
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 40, 200])
+@pytest.mark.parametrize("sizes", [(100.0,), (50.0, 100.0, 300.0)], ids=["one level", "three levels"])
+def test_distances_equal_a_plain_loop_over_all_pairs(count, sizes):
+    windows = random_windows(count, count, sizes=sizes)
+    np.testing.assert_allclose(all_at_once(*windows), plain(*windows), rtol=0, atol=NEARLY)
+
+
+@pytest.mark.parametrize("block", [1, 7, 64])
+def test_the_block_size_changes_nothing(monkeypatch, block):
+    windows = random_windows(9, 150)
+    expected = all_at_once(*windows)
+    monkeypatch.setattr(module, "BLOCK", block)
+    np.testing.assert_allclose(all_at_once(*windows), expected, rtol=0, atol=NEARLY)
+
+
+def test_overlapping_windows_are_left_out():
+    vectors = np.zeros((3, 30), np.float32)
+    vectors[2] = 1
+    centers = np.array([[0.0, 0.0], [50.0, 0.0], [500.0, 0.0]])
+    found = all_at_once(vectors, centers, np.full(3, 100.0))
+    np.testing.assert_allclose(found, [30**0.5] * 3)
+
+
+def test_windows_that_all_overlap_are_infinitely_distinct():
+    vectors, _, sizes = random_windows(1, 5)
+    centers = np.array([[0, 0], [10, 0], [0, 99], [99, 99], [50, 50]], float)
+    assert np.isinf(all_at_once(vectors, centers, sizes)).all()
+
+
+def test_equal_windows_elsewhere_have_distance_zero():
+    vectors, centers, sizes = random_windows(2, 2)
+    vectors[1] = vectors[0]
+    assert all_at_once(vectors, np.array([[0.0, 0.0], [0.0, 100.0]]), sizes).tolist() == [0, 0]
+
+
+@pytest.mark.parametrize("pixel_size", [1.0, 0.1, 0.3])
+@pytest.mark.parametrize("axis", [0, 1])
+def test_windows_side_by_side_share_no_area_whatever_the_coordinates(pixel_size, axis):
+    """Map coordinates of six digits before the point leave rounding errors in the windows' centers."""
+    count = 60
+    first_px = np.arange(count) * 128
+    centers = np.full((count, 2), 5216789.3)
+    centers[:, axis] = 642123.7 + (first_px + 64) * pixel_size
+    vectors = np.repeat(np.eye(30, dtype=np.float32), 2, axis=0)  # neighbors 0–1, 2–3, … are equal
+    found = all_at_once(vectors, centers, np.full(count, 128 * pixel_size))
+    assert found.tolist() == [0] * count

@@ -1,0 +1,77 @@
+"""The window grid: which windows lie on a map, and what sizes are refused."""
+
+import re
+
+import pytest
+
+from semref.core.errors import WindowError
+from semref.core.windows.grid import WindowGrid, centered_square, whole_pixels, window_name
+
+
+def refuses(sentence):
+    return pytest.raises(WindowError, match=f"^{re.escape(sentence)}$")
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "size", "stride", "columns", "rows"),
+    [
+        (1, 1, 1, 1, [0], [0]),
+        (30, 30, 30, 30, [0], [0]),
+        (59, 30, 30, 30, [0], [0]),
+        (60, 30, 30, 30, [0, 30], [0]),
+        (40, 33, 30, 5, [0, 5, 10], [0]),
+        (10, 12, 9, 1, [0, 1], [0, 1, 2, 3]),
+    ],
+)
+def test_only_windows_that_lie_wholly_on_the_map_count(width, height, size, stride, columns, rows):
+    grid = WindowGrid(width, height, size, stride)
+    assert (grid.columns.tolist(), grid.rows.tolist()) == (columns, rows)
+    assert len(grid) == len(columns) * len(rows)
+
+
+def test_the_papers_windows_are_on_its_grid():
+    grid = WindowGrid(8980, 5130, 1280, 350)
+    assert 5950 in grid.columns and 2100 in grid.rows
+    assert len(grid) == 23 * 12 == 276
+
+
+@pytest.mark.parametrize(("size", "stride"), [(0, 0), (0, 1), (10, 0), (-5, 1), (10, -1)])
+def test_windows_and_strides_below_a_pixel_are_refused(size, stride):
+    with refuses(f"Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them."):
+        WindowGrid(100, 100, size, stride)
+
+
+def test_a_stride_larger_than_the_window_is_refused():
+    with refuses(
+        "The stride (31 px) is larger than the window (30 px), so ground between the windows would be missed; "
+        "make the stride at most the window size."
+    ):
+        WindowGrid(100, 100, 30, 31)
+
+
+@pytest.mark.parametrize(("width", "height"), [(0, 0), (29, 100), (100, 29)])
+def test_a_window_larger_than_the_map_is_refused(width, height):
+    with refuses(
+        f"The window (30 px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map."
+    ):
+        WindowGrid(width, height, 30, 10)
+
+
+def test_windows_are_named_after_their_first_pixel_column_first():
+    assert window_name(5950, 2100) == "5950_2100"
+
+
+@pytest.mark.parametrize(
+    ("length", "pixel_size", "pixels"),
+    [(0, 1, 0), (1280, 1, 1280), (1280, 0.1, 12800), (0.3, 0.1, 3), (350, 4, 88), (10, 4, 3), (9.9, 4, 2), (1, 10, 0)],
+)
+def test_lengths_become_the_nearest_whole_number_of_pixels(length, pixel_size, pixels):
+    assert whole_pixels(length, pixel_size) == pixels
+
+
+@pytest.mark.parametrize(
+    ("shape_hw", "square"),
+    [((0, 0), (0, 0, 0)), ((0, 9), (4, 0, 0)), ((8, 8), (0, 0, 8)), ((8, 13), (2, 0, 8)), ((13, 8), (0, 2, 8))],
+)
+def test_the_largest_square_lies_in_the_middle_of_an_image(shape_hw, square):
+    assert centered_square(shape_hw) == square

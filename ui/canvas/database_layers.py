@@ -1,0 +1,37 @@
+"""A reference database on the map: its layers with their own styles, as one group."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsLayerTreeGroup, QgsProject, QgsRasterLayer, QgsVectorLayer
+
+from ...core.errors import DatabaseError
+from ...processing.exchange.styles import apply_overview_style
+from ...processing.translation import tr
+
+
+def add_database_to_map(path: str, project: QgsProject) -> QgsLayerTreeGroup:
+    """Adds references, windows and overview, from top to bottom, and gives their group.
+
+    Raises DatabaseError and adds nothing.
+    """
+    if not Path(path).is_file():
+        raise DatabaseError(tr("There is no database {path}; choose another file.").format(path=path))
+    layers = [
+        QgsVectorLayer(f"{path}|layername=references", tr("Landmarks"), "ogr"),
+        QgsVectorLayer(f"{path}|layername=windows", tr("Windows"), "ogr"),
+        QgsRasterLayer(f"GPKG:{path}:overview", tr("Overview"), "gdal"),
+    ]
+    if not all(layer.isValid() for layer in layers):
+        raise DatabaseError(
+            tr("{path} is not a SemRef reference database; choose one made by “Build reference database”.").format(
+                path=path
+            )
+        )
+    apply_overview_style(layers[-1], path)
+    project.addMapLayers(layers, False)
+    group = project.layerTreeRoot().insertGroup(0, Path(path).stem)
+    for layer in layers:
+        group.addLayer(layer)
+    return group

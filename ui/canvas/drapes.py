@@ -1,0 +1,37 @@
+"""Images laid on the map as their fixes say."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessingUtils, QgsProject, QgsRasterLayer
+
+from ...core.errors import LabelMapError
+from ...processing.exchange.styles import apply_overview_style
+from ...processing.translation import tr
+
+OPACITY = 0.6
+
+
+def place_image(image: str, corners: tuple, crs_wkt: str) -> str:
+    """Georeferences an image by its footprint's corners (``Hit``); gives the raster that QGIS opens, which lasts as
+    long as QGIS runs. In the background. Raises LabelMapError."""
+    # Not at the top: the dock has to open, and say so, where OpenCV is missing.
+    from ...storage.draped import write_draped
+
+    target = QgsProcessingUtils.generateTempFilename("image.vrt")
+    write_draped(image, target, crs_wkt, corners)
+    return target
+
+
+def add_placed(placed: str, name: str, database: str, project: QgsProject) -> QgsRasterLayer:
+    """Adds what ``place_image`` gave to the project, half-transparent, above the other layers.
+
+    Label values get the colors of ``database``. Raises LabelMapError.
+    """
+    layer = QgsRasterLayer(placed, name, "gdal")
+    if not layer.isValid():
+        raise LabelMapError(tr("{image} can’t be shown on the map.").format(image=name))
+    if layer.bandCount() == 1:
+        apply_overview_style(layer, database)
+    layer.setOpacity(OPACITY)
+    project.addMapLayer(layer)
+    return layer

@@ -1,0 +1,1 @@
+"""Missing Python packages: the options page and the installer."""

@@ -1,0 +1,121 @@
+"""Runs what installs Python packages: one process after the other, without holding up QGIS."""
+
+from __future__ import annotations
+
+import traceback
+from typing import List, Optional
+
+from qgis.PyQt.QtCore import QObject, QProcess, QProcessEnvironment, pyqtSignal
+
+from ...core.errors import SemRefError
+from ...processing.packages.components import Package, add_components_to_path
+from ...processing.packages.install import Answer, Command, Commands, installing
+
+_KILLED_WITHIN_MS = 5000
+
+
+class ComponentInstaller(QObject):
+    """``start``, then one of installed, failed, broke or canceled; meanwhile began and said.
+
+    began: what is being done; said: what a process printed; failed: a sentence for the user; broke: a bug's traceback.
+    """
+
+    began = pyqtSignal(str)
+    said = pyqtSignal(str)
+    installed = pyqtSignal()
+    failed = pyqtSignal(str)
+    broke = pyqtSignal(str)
+    canceled = pyqtSignal()
+
+    def __init__(self, parent: Optional[QObject] = None) -> None:
+        super().__init__(parent)
+        self._commands: Optional[Commands] = None
+        self._process: Optional[QProcess] = None
+        self._output = ""
+        self.log = ""
+        """All that was printed since the last start."""
+
+    @property
+    def running(self) -> bool:
+        return self._commands is not None
+
+    def start(self, packages: List[Package], wheels: str = "") -> None:
+        """``wheels``: a folder of wheels to install from instead of the package index."""
+        self.log = ""
+        self._commands = installing(packages, wheels)
+        self._go_on(None)
+
+    def cancel(self) -> None:
+        """Ends what runs; of the package in work nothing stays."""
+        if self._commands is None:
+            return
+        process, self._process = self._process, None
+        process.finished.disconnect(self._take_answer)
+        process.errorOccurred.disconnect(self._take_error)
+        process.kill()
+        process.waitForFinished(_KILLED_WITHIN_MS)
+        process.deleteLater()
+        try:
+            self._commands.close()
+        except SemRefError as error:
+            self._end(self.failed, str(error))
+        else:
+            self._end(self.canceled)
+
+    def _go_on(self, answer: Optional[Answer]) -> None:
+        try:
+            command = self._commands.send(answer)
+        except StopIteration:
+            self._end(self.installed)
+        except SemRefError as error:
+            self._end(self.failed, str(error))
+        except Exception:
+            self._end(self.broke, traceback.format_exc())
+        else:
+            self._run(command)
+
+    def _end(self, signal, *arguments) -> None:
+        self._commands = None
+        # Packages installed before one that failed count, too.
+        add_components_to_path()
+        signal.emit(*arguments)
+
+    def _run(self, command: Command) -> None:
+        self.began.emit(command.title)
+        self._output = ""
+        variables = QProcessEnvironment.systemEnvironment()
+        for name, value in command.variables.items():
+            variables.insert(name, value)
+        self._process = QProcess(self)
+        self._process.setProcessEnvironment(variables)
+        self._process.setWorkingDirectory(command.folder)
+        self._process.setProcessChannelMode(QProcess.ProcessChannelMode.MergedChannels)
+        self._process.readyReadStandardOutput.connect(self._read)
+        self._process.finished.connect(self._take_answer)
+        self._process.errorOccurred.connect(self._take_error)
+        self._process.start(command.program, command.arguments)
+
+    def _read(self) -> None:
+        # One that was canceled has nothing more to say.
+        if self._process is not None:
+            text = bytes(self._process.readAllStandardOutput()).decode("utf-8", "replace")
+            self._output += text
+            self.log += text
+            self.said.emit(text)
+
+    def _take_answer(self, status: int, how: QProcess.ExitStatus) -> None:
+        self._read()
+        crashed = how == QProcess.ExitStatus.CrashExit
+        self._forget_process()
+        self._go_on(Answer(-1 if crashed else status, self._output))
+
+    def _take_error(self, error: QProcess.ProcessError) -> None:
+        # All others are followed by finished.
+        if error == QProcess.ProcessError.FailedToStart:
+            reason = self._process.errorString()
+            self._forget_process()
+            self._go_on(Answer(-1, reason))
+
+    def _forget_process(self) -> None:
+        self._process.deleteLater()
+        self._process = None

@@ -1,0 +1,222 @@
+"""The options page: which Python packages are there, what they are for, and how to get those that are missing."""
+
+from __future__ import annotations
+
+import importlib.util
+from typing import List
+
+from qgis.core import QgsApplication, QgsSettings
+from qgis.gui import QgsOptionsPageWidget
+from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtGui import QFontDatabase, QTextCursor
+from qgis.PyQt.QtWidgets import (
+    QFileDialog,
+    QGridLayout,
+    QGroupBox,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QPlainTextEdit,
+    QProgressBar,
+    QPushButton,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+)
+
+from ...core.errors import ComponentError
+from ...processing.packages.components import (
+    PACKAGES,
+    Package,
+    components_root,
+    install_command,
+    is_missing,
+    is_too_old,
+    purpose,
+    remove_components,
+)
+from ...processing.translation import tr
+from .component_installer import ComponentInstaller
+
+PAGE = "SemRefOptions"
+"""Name by which QGIS opens the page."""
+
+_LOG_STRETCH = 100
+
+_WHEELS_SETTING = "semref/options/wheels_folder"
+
+
+class ComponentsPage(QgsOptionsPageWidget):
+    """``installer`` outlives the page: what it does when the options are opened again is shown again."""
+
+    removed = pyqtSignal()
+
+    def __init__(self, installer: ComponentInstaller, parent=None) -> None:
+        super().__init__(parent)
+        self.setObjectName(PAGE)
+        self._installer = installer
+        self.list = QTreeWidget()
+        self.install = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Install"))
+        self.install_wheels = QPushButton(tr("Install from a folder of wheels…"))
+        self.copy = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy command"))
+        self.remove = QPushButton(tr("Remove what SemRef installed"))
+        self.cancel = QPushButton(tr("Cancel"))
+        self.progress = QProgressBar()
+        self.state = QLabel()
+        self.log = QPlainTextEdit()
+        self._lay_out()
+        self._connect()
+        self._show_packages()
+        self._add_to_log(installer.log)
+
+    def apply(self) -> None:
+        """Nothing waits for OK: each button acts at once."""
+
+    def _lay_out(self) -> None:
+        explanation = QLabel(
+            tr(
+                "QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a "
+                "folder of its own; what QGIS has, above all numpy, is left as it is."
+            )
+        )
+        explanation.setWordWrap(True)
+        self.list.setHeaderLabels([tr("Package"), tr("What for"), tr("State")])
+        self.list.setRootIsDecorated(False)
+        self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.state.setWordWrap(True)
+        self.state.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        # Busy: pip does not tell how far it is.
+        self.progress.setRange(0, 0)
+        self.log.setReadOnly(True)
+        self.log.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self.log.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        buttons = QGridLayout()
+        buttons.addWidget(self.install, 0, 0)
+        buttons.addWidget(self.install_wheels, 0, 1)
+        buttons.addWidget(self.copy, 1, 0)
+        buttons.addWidget(self.remove, 1, 1)
+        buttons.setColumnStretch(2, 1)
+        running = QHBoxLayout()
+        running.addWidget(self.progress, 1)
+        running.addWidget(self.cancel)
+        group = QGroupBox(tr("Components"))
+        layout = QVBoxLayout(group)
+        layout.addWidget(explanation)
+        layout.addWidget(self.list)
+        layout.addLayout(buttons)
+        layout.addWidget(self.state)
+        layout.addLayout(running)
+        layout.addWidget(self.log, _LOG_STRETCH)
+        # Keeps the rest together while there is no log.
+        layout.addStretch(1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(group, 1)
+
+    def _connect(self) -> None:
+        self.list.itemChanged.connect(self._enable)
+        self.install.clicked.connect(self._install)
+        self.install_wheels.clicked.connect(self._choose_wheels)
+        self.copy.clicked.connect(self._copy_command)
+        self.remove.clicked.connect(self._remove)
+        self.cancel.clicked.connect(self._installer.cancel)
+        self._installer.began.connect(self.state.setText)
+        self._installer.said.connect(self._add_to_log)
+        self._installer.installed.connect(self._show_installed)
+        self._installer.failed.connect(self._show_end)
+        self._installer.broke.connect(self._show_bug)
+        self._installer.canceled.connect(self._show_canceled)
+
+    # --- what is there ---
+
+    def _show_packages(self) -> None:
+        self.list.clear()
+        for package in PACKAGES:
+            item = QTreeWidgetItem([package.title, purpose(package), _state(package)])
+            item.setToolTip(0, package.pip_name)
+            item.setData(0, Qt.ItemDataRole.UserRole, package)
+            if is_missing(package):
+                item.setCheckState(0, Qt.CheckState.Checked)
+            else:
+                item.setToolTip(2, importlib.util.find_spec(package.module).origin)
+            self.list.addTopLevelItem(item)
+        row_height = self.list.sizeHintForRow(0)
+        self.list.setFixedHeight(self.list.header().sizeHint().height() + (len(PACKAGES) + 1) * row_height)
+        self._enable()
+
+    def _chosen(self) -> List[Package]:
+        """The missing packages that are ticked."""
+        items = (self.list.topLevelItem(row) for row in range(self.list.topLevelItemCount()))
+        packages = [(item.data(0, Qt.ItemDataRole.UserRole), item.checkState(0)) for item in items]
+        return [package for package, check in packages if is_missing(package) and check == Qt.CheckState.Checked]
+
+    def _enable(self) -> None:
+        running = self._installer.running
+        for button in (self.install, self.install_wheels, self.copy):
+            button.setEnabled(not running and bool(self._chosen()))
+        self.list.setEnabled(not running)
+        self.remove.setEnabled(not running and components_root().is_dir())
+        self.progress.setVisible(running)
+        self.cancel.setVisible(running)
+        self.log.setVisible(bool(self.log.toPlainText()))
+
+    # --- what can be done ---
+
+    def _install(self) -> None:
+        self._start("")
+
+    def _choose_wheels(self) -> None:
+        last = QgsSettings().value(_WHEELS_SETTING, "", type=str)
+        folder = QFileDialog.getExistingDirectory(self, tr("Choose a folder with wheels (*.whl)"), last)
+        if folder:
+            QgsSettings().setValue(_WHEELS_SETTING, folder)
+            self._start(folder)
+
+    def _start(self, wheels: str) -> None:
+        self.log.clear()
+        self._installer.start(self._chosen(), wheels)
+        self._enable()
+
+    def _copy_command(self) -> None:
+        command = install_command(self._chosen())
+        QgsApplication.clipboard().setText(command)
+        self.state.setText(tr("Copied: {command}").format(command=command))
+
+    def _remove(self) -> None:
+        try:
+            remove_components()
+        except ComponentError as error:
+            self._show_end(str(error))
+        else:
+            self._show_end(tr("Removed; what is in use stays in memory until QGIS is closed."))
+        self.removed.emit()
+
+    # --- what came of it ---
+
+    def _add_to_log(self, text: str) -> None:
+        self.log.moveCursor(QTextCursor.MoveOperation.End)
+        self.log.insertPlainText(text)
+        self._enable()
+
+    def _show_installed(self) -> None:
+        self._show_end(tr("Installed and ready; QGIS need not be restarted."))
+
+    def _show_bug(self, report: str) -> None:
+        self._add_to_log(report)
+        self._show_end(tr("An error in SemRef stopped the installation; please report what stands below."))
+
+    def _show_canceled(self) -> None:
+        self._show_end(tr("Canceled."))
+
+    def _show_end(self, sentence: str) -> None:
+        self.state.setText(sentence)
+        self._show_packages()
+
+
+def _state(package: Package) -> str:
+    if is_too_old(package):
+        return tr("Too old")
+    if is_missing(package):
+        return tr("Missing")
+    origin = importlib.util.find_spec(package.module).origin
+    return tr("Installed by SemRef") if origin.startswith(str(components_root())) else tr("Ready")

@@ -1,0 +1,50 @@
+"""The line at the top of the dock while a Python package is missing that the dock can't do without."""
+
+from __future__ import annotations
+
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton
+
+from ...processing.packages.components import ONNXRUNTIME, OPENCV, missing
+from ...processing.translation import tr
+
+_ICON_PX = 16
+
+
+class MissingNotice(QFrame):
+    """Shown only while something is missing that is needed; ``refresh`` looks again."""
+
+    installAsked = pyqtSignal()
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(parent)
+        self._photos = False
+        self.setObjectName("SemRefMissing")
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        icon = QLabel()
+        icon.setPixmap(QgsApplication.getThemeIcon("/mIconWarning.svg").pixmap(_ICON_PX, _ICON_PX))
+        self.sentence = QLabel()
+        self.sentence.setWordWrap(True)
+        self.install = QPushButton(tr("Install…"))
+        self.install.clicked.connect(self.installAsked)
+        layout = QHBoxLayout(self)
+        layout.addWidget(icon, 0, Qt.AlignmentFlag.AlignTop)
+        layout.addWidget(self.sentence, 1)
+        layout.addWidget(self.install)
+        self.refresh()
+
+    def use_model(self, model: str) -> None:
+        """Tells the path of the network that photos are to be segmented with; empty for label images."""
+        if bool(model) != self._photos:
+            self._photos = bool(model)
+            self.refresh()
+
+    def refresh(self) -> None:
+        lacking = missing([OPENCV])
+        sentence = tr("{packages} is missing; without it nothing can be localized.")
+        if not lacking and self._photos:
+            lacking = missing([ONNXRUNTIME])
+            sentence = tr("{packages} is missing; without it the model can’t make labels of photos.")
+        self.setVisible(bool(lacking))
+        self.sentence.setText(sentence.format(packages=", ".join(package.title for package in lacking)))

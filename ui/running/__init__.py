@@ -1,0 +1,1 @@
+"""Algorithms and reading in the background."""

@@ -1,0 +1,130 @@
+"""One algorithm in the background, as signals."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingAlgRunnerTask,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProject,
+)
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ...processing.translation import tr
+
+UNLOAD_WAIT_MS = 2000
+"""A cancel takes effect within a second; unloading waits no longer than this."""
+
+_BUG_REPORT_BEGINS = "Traceback"
+"""How QGIS passes on a Python exception that is not meant for the user."""
+
+
+class AlgorithmRun(QObject):
+    """One run. After ``start`` returned True exactly one of ``done``, ``failed``, ``broke`` and ``canceled`` comes.
+
+    said: what is being done; logged: detail for the log panel; done: the results (dict) and the context that holds
+    layers in memory; failed: a sentence for the user; broke: a bug's traceback.
+    """
+
+    progressed = pyqtSignal(float)
+    said = pyqtSignal(str)
+    logged = pyqtSignal(str)
+    done = pyqtSignal(object, object)
+    failed = pyqtSignal(str)
+    broke = pyqtSignal(str)
+    canceled = pyqtSignal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._task: Optional[QgsProcessingAlgRunnerTask] = None
+        self._feedback: Optional[_Feedback] = None
+        self._context: Optional[QgsProcessingContext] = None
+        self._cancel_asked = False
+
+    @property
+    def running(self) -> bool:
+        return self._task is not None
+
+    def start_algorithm(self, algorithm_id: str, parameters: dict, title: str) -> bool:
+        """False when it can't even begin; then ``failed`` has said why."""
+        algorithm = QgsApplication.processingRegistry().algorithmById(algorithm_id)
+        if algorithm is None:
+            self.failed.emit(tr("The Processing provider SemRef is switched off; switch it on in the options."))
+            return False
+        able, reason = algorithm.canExecute()
+        if not able:
+            self.failed.emit(reason)
+            return False
+        self._cancel_asked = False
+        self._context = QgsProcessingContext()
+        self._context.setTransformContext(QgsProject.instance().transformContext())
+        self._feedback = _Feedback()
+        self._feedback.said.connect(self.said)
+        self._feedback.logged.connect(self.logged)
+        self._feedback.progressChanged.connect(self.progressed)
+        self._task = QgsProcessingAlgRunnerTask(algorithm, parameters, self._context, self._feedback)
+        self._task.setDescription(title)
+        # The task uses both to its end, which may come after this object's.
+        self._feedback.setParent(self._task)
+        self._feedback.context = self._context
+        self._task.executed.connect(self._finish)
+        QgsApplication.taskManager().addTask(self._task)
+        return True
+
+    def cancel(self) -> None:
+        if self._task is not None:
+            self._cancel_asked = True
+            self._task.cancel()
+
+    def abandon(self) -> None:
+        """Cancels, says nothing more, and waits until no code of the plugin runs in the background any more."""
+        if self._task is None:
+            return
+        self.blockSignals(True)
+        task = self._task
+        self.cancel()
+        task.waitForFinished(UNLOAD_WAIT_MS)
+
+    def _finish(self, succeeded: bool, results: dict) -> None:
+        context, error = self._context, self._feedback.last_error
+        self._task = self._feedback = self._context = None
+        if succeeded:
+            self.done.emit(results, context)
+        elif self._cancel_asked or not error:
+            # Without an error it was canceled in QGIS's own list of tasks.
+            self.canceled.emit()
+        elif error.startswith(_BUG_REPORT_BEGINS):
+            self.broke.emit(error)
+        else:
+            self.failed.emit(error)
+
+
+class _Feedback(QgsProcessingFeedback):
+    """Passes on what is being done; called in the worker thread, so it only emits and stores."""
+
+    said = pyqtSignal(str)
+    logged = pyqtSignal(str)
+
+    def __init__(self) -> None:
+        super().__init__(False)
+        self.last_error = ""
+        self.context = None
+
+    def setProgressText(self, text):
+        self.said.emit(text)
+
+    def pushInfo(self, info):
+        self.logged.emit(info)
+
+    def pushWarning(self, warning):
+        self.logged.emit(warning)
+
+    def reportError(self, error, fatalError=False):
+        # A bug's report is logged when the run ends.
+        if not fatalError and not error.startswith(_BUG_REPORT_BEGINS):
+            self.logged.emit(error)
+        # What ends a run is reported last.
+        self.last_error = error

@@ -1,0 +1,122 @@
+"""Reading in the background: the main thread only starts it and takes the answer."""
+
+from __future__ import annotations
+
+import os
+import traceback
+from typing import Callable, Optional
+
+from qgis.core import QgsApplication, QgsTask
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ...core.database.model import ReferenceDatabase
+from ...core.errors import SemRefError
+from ...storage.geopackage import read_database
+from .algorithm_run import UNLOAD_WAIT_MS
+
+
+class Reader(QObject):
+    """One reading at a time; a new one makes the answer of the one before unwanted, and waits until that has ended.
+
+    So whoever goes through hundreds of images with a key held down has two of them read, not hundreds at a time.
+    ``shut_down`` before it is deleted.
+
+    answered: what the function returned; failed: a sentence for the user; broke: a bug's traceback.
+    """
+
+    answered = pyqtSignal(object)
+    failed = pyqtSignal(str)
+    broke = pyqtSignal(str)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._task: Optional[_Task] = None
+        self._next: Optional[tuple] = None
+        self._is_wanted = False
+
+    def read(self, title: str, function: Callable, *arguments) -> None:
+        self._next = title, function, arguments
+        self._is_wanted = False
+        if self._task is None:
+            self._start()
+
+    def forget(self) -> None:
+        """The answer of what runs is not wanted any more."""
+        self._next = None
+        self._is_wanted = False
+
+    def shut_down(self) -> None:
+        """Forgets, and waits until no code of the plugin runs in the background any more."""
+        self.forget()
+        task, self._task = self._task, None
+        if task is not None:
+            task.done.disconnect(self._take)
+            task.cancel()
+            task.waitForFinished(UNLOAD_WAIT_MS)
+
+    def _start(self) -> None:
+        (title, function, arguments), self._next = self._next, None
+        self._is_wanted = True
+        self._task = _Task(title, function, arguments)
+        self._task.done.connect(self._take)
+        QgsApplication.taskManager().addTask(self._task)
+
+    def _take(self) -> None:
+        task, self._task = self._task, None
+        if self._next is not None:
+            self._start()
+        elif not self._is_wanted:
+            return
+        elif task.sentence:
+            self.failed.emit(task.sentence)
+        elif task.report:
+            self.broke.emit(task.report)
+        else:
+            self.answered.emit(task.answer)
+
+
+class _Task(QgsTask):
+    """``done`` comes in the main thread, also of one that was canceled in QGIS's own list of tasks."""
+
+    done = pyqtSignal()
+
+    def __init__(self, title: str, function: Callable, arguments: tuple) -> None:
+        super().__init__(title, QgsTask.Flag.CanCancel | _hidden())
+        self._function, self._arguments = function, arguments
+        self.answer = None
+        self.sentence = self.report = ""
+
+    def run(self):
+        try:
+            self.answer = self._function(*self._arguments)
+        except SemRefError as error:
+            self.sentence = str(error)
+        except Exception:
+            self.report = traceback.format_exc()
+        return True
+
+    def finished(self, result):
+        # In the main thread.
+        self.done.emit()
+
+
+def _hidden():
+    """Reading a picture is no task worth a line in the status bar; QGIS can hide it from 3.26."""
+    return getattr(QgsTask.Flag, "Hidden", QgsTask.Flag.CanCancel)
+
+
+class DatabaseShelf:
+    """The database read last; read again when its file has changed. For background threads."""
+
+    def __init__(self) -> None:
+        self._held = (None, None)
+
+    def read(self, path: str) -> ReferenceDatabase:
+        """Raises DatabaseError."""
+        key = (path, os.path.getmtime(path) if os.path.exists(path) else None)
+        known, database = self._held
+        if key != known:
+            database = read_database(path)
+            # One assignment: another thread sees the old pair or the new one.
+            self._held = key, database
+        return database

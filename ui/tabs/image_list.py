@@ -1,0 +1,102 @@
+"""The list of images to localize: files and folders, also dropped from a file manager or the layer tree."""
+
+from __future__ import annotations
+
+import os
+from typing import Iterable, List
+
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QKeySequence
+from qgis.PyQt.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem
+
+from ...processing.translation import tr
+from ..dock.placeholder import paint_placeholder
+from ..layer_files import dropped_files
+
+_PATH_ROLE = Qt.ItemDataRole.UserRole
+_VISIBLE_ROWS = 3
+
+
+class ImageList(QListWidget):
+    """Emits ``changed`` when images come or go, ``refused`` with the names of dropped layers that are no file."""
+
+    changed = pyqtSignal()
+    refused = pyqtSignal(list)
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(parent)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setUniformItemSizes(True)
+        self.setIconSize(QSize(self.fontMetrics().height(), self.fontMetrics().height()))
+        self.setAcceptDrops(True)
+
+    def paths(self) -> List[str]:
+        return [self.item(row).data(_PATH_ROLE) for row in range(self.count())]
+
+    def add(self, paths: Iterable[str]) -> None:
+        """Adds files and folders that are not in the list yet."""
+        known = set(self.paths())
+        for path in paths:
+            if path and path not in known:
+                known.add(path)
+                self.addItem(_item(path))
+        self.changed.emit()
+
+    def show_only(self, paths: Iterable[str]) -> None:
+        """Replaces what is in the list, and selects the first one."""
+        self.clear()
+        self.add(paths)
+        self.setCurrentRow(0)
+
+    def remove_selected(self) -> None:
+        for item in self.selectedItems():
+            self.takeItem(self.row(item))
+        self.changed.emit()
+
+    # --- QListWidget ---
+
+    def sizeHint(self):
+        return QSize(200, _VISIBLE_ROWS * (self.fontMetrics().height() + 6))
+
+    def minimumSizeHint(self):
+        return self.sizeHint().boundedTo(QSize(120, 1000))
+
+    def paintEvent(self, event):
+        super().paintEvent(event)
+        if not self.count():
+            paint_placeholder(self, tr("Add photos or label images, or drop files, folders and layers here."))
+
+    def keyPressEvent(self, event):
+        if event.matches(QKeySequence.StandardKey.Delete):
+            self.remove_selected()
+        else:
+            super().keyPressEvent(event)
+
+    def dragEnterEvent(self, event):
+        self.dragMoveEvent(event)
+
+    def dragMoveEvent(self, event):
+        if any(dropped_files(event.mimeData())):
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
+        else:
+            event.ignore()
+
+    def dropEvent(self, event):
+        files, others = dropped_files(event.mimeData())
+        self.add(files)
+        if others:
+            self.refused.emit(others)
+        event.setDropAction(Qt.DropAction.CopyAction)
+        event.accept()
+
+
+def _item(path: str) -> QListWidgetItem:
+    icon = "/mIconFolder.svg" if os.path.isdir(path) else "/mIconRaster.svg"
+    item = QListWidgetItem(QgsApplication.getThemeIcon(icon), os.path.basename(path.rstrip("/\\")) or path)
+    item.setData(_PATH_ROLE, path)
+    item.setToolTip(path)
+    return item

@@ -1,0 +1,268 @@
+"""The image as SemRef sees it: labels, landmarks, and the star of lines that makes the topology vector."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+from qgis.core import QgsSettings
+from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QFont, QImage, QPainter, QPen, QPixmap, QTransform
+from qgis.PyQt.QtWidgets import (
+    QCheckBox,
+    QGraphicsItem,
+    QGraphicsScene,
+    QGraphicsView,
+    QHBoxLayout,
+    QLabel,
+    QSlider,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...processing.translation import tr
+from ..canvas.numbers import nearest_number, paint_numbers, paint_ring
+from ..dock.placeholder import paint_placeholder
+from .image_picture import ImagePicture
+
+_LANDMARKS_SETTING = "semref/dock/show_landmarks"
+_STAR_SETTING = "semref/dock/show_star"
+_OPACITY_SETTING = "semref/dock/label_opacity"
+
+_STAR = QColor("#e8344e")
+_RIM = QColor("#ffffff")
+_LANDMARK_PX = 7
+_RING_PX, _POINTED_RING_PX = 4.0, 9.0
+_REACH_PX = 12
+_ZOOM_STEP = 1.25
+_MOST_ZOOM = 40.0
+
+
+class ImageView(QWidget):
+    """A picture that can be zoomed (wheel), moved (drag) and fitted (double click), and what is drawn on it.
+
+    pointed: the number of the matched landmark under the mouse, 0 for none.
+    """
+
+    pointed = pyqtSignal(int)
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(parent)
+        self.setObjectName("SemRefImageView")
+        self.canvas = _Canvas()
+        self.opacity = QSlider(Qt.Orientation.Horizontal)
+        self.opacity.setRange(0, 100)
+        self.opacity.setToolTip(tr("Opacity of the labels"))
+        self.opacity.setMinimumWidth(40)
+        self.landmarks = QCheckBox(tr("Landmarks"))
+        self.star = QCheckBox(tr("Vector"))
+        self.star.setToolTip(tr("The lines from the center to the landmarks of the topology vector"))
+        settings = QgsSettings()
+        self.opacity.setValue(settings.value(_OPACITY_SETTING, 60, type=int))
+        self.landmarks.setChecked(settings.value(_LANDMARKS_SETTING, True, type=bool))
+        self.star.setChecked(settings.value(_STAR_SETTING, False, type=bool))
+        row = QHBoxLayout()
+        label = QLabel(tr("Labels"))
+        label.setBuddy(self.opacity)
+        for widget, stretch in ((label, 0), (self.opacity, 1), (self.landmarks, 0), (self.star, 0)):
+            row.addWidget(widget, stretch)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.canvas, 1)
+        layout.addLayout(row)
+        self.opacity.valueChanged.connect(self._apply)
+        self.landmarks.toggled.connect(self._apply)
+        self.star.toggled.connect(self._apply)
+        self.canvas.pointed.connect(self.pointed)
+        self.clear("")
+
+    def show_picture(self, picture: ImagePicture) -> None:
+        self.canvas.show_picture(picture)
+        self._apply()
+
+    def clear(self, text: str) -> None:
+        """Shows only a text."""
+        self.canvas.clear(text)
+
+    def point_at(self, number: int) -> None:
+        """Stresses one of the matched landmarks; 0 for none."""
+        self.canvas.point_at(number)
+
+    def _apply(self) -> None:
+        settings = QgsSettings()
+        settings.setValue(_OPACITY_SETTING, self.opacity.value())
+        settings.setValue(_LANDMARKS_SETTING, self.landmarks.isChecked())
+        settings.setValue(_STAR_SETTING, self.star.isChecked())
+        self.canvas.apply(self.opacity.value() / 100, self.landmarks.isChecked(), self.star.isChecked())
+
+
+class _Canvas(QGraphicsView):
+    pointed = pyqtSignal(int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setScene(QGraphicsScene(self))
+        self.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self.setDragMode(QGraphicsView.DragMode.ScrollHandDrag)
+        self.setTransformationAnchor(QGraphicsView.ViewportAnchor.AnchorUnderMouse)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setMouseTracking(True)
+        self._text = ""
+        self._labels: Optional[QGraphicsItem] = None
+        self._landmarks: Optional[_Landmarks] = None
+        self._star: Optional[QGraphicsItem] = None
+
+    def show_picture(self, picture: ImagePicture) -> None:
+        scene = self.scene()
+        scene.clear()
+        self._text = ""
+        if picture.photo is not None:
+            self._add(picture.photo, picture)
+        self._labels = self._add(picture.labels, picture)
+        self._star = _Star(picture)
+        self._landmarks = _Landmarks(picture, self.font())
+        scene.addItem(self._star)
+        scene.addItem(self._landmarks)
+        scene.setSceneRect(QRectF(0, 0, picture.width, picture.height))
+        self.fit()
+
+    def _add(self, image: QImage, picture: ImagePicture) -> QGraphicsItem:
+        """Spans the picture's own pixels, however much it was reduced."""
+        item = self.scene().addPixmap(QPixmap.fromImage(image))
+        scale = picture.width / max(image.width(), 1), picture.height / max(image.height(), 1)
+        item.setTransform(QTransform.fromScale(*scale))
+        return item
+
+    def clear(self, text: str) -> None:
+        self.scene().clear()
+        self._labels = self._landmarks = self._star = None
+        self._text = text
+        self.viewport().update()
+
+    def apply(self, opacity: float, landmarks: bool, star: bool) -> None:
+        if self._labels is not None:
+            self._labels.setOpacity(opacity)
+            self._landmarks.setVisible(landmarks)
+            self._star.setVisible(star)
+
+    def point_at(self, number: int) -> None:
+        if self._landmarks is not None:
+            self._landmarks.point_at(number)
+
+    def fit(self) -> None:
+        self.fitInView(self.sceneRect(), Qt.AspectRatioMode.KeepAspectRatio)
+
+    # --- QGraphicsView ---
+
+    def sizeHint(self):
+        return QSize(220, 220)
+
+    def minimumSizeHint(self):
+        return QSize(120, 140)
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        if self._labels is not None:
+            self.fit()
+
+    def mouseMoveEvent(self, event):
+        super().mouseMoveEvent(event)
+        if self._landmarks is not None and self._landmarks.isVisible():
+            # In scene pixels, so that the reach on the screen is the same at any zoom.
+            reach = _REACH_PX / max(self.transform().m11(), 1e-9)
+            self.pointed.emit(nearest_number(self._landmarks.matched, self.mapToScene(event.pos()), reach) or 0)
+
+    def leaveEvent(self, event):
+        super().leaveEvent(event)
+        self.pointed.emit(0)
+
+    def mouseDoubleClickEvent(self, event):
+        self.fit()
+
+    def wheelEvent(self, event):
+        if self._labels is None:
+            return
+        factor = _ZOOM_STEP if event.angleDelta().y() > 0 else 1 / _ZOOM_STEP
+        fitted = min(self.width() / self.sceneRect().width(), self.height() / self.sceneRect().height())
+        if fitted / 2 < self.transform().m11() * factor < _MOST_ZOOM:
+            self.scale(factor, factor)
+
+    def paintEvent(self, event):
+        super().paintEvent(event)
+        if self._text:
+            paint_placeholder(self, self._text)
+
+
+class _Landmarks(QGraphicsItem):
+    """Dots in the classes' colors that keep their size whatever the zoom; hollow where the image's edge cuts one.
+    Those that agree with the map are ringed and numbered."""
+
+    def __init__(self, picture: ImagePicture, font: QFont) -> None:
+        super().__init__()
+        objects = picture.objects
+        self._rect = QRectF(0, 0, picture.width, picture.height)
+        self._dots = [
+            (QPointF(*center), QColor(picture.colors[int(value)]), bool(cut))
+            for center, value, cut in zip(objects.centers_xy.tolist(), objects.classes, objects.touches_edge)
+        ]
+        found = [] if picture.matches is None else picture.matches.objects.tolist()
+        self.matched = [(number, self._dots[index][0]) for number, index in enumerate(found, start=1)]
+        self._font = font
+        self._pointed = 0
+
+    def point_at(self, number: int) -> None:
+        if number != self._pointed:
+            self._pointed = number
+            self.update()
+
+    def boundingRect(self):
+        return self._rect
+
+    def paint(self, painter, option, widget=None):
+        transform = painter.worldTransform()
+        painter.resetTransform()
+        for center, color, cut in self._dots:
+            painter.setPen(QPen(_RIM if not cut else color, 1.5))
+            painter.setBrush(Qt.BrushStyle.NoBrush if cut else color)
+            painter.drawEllipse(transform.map(center), _LANDMARK_PX / 2, _LANDMARK_PX / 2)
+        places = [(number, transform.map(center)) for number, center in self.matched]
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(_STAR, 2))
+        for number, place in places:
+            painter.drawEllipse(place, _RING_PX, _RING_PX)
+            if number == self._pointed:
+                paint_ring(painter, place, _POINTED_RING_PX, _STAR)
+        paint_numbers(painter, self._font, places, self._pointed)
+        painter.setWorldTransform(transform)
+
+
+class _Star(QGraphicsItem):
+    """Lines from the center of the described square to the vector's landmarks; the first, farthest one is thicker."""
+
+    def __init__(self, picture: ImagePicture) -> None:
+        super().__init__()
+        column, row, edge = picture.square
+        self._rect = QRectF(0, 0, picture.width, picture.height)
+        self._square = QRectF(column, row, edge, edge)
+        self._center = self._square.center()
+        self._ends = [QPointF(*end) for end in picture.star.tolist()]
+
+    def boundingRect(self):
+        return self._rect
+
+    def paint(self, painter, option, widget=None):
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if self._square != self._rect:
+            painter.setPen(_cosmetic(_STAR, 1, Qt.PenStyle.DashLine))
+            painter.drawRect(self._square)
+        for color, extra in ((_RIM, 2), (_STAR, 0)):
+            for number, end in enumerate(self._ends):
+                painter.setPen(_cosmetic(color, (2.5 if number == 0 else 1.2) + extra))
+                painter.drawLine(self._center, end)
+
+
+def _cosmetic(color: QColor, width: float, style=Qt.PenStyle.SolidLine) -> QPen:
+    """A pen as wide on the screen whatever the zoom."""
+    pen = QPen(color, width, style)
+    pen.setCosmetic(True)
+    return pen

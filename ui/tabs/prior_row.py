@@ -1,0 +1,124 @@
+"""Where images are known to be, roughly: a circle drawn on the canvas, or nowhere."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsDistanceArea,
+    QgsPointXY,
+    QgsProject,
+)
+from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
+
+from ...processing.translation import tr
+from ..canvas.prior_tool import PriorTool
+
+
+class PriorRow(QWidget):
+    """``shut_down`` before it is deleted."""
+
+    def __init__(self, canvas: QgsMapCanvas, parent=None) -> None:
+        super().__init__(parent)
+        self.setObjectName("SemRefPrior")
+        self._canvas = canvas
+        self._middle: Optional[QgsPointXY] = None
+        self._edge: Optional[QgsPointXY] = None
+        self._crs: Optional[QgsCoordinateReferenceSystem] = None
+        self._radius_m = 0.0
+        self.tool = PriorTool(canvas)
+        self.text = QLabel()
+        self.draw = QToolButton()
+        self.draw.setIcon(QgsApplication.getThemeIcon("/mActionCircle2Points.svg"))
+        self.draw.setCheckable(True)
+        self.draw.setToolTip(tr("Draw on the map where the images are known to be: press at the middle and drag"))
+        self.draw.setAccessibleName(tr("Draw where to search"))
+        self.clear = QToolButton()
+        self.clear.setIcon(QgsApplication.getThemeIcon("/mActionDeleteSelected.svg"))
+        self.clear.setToolTip(tr("Search the whole database"))
+        self.clear.setAccessibleName(self.clear.toolTip())
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.text, 1)
+        layout.addWidget(self.draw)
+        layout.addWidget(self.clear)
+        self.draw.toggled.connect(self._draw)
+        self.clear.clicked.connect(self.forget)
+        self.tool.drawn.connect(self.set_circle)
+        self.tool.deactivated.connect(self._stop_drawing)
+        canvas.destinationCrsChanged.connect(self._show_circle)
+        self.forget()
+
+    def parameters(self) -> dict:
+        """PRIOR_POINT and PRIOR_RADIUS of semref:localizeimages; empty without a circle."""
+        if self._middle is None:
+            return {}
+        point = f"{self._middle.x()!r},{self._middle.y()!r} [{self._crs.authid()}]"
+        return {"PRIOR_POINT": point, "PRIOR_RADIUS": self._radius_m}
+
+    def set_circle(self, middle: QgsPointXY, edge: QgsPointXY) -> None:
+        """Both in the canvas's CRS; the radius is measured on the ground."""
+        self._keep(middle, edge, self._canvas.mapSettings().destinationCrs())
+        self._canvas.unsetMapTool(self.tool)
+
+    def circle(self) -> Optional[tuple]:
+        """(x, y of the middle, x, y of the edge, authid of their CRS); None without a circle."""
+        if self._middle is None:
+            return None
+        return self._middle.x(), self._middle.y(), self._edge.x(), self._edge.y(), self._crs.authid()
+
+    def restore(self, circle: Optional[tuple]) -> None:
+        """What ``circle`` told."""
+        crs = QgsCoordinateReferenceSystem() if circle is None else QgsCoordinateReferenceSystem(circle[4])
+        if crs.isValid():
+            self._keep(QgsPointXY(*circle[:2]), QgsPointXY(*circle[2:4]), crs)
+        else:
+            self.forget()
+
+    def _keep(self, middle: QgsPointXY, edge: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> None:
+        self._middle, self._edge, self._crs = middle, edge, crs
+        measure = QgsDistanceArea()
+        measure.setSourceCrs(crs, QgsProject.instance().transformContext())
+        measure.setEllipsoid(QgsProject.instance().ellipsoid() or "WGS84")
+        self._radius_m = measure.measureLine(middle, edge)
+        self._show_circle()
+        self.text.setText(tr("Search: within {radius:.0f} m").format(radius=self._radius_m))
+        self.clear.setEnabled(True)
+
+    def forget(self) -> None:
+        self._middle = self._edge = None
+        self._show_circle()
+        self.text.setText(tr("Search: the whole database"))
+        self.clear.setEnabled(False)
+
+    def _show_circle(self) -> None:
+        """In the canvas's CRS, which may have changed since the circle was drawn."""
+        ends = []
+        if self._middle is not None:
+            target = self._canvas.mapSettings().destinationCrs()
+            transform = QgsCoordinateTransform(self._crs, target, QgsProject.instance())
+            try:
+                ends = [QgsPointXY(transform.transform(point)) for point in (self._middle, self._edge)]
+            except QgsCsException:
+                ends = []
+        self.tool.show_circle(*(ends or (None, None)))
+
+    def shut_down(self) -> None:
+        self.tool.deactivated.disconnect(self._stop_drawing)
+        self._canvas.destinationCrsChanged.disconnect(self._show_circle)
+        self._canvas.unsetMapTool(self.tool)
+        self.tool.remove()
+
+    def _draw(self, on: bool) -> None:
+        if on:
+            self._canvas.setMapTool(self.tool)
+        else:
+            self._canvas.unsetMapTool(self.tool)
+
+    def _stop_drawing(self) -> None:
+        self.draw.setChecked(False)

@@ -1,0 +1,121 @@
+"""The table of results."""
+
+from __future__ import annotations
+
+from typing import List, Optional, Sequence
+
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QStandardItem, QStandardItemModel
+
+from ...processing.translation import tr
+from .findings import FIX, Finding, status_text
+
+IMAGE, CONFIDENCE, ERROR, HEADING, STATUS, WINDOW, DISTANCE = range(7)
+COLUMN_COUNT = 7
+_DECIMALS = {CONFIDENCE: 2, ERROR: 1, HEADING: 1, DISTANCE: 3}
+SORT_ROLE = Qt.ItemDataRole.UserRole
+NUMBER_COLUMNS = (CONFIDENCE, ERROR, HEADING, DISTANCE)
+
+# QGIS draws these for light and dark themes alike.
+_ICONS = {FIX: "/mIconSuccess.svg", "error": "/mIconCritical.svg"}
+_OTHER_ICON = "/mIconWarning.svg"
+
+
+class ResultsModel(QStandardItemModel):
+    """One row a finding. Qt's own model: one in Python would be asked a dozen times for each cell that is painted, and
+    wait each time for the threads that segment images meanwhile."""
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(0, COLUMN_COUNT, parent)
+        self._findings: List[Finding] = []
+        self._show_headers()
+
+    def show(self, findings: Sequence[Finding]) -> None:
+        self.clear()
+        self.setColumnCount(COLUMN_COUNT)
+        self._show_headers()
+        self._findings = list(findings)
+        icons = {name: QgsApplication.getThemeIcon(name) for name in {_icon(finding) for finding in findings}}
+        for finding in self._findings:
+            row = [_item(finding, column) for column in range(COLUMN_COUNT)]
+            row[IMAGE].setIcon(icons[_icon(finding)])
+            self.appendRow(row)
+
+    def finding(self, row: int) -> Finding:
+        return self._findings[row]
+
+    def _show_headers(self) -> None:
+        for column, (title, help_text) in enumerate(zip(_headers(), _header_help())):
+            self.setHeaderData(column, Qt.Orientation.Horizontal, title)
+            self.setHeaderData(column, Qt.Orientation.Horizontal, help_text, Qt.ItemDataRole.ToolTipRole)
+
+
+def _item(finding: Finding, column: int) -> QStandardItem:
+    item = QStandardItem(_text(finding, column))
+    item.setEditable(False)
+    item.setData(_sort_value(finding, column), SORT_ROLE)
+    item.setToolTip("\n".join(filter(None, (finding.image, status_text(finding), finding.reason))))
+    if column in NUMBER_COLUMNS:
+        # Figures end at the same place.
+        item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    return item
+
+
+def _icon(finding: Finding) -> str:
+    # A check mark is for what was checked.
+    if finding.status == FIX and not finding.is_verified:
+        return _OTHER_ICON
+    return _ICONS.get(finding.status, _OTHER_ICON)
+
+
+def _headers() -> List[str]:
+    return [
+        tr("Image"),
+        tr("Confidence"),
+        tr("Error (m)"),
+        tr("Heading"),
+        tr("Status"),
+        tr("Window"),
+        tr("Distance"),
+    ]
+
+
+def _header_help() -> List[str]:
+    return [
+        tr("File name of the image"),
+        tr("Probability that the position is right; for the published method, how near the vectors are"),
+        tr("Radius that holds the true position in 95 % of fixes, in meters"),
+        tr("Where the image’s top points to, in degrees clockwise from grid north"),
+        tr("Whether a position was found"),
+        tr("Name of the matched window: its first column and row on the map"),
+        tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none"),
+    ]
+
+
+def _text(finding: Finding, column: int) -> str:
+    if column == IMAGE:
+        return finding.name
+    if column == STATUS:
+        return status_text(finding)
+    if column == WINDOW:
+        return finding.window or ""
+    return _number(_figure(finding, column), _DECIMALS[column])
+
+
+def _figure(finding: Finding, column: int) -> Optional[float]:
+    """What a number column shows."""
+    if column == CONFIDENCE:
+        return finding.confidence if finding.status == FIX else None
+    return {ERROR: finding.error_95, HEADING: finding.heading, DISTANCE: finding.distance}[column]
+
+
+def _number(value: Optional[float], decimals: int) -> str:
+    return "" if value is None else f"{value:.{decimals}f}"
+
+
+def _sort_value(finding: Finding, column: int):
+    if column in NUMBER_COLUMNS:
+        value = _figure(finding, column)
+        return -1.0 if value is None else float(value)
+    return _text(finding, column).lower()
