@@ -1,4 +1,7 @@
-"""THE database schema: a reference database as one GeoPackage (DESIGN §5), written and read."""
+"""THE database schema: a reference database as one GeoPackage, written and read.
+
+Told in docs/file-formats.md#reference-database.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Where an image may be: triangles looked up, turned into poses, gathered into clusters (DESIGN §3)."""
+"""Where an image may be: triangles looked up, turned into poses, gathered into clusters.
+
+Told in docs/method.md#constellation.
+"""
 
 from __future__ import annotations
 

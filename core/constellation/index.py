@@ -1,4 +1,7 @@
-"""Index of a catalogue's labeled triangles: which ones look like a triangle of an image (DESIGN §3)."""
+"""Index of a catalogue's labeled triangles: which ones look like a triangle of an image.
+
+Told in docs/method.md#constellation.
+"""
 
 from __future__ import annotations
 

@@ -28,7 +28,9 @@ def matched_objects(
     references: MapLandmarks,
     map_pixel_size_m: float,
 ) -> np.ndarray:
-    """(m, 2) int64: objects of the image and of the map that agree, as the constellation verifies a pose (DESIGN §3).
+    """(m, 2) int64: objects of the image and of the map that agree, as the constellation verifies a pose.
+
+    Told in docs/method.md#constellation.
 
     objects: of an image of ``shape_hw`` pixels; footprint: (4, 2) map coordinates of the ground at its corners, upper
     left first, clockwise – of a tilted image that was leveled, a trapezoid; heading_deg, pixel_size_m: at its center.

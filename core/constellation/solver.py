@@ -1,4 +1,7 @@
-"""Constellation localization: landmarks as stars (DESIGN §3). Finds an image's position, or says why not."""
+"""Constellation localization: landmarks as stars. Finds an image's position, or says why not.
+
+Told in docs/method.md#constellation.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""What speaks for a pose: a likelihood ratio for every object of the image and of the map there (DESIGN §3)."""
+"""What speaks for a pose: a likelihood ratio for every object of the image and of the map there.
+
+Told in docs/method.md#constellation.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Map correlation's verdict: is the best place *the* place (DESIGN §3)?
+"""Map correlation's verdict: is the best place *the* place (docs/method.md#map-correlation)?
 
 Two opponents: the best other place of the map, and the best place of the mirrored image. The first tells whether the
 map has two places alike; the second what chance gives for an image with these classes on this map. The thresholds and

@@ -1,4 +1,7 @@
-"""Map correlation's list of places: from the whole map to a handful of refined poses, coarse to fine (DESIGN §3)."""
+"""Map correlation's list of places: from the whole map to a handful of refined poses, coarse to fine.
+
+Told in docs/method.md#map-correlation.
+"""
 
 from __future__ import annotations
 

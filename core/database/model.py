@@ -1,4 +1,7 @@
-"""A reference database in memory: what a build makes, what localization needs (DESIGN §1, §5)."""
+"""A reference database in memory: what a build makes, what localization needs.
+
+Told in docs/file-formats.md#reference-database.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Color label images decoded to label maps (DESIGN §2.8; paper §2.2.2 (2))."""
+"""Color label images decoded to label maps (paper §2.2.2 (2))."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The label map reduced: most frequent class of every block, as stored in a database's ``overview`` (DESIGN §5)."""
+"""The label map reduced: most frequent class of every block, as stored in a database's ``overview``.
+
+Told in docs/file-formats.md#reference-database.
+"""
 
 from __future__ import annotations
 

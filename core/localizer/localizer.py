@@ -113,7 +113,9 @@ class Localizer:
             self._levels.append((float(size), index, windows.vectors[index]))
 
     def localize_by_topology_vector(self, labels_hw: np.ndarray) -> Localization:
-        """The published method, exactly: nearest topology vector, accepted up to distance T (DESIGN §2).
+        """The published method, exactly: nearest topology vector, accepted up to distance T.
+
+        Told in docs/method.md#topology-vector.
 
         ``labels_hw``: (H, W) uint8 labels of the database's class table. The position is the matched window's center;
         heading and pixel size are not part of the method. With several levels the image is described once for
@@ -175,7 +177,7 @@ class Localizer:
         return self._index
 
     def localize_by_constellation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
-        """Landmarks as stars (DESIGN §3); position, heading and pixel size of any image.
+        """Landmarks as stars (docs/method.md#constellation); position, heading and pixel size of any image.
 
         ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size,
         images are searched that show SCALES times a window's ground. Raises LabelMapError for an image without pixels.
@@ -205,7 +207,7 @@ class Localizer:
         return self._pyramid
 
     def localize_by_map_correlation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
-        """By the overlap of class areas, for labels too poor for centers of gravity (DESIGN §3).
+        """By the overlap of class areas, for labels too poor for centers of gravity (docs/method.md#map-correlation).
 
         ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size the image is
         taken to show 0.7 to 1.4 times a window's ground. Takes seconds without a prior on the position.

@@ -1,4 +1,7 @@
-"""What a segmentation model says about itself: the keys of the Deepness plugin, and SemRef's own (DESIGN §5)."""
+"""What a segmentation model says about itself: the keys of the Deepness plugin, and SemRef's own.
+
+Told in docs/file-formats.md#segmentation-model.
+"""
 
 from __future__ import annotations
 

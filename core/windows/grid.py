@@ -64,7 +64,7 @@ def whole_pixels(length: float, pixel_size: float) -> int:
 
 
 def centered_square(shape_hw: Sequence[int]) -> Tuple[int, int, int]:
-    """(first column, first row, size) of the largest centered square of an image (DESIGN §2.7)."""
+    """(first column, first row, size) of the largest centered square of an image (docs/method.md#topology-vector)."""
     height, width = shape_hw
     size = min(height, width)
     return (width - size) // 2, (height - size) // 2, size

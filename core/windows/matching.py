@@ -1,4 +1,4 @@
-"""Nearest topology vector and its confidence (DESIGN §2.5; paper eq. 5)."""
+"""Nearest topology vector and its confidence (docs/method.md#matching; paper eq. 5)."""
 
 from __future__ import annotations
 

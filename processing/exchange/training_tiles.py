@@ -110,7 +110,7 @@ class LabelsOnImage:
         piece = gdal.GetDriverByName("MEM").Create("", width, height, 1, source.GetRasterBand(1).DataType)
         piece.SetGeoTransform((corner_x, dx_column, dx_row, corner_y, dy_column, dy_row))
         with gdal_failures() as failures:
-            gdal.ReprojectImage(source, piece, *self._crs, gdal.GRA_NearestNeighbor)
+            gdal.ReprojectImage(source, piece, *self._crs, gdal.GRA_NearestNeighbour)
         if failures:
             raise LabelMapError(f"The labels can’t be brought onto the image: {failures[0]}.")
         values = piece.ReadAsArray()

@@ -36,6 +36,12 @@ def anchors(page: Path) -> set[str]:
     return found
 
 
+def source_files() -> list[Path]:
+    """All Python files of the repository."""
+    rooms = ("core", "storage", "processing", "ui", "tools", "tests")
+    return sorted([*ROOT.glob("*.py"), *(path for room in rooms for path in (ROOT / room).rglob("*.py"))])
+
+
 def registered_algorithms() -> set[str]:
     """Ids in the sources of the provider: an ID of every algorithm, the name of every model that ships."""
     found = set()
@@ -61,6 +67,22 @@ def test_every_link_to_a_heading_leads_to_one(page):
         if anchor and linked.suffix == ".md" and linked.exists() and anchor not in anchors(linked):
             missing.append(target)
     assert missing == []
+
+
+def test_every_page_that_code_cites_exists_with_its_heading():
+    """Code says where a method or a format is told by page and heading."""
+    missing = []
+    for path in source_files():
+        for file, anchor in re.findall(r"\bdocs/([\w/-]+\.md)(?:#([\w-]+))?", path.read_text(encoding="utf-8")):
+            page = DOCS / file
+            if not page.exists() or (anchor and anchor not in anchors(page)):
+                missing.append(f"{path.relative_to(ROOT)}: {file}#{anchor}")
+    assert missing == []
+
+
+def test_code_and_docs_cite_no_page_outside_the_repository():
+    cited = re.compile("DESIG" + "N(\\.md)? ?§?|shared/[A-Z]")
+    assert [str(path) for path in [*source_files(), *PAGES] if cited.search(path.read_text(encoding="utf-8"))] == []
 
 
 @each_page

@@ -1,4 +1,4 @@
-"""Constellation localization by DESIGN's goals, end to end: a database file and a label image in, a fix out."""
+"""Constellation localization by docs/benchmarks.md's goals, end to end: a database and a label image in, a fix out."""
 
 from __future__ import annotations
 

@@ -22,8 +22,10 @@ TOPOLOGY_VECTOR = "topology vector"
 
 @dataclass(frozen=True)
 class Finding:
-    """One image's row of OUTPUT (columns as DESIGN §6), with its polygons of FOOTPRINTS and ALTERNATIVES; None where
-    there is nothing."""
+    """One image's row of OUTPUT, with its polygons of FOOTPRINTS and ALTERNATIVES; None where there is nothing.
+
+    Columns are told in docs/file-formats.md#positions.
+    """
 
     image: str
     status: str
