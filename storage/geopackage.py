@@ -190,12 +190,9 @@ class DatabaseWriter:
             yield None, ("", "", table, "geom", table, qml, None, 1, "SemRef", "", None, "now")
 
     def _write_overview(self, srs: osr.SpatialReference) -> None:
-        parameters, overview = self._database.parameters, self._overview
         # Shares the array's memory, as GDAL's drivers copy from datasets only.
-        memory = gdal_array.OpenArray(overview)
-        x0, pixel, _, y0, _, _ = parameters.geotransform
-        pixel *= parameters.overview_factor
-        memory.SetGeoTransform((x0, pixel, 0.0, y0, 0.0, -pixel))
+        memory = gdal_array.OpenArray(self._overview)
+        memory.SetGeoTransform(self._database.parameters.overview_frame.geotransform)
         memory.SetProjection(srs.ExportToWkt())
         band = memory.GetRasterBand(1)
         set_class_colors(band, self._database.class_table)

@@ -74,8 +74,9 @@ from semref.core.correlation.places import (  # noqa: E402
 from semref.core.correlation.refine import Pose, axes, refine  # noqa: E402
 from semref.core.correlation.search import QUIET_ENERGY  # noqa: E402
 from semref.core.correlation.solver import CorrelationSettings, Prior, agreement_at, localize  # noqa: E402
-from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame  # noqa: E402
+from semref.core.database.build import BuildSettings, DatabaseBuilder  # noqa: E402
 from semref.core.evaluation.rates import wilson  # noqa: E402
+from semref.core.geometry.frame import MapFrame  # noqa: E402
 from semref.core.labels.class_table import ClassTable, LandCoverClass  # noqa: E402
 from semref.core.labels.overview import most_frequent_labels  # noqa: E402
 from semref.core.labels.sources import ArrayLabels  # noqa: E402

@@ -28,8 +28,9 @@ from qgis_session import ROOT, load_plugin_package
 load_plugin_package()
 from semref.core.correlation.solver import NOMINAL_RANGE  # noqa: E402
 from semref.core.correlation.solver import localize as correlate  # noqa: E402
-from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame  # noqa: E402
+from semref.core.database.build import BuildSettings, DatabaseBuilder  # noqa: E402
 from semref.core.evaluation.rates import wilson  # noqa: E402
+from semref.core.geometry.frame import MapFrame  # noqa: E402
 from semref.core.labels.class_table import class_table_from_csv  # noqa: E402
 from semref.core.labels.image_source import ArrayImage  # noqa: E402
 from semref.core.labels.sources import ArrayLabels  # noqa: E402

@@ -264,14 +264,14 @@ def _texture(database: ReferenceDatabase, footprint: float) -> _Texture:
     """Over footprints everywhere: share of ground with labels, and standard deviation of the classes' areas in
     TEXTURE_STEPS² parts, summed over classes. Zeros for a database without overview."""
     parameters = database.parameters
-    x0, pixel, _, y0, _, _ = parameters.geotransform
+    frame = parameters.overview_frame
     if database.overview is None:
-        return _Texture(np.zeros((1, 1)), np.zeros((1, 1)), (x0, y0), footprint)
+        return _Texture(np.zeros((1, 1)), np.zeros((1, 1)), frame.origin, footprint)
     overview = database.overview
-    step = max(footprint / TEXTURE_STEPS / (pixel * parameters.overview_factor), 1.0)
+    step = max(footprint / TEXTURE_STEPS / frame.pixel_size, 1.0)
     size = tuple(max(round(length / step), 1) for length in overview.shape[::-1])
     labeled, variance = np.zeros(size[::-1], np.float32), np.zeros(size[::-1], np.float32)
-    window = max(round(footprint / (pixel * parameters.overview_factor * overview.shape[1] / size[0])), 1)
+    window = max(round(footprint / (frame.pixel_size * overview.shape[1] / size[0])), 1)
     for value in np.unique(overview):
         if value:
             table = np.zeros(256, np.uint8)
@@ -284,5 +284,5 @@ def _texture(database: ReferenceDatabase, footprint: float) -> _Texture:
             )
             labeled += mean
             variance += np.maximum(square - mean**2, 0)
-    coarse = pixel * parameters.overview_factor * overview.shape[1] / size[0]
-    return _Texture(labeled, np.sqrt(variance), (x0, y0), coarse)
+    coarse = frame.pixel_size * overview.shape[1] / size[0]
+    return _Texture(labeled, np.sqrt(variance), frame.origin, coarse)

@@ -171,8 +171,7 @@ class ImageSimulator:
     def correlation(self, x: float, y: float, heading_deg: float, rng: np.random.Generator) -> SimulatedFix:
         """An image at a place, cut from the overview and spoilt, localized by its class areas."""
         database, parameters = self._database, self._database.parameters
-        x0, pixel, _, y0, _, _ = parameters.geotransform
-        pixel *= parameters.overview_factor
+        pixel = parameters.overview_frame.pixel_size
         view = self._overview_view(x, y, heading_deg, pixel)
         source, values = ArrayLabels(database.overview), database.class_table.reference_values
         labels = cut_view(source, view)
@@ -187,10 +186,10 @@ class ImageSimulator:
         return self._judged(found, (x, y), len(self.whole_objects(x, y, heading_deg)[0]))
 
     def _overview_view(self, x: float, y: float, heading_deg: float, pixel: float) -> View:
-        x0, _, _, y0, _, _ = self._database.parameters.geotransform
+        column, row = self._database.parameters.overview_frame.to_pixels((x, y)).tolist()
         size = max(round(self.footprint / pixel), 1)
         scale = self.footprint / pixel / size
-        return View(float(x - x0) / pixel, float(y0 - y) / pixel, heading_deg, scale, size, size)
+        return View(column, row, heading_deg, scale, size, size)
 
     def _judged(self, found: Localization, position: Tuple[float, float], count: int) -> SimulatedFix:
         if found.status != FIX:

@@ -9,6 +9,7 @@ from typing import Iterator, List, Optional, Sequence, Tuple
 import numpy as np
 
 from ..errors import LabelMapError, WindowError
+from ..geometry.frame import MapFrame
 from ..labels.block_hashes import BlockHasher, map_hash
 from ..labels.class_table import ClassTable
 from ..labels.overview import OVERVIEW_FACTOR, most_frequent_labels
@@ -47,23 +48,6 @@ class BuildSettings:
             )
         if not self.levels or not all(0 < level < float("inf") for level in self.levels):
             raise WindowError("LEVELS must be positive multipliers of the window size, for example 1;2.")
-
-
-@dataclass(frozen=True)
-class MapFrame:
-    """Where a label map lies: CRS as WKT and GDAL's geotransform (x0, pixel, 0, y0, 0, −pixel), in meters."""
-
-    crs: str
-    geotransform: Tuple[float, float, float, float, float, float]
-
-    @property
-    def pixel_size(self) -> float:
-        return self.geotransform[1]
-
-    def to_map(self, points_xy: np.ndarray) -> np.ndarray:
-        """(N, 2) pixel coordinates → (N, 2) map coordinates."""
-        x0, pixel, _, y0, _, _ = self.geotransform
-        return np.column_stack([x0 + points_xy[:, 0] * pixel, y0 - points_xy[:, 1] * pixel])
 
 
 class DatabaseBuilder:

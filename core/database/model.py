@@ -11,6 +11,7 @@ from typing import Optional, Tuple
 import numpy as np
 
 from ..errors import DatabaseError
+from ..geometry.frame import MapFrame
 from ..labels.class_table import ClassTable
 
 FORMAT_VERSION = 1
@@ -92,8 +93,17 @@ class BuildParameters:
     @property
     def extent(self) -> Tuple[float, float, float, float]:
         """(x_min, y_min, x_max, y_max) of the label map."""
-        x0, pixel, _, y0, _, _ = self.geotransform
-        return x0, y0 - pixel * self.map_height_px, x0 + pixel * self.map_width_px, y0
+        return self.frame.extent
+
+    @property
+    def frame(self) -> MapFrame:
+        """Where the pixels of the label map lie."""
+        return MapFrame(self.crs, self.geotransform, (self.map_height_px, self.map_width_px))
+
+    @property
+    def overview_frame(self) -> MapFrame:
+        """Where the pixels of the overview lie."""
+        return self.frame.reduced(self.overview_factor)
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from typing import Iterator, List, Optional, Sequence, Set, Tuple
 import numpy as np
 
 from ..errors import DatabaseError, LabelMapError
+from ..geometry.frame import MapFrame
 from ..labels.block_hashes import HASHED_BLOCK, BlockHasher, block_hash, blocks_shape, map_hash
 from ..labels.counts import count_labels
 from ..labels.overview import most_frequent_labels
@@ -20,7 +21,7 @@ from ..windows.describe import describe_windows
 from ..windows.distinctiveness import nearest_distances
 from ..windows.grid import WindowGrid
 from ..windows.topology_vector import MINIMUM_REFERENCES
-from .build import MapFrame, map_references
+from .build import map_references
 from .model import BuildParameters, MapLandmarks, ReferenceDatabase, Windows
 
 Bounds = Tuple[int, int, int, int]
@@ -72,7 +73,7 @@ class DatabaseUpdater:
         require_same_grid(source.shape_hw, frame, database)
         self._whole = source
         self._source = KeptTiles(source)
-        self._frame = MapFrame(database.parameters.crs, database.parameters.geotransform)
+        self._frame = database.parameters.frame
         self._database = database
         self._distinctiveness = distinctiveness
         self._areas = areas
@@ -309,7 +310,7 @@ def require_same_grid(shape_hw: Tuple[int, int], frame: MapFrame, database: Refe
             "with the database's pixel size or build a new database."
         )
     size = parameters.map_width_px, parameters.map_height_px
-    corner, stored = (np.array(g)[[0, 3]] for g in (frame.geotransform, parameters.geotransform))
+    corner, stored = np.array(frame.origin), np.array(parameters.frame.origin)
     if (shape_hw[1], shape_hw[0]) != size or (np.abs(corner - stored) > 1e-6 * pixel).any():
         raise LabelMapError(
             f"The label map has {shape_hw[1]} × {shape_hw[0]} pixels from {corner[0]:.10g}, {corner[1]:.10g}, the "

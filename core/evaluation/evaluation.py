@@ -14,6 +14,7 @@ import numpy as np
 
 from ..database.model import ReferenceDatabase
 from ..errors import ParameterError
+from ..geometry.frame import MapFrame
 from ..geometry.pose import PoseUncertainty
 from ..labels.sources import LabelSource
 from ..localizer.localizer import FIX, TOPOLOGY_VECTOR, Localization, Localizer
@@ -135,13 +136,13 @@ class Evaluation:
         self,
         database: ReferenceDatabase,
         source: LabelSource,
-        geotransform: Sequence[float],
+        frame: MapFrame,
         ranges: TrialRanges,
         seed: int,
         minimum_references: int = 3,
         right_within: Optional[float] = None,
     ) -> None:
-        """source, geotransform: a label map in the database's CRS and classes, its pixels of any size.
+        """source, frame: a label map in the database's CRS and classes, its pixels of any size.
 
         minimum_references: a window has to have so many for trials to lie around it; right_within: map units,
         None for RIGHT_SHARE of the ground's edge. Raises ParameterError when no window will do.
@@ -152,7 +153,7 @@ class Evaluation:
         self._seed = seed
         self._right_within = right_within
         self.localizer = Localizer(database)
-        self._x0, self._pixel, _, self._y0, _, _ = geotransform
+        self._frame = frame.of_shape(source.shape_hw)
         self._edge = float(database.windows.sizes.min()) if len(database.windows) else 0.0
         self.image_px = min(max(round(self._edge / database.parameters.pixel_size), 1), LARGEST_IMAGE_PX)
         self._windows = self._usable_windows(minimum_references)
@@ -214,12 +215,12 @@ class Evaluation:
 
     def _on_map(self, reach: float) -> np.ndarray:
         """(N,) bool: windows around whose center a square of half edge ``reach`` lies on the label map."""
-        height, width = self._source.shape_hw
         x, y = self._database.windows.centers.T
-        slack = self._pixel
-        left, right = self._x0 - slack, self._x0 + width * self._pixel + slack
-        top, bottom = self._y0 + slack, self._y0 - height * self._pixel - slack
-        return (x - reach >= left) & (x + reach <= right) & (y - reach >= bottom) & (y + reach <= top)
+        left, bottom, right, top = self._frame.extent
+        # For a map whose pixels lie otherwise than the database's.
+        slack = self._frame.pixel_size
+        inside = (x - reach >= left - slack) & (x + reach <= right + slack)
+        return inside & (y - reach >= bottom - slack) & (y + reach <= top + slack)
 
     def _table_windows(self) -> np.ndarray:
         """TABLE_WINDOWS of the usable ones; if possible with a vector and with room for the largest scale."""
@@ -261,9 +262,9 @@ class Evaluation:
         )
 
     def _view(self, x: float, y: float, heading_deg: float, scale: float) -> View:
-        column, row = (x - self._x0) / self._pixel, (self._y0 - y) / self._pixel
-        map_px_per_px = self._edge * scale / self.image_px / self._pixel
-        return View(float(column), float(row), heading_deg, map_px_per_px, self.image_px, self.image_px)
+        column, row = self._frame.to_pixels((x, y)).tolist()
+        map_px_per_px = self._edge * scale / self.image_px / self._frame.pixel_size
+        return View(column, row, heading_deg, map_px_per_px, self.image_px, self.image_px)
 
     def _donor(self, query: Query, rng: np.random.Generator) -> np.ndarray:
         """Labels of another place at the query's scale, whose objects are invented."""

@@ -202,8 +202,8 @@ class Localizer:
             database = self._database
             if database.overview is None:
                 raise DatabaseError("The database was read without its overview, which map correlation searches.")
-            x0, pixel, _, y0, _, _ = database.parameters.geotransform
-            self._pyramid = MapPyramid(database.overview, (x0, y0, pixel * database.parameters.overview_factor))
+            frame = database.parameters.overview_frame
+            self._pyramid = MapPyramid(database.overview, (*frame.origin, frame.pixel_size))
         return self._pyramid
 
     def localize_by_map_correlation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:

@@ -21,11 +21,10 @@ def area_mask(rings: Sequence[np.ndarray], parameters: BuildParameters) -> np.nd
 
     ``rings``: outer and inner rings of its polygons, none overlapping, (n, 2) map coordinates, on the map or near it.
     """
-    factor = parameters.overview_factor
-    x0, pixel, _, y0, _, _ = parameters.geotransform
-    mask = np.zeros((-(-parameters.map_height_px // factor), -(-parameters.map_width_px // factor)), np.uint8)
+    frame = parameters.overview_frame
+    mask = np.zeros(frame.shape_hw, np.uint8)
     # OpenCV counts from the center of the first pixel.
-    corners = [(np.asarray(ring) - (x0, y0)) / (pixel * factor, -pixel * factor) - 0.5 for ring in rings]
+    corners = [frame.to_pixels(ring) - 0.5 for ring in rings]
     cv2.fillPoly(mask, [np.rint(ring * 2**_SHIFT).astype(np.int32) for ring in corners], 1, shift=_SHIFT)
     return mask > 0
 
@@ -51,10 +50,8 @@ def clipped(database: ReferenceDatabase, mask: np.ndarray) -> ReferenceDatabase:
 
 def _in(mask: np.ndarray, points_xy: np.ndarray, parameters: BuildParameters) -> np.ndarray:
     """(N,) bool: whether the pixel that a point lies in belongs to the area."""
-    x0, pixel, _, y0, _, _ = parameters.geotransform
-    edge = pixel * parameters.overview_factor
-    rows = np.clip(((y0 - points_xy[:, 1]) / edge).astype(np.intp), 0, mask.shape[0] - 1)
-    columns = np.clip(((points_xy[:, 0] - x0) / edge).astype(np.intp), 0, mask.shape[1] - 1)
+    pixels = parameters.overview_frame.to_pixels(points_xy).astype(np.intp)
+    columns, rows = np.clip(pixels, 0, np.array(mask.shape)[::-1] - 1).T
     return mask[rows, columns]
 
 

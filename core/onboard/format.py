@@ -21,7 +21,6 @@ from typing import Any, Dict, Mapping, Optional, Tuple
 
 import numpy as np
 
-from ..database.build import MapFrame
 from ..database.model import BuildParameters, MapLandmarks, ReferenceDatabase, Windows
 from ..errors import ClassTableError, DatabaseError
 from ..geometry.lon_lat import HIGHEST_DEGREE, LonLatPolynomial, term_count
@@ -191,7 +190,7 @@ def _first_pixels(database: ReferenceDatabase) -> Tuple[np.ndarray, np.ndarray]:
 
 def _centers(parameters: BuildParameters, first_pixels: np.ndarray, sizes: np.ndarray) -> np.ndarray:
     half_px = np.rint(sizes / parameters.pixel_size)[:, None] / 2
-    return MapFrame(parameters.crs, parameters.geotransform).to_map(first_pixels + half_px)
+    return parameters.frame.to_map(first_pixels + half_px)
 
 
 def _window_sizes_px(database: ReferenceDatabase) -> list:

@@ -136,8 +136,8 @@ class CheckAnnotation(AnnotationAlgorithm):
         if parameters.get(self.PIXEL_SIZE) in (None, "") or not check.landmarks:
             return check.findings
         pixel_size = self.parameterAsDouble(parameters, self.PIXEL_SIZE, context)
-        grid = pixel_grid(union_of_bounds([landmark.bounds for landmark in check.landmarks]), pixel_size)
-        burning = RegionBurning(check.landmarks, *grid, wkt_for_gdal(crs))
+        bounds = union_of_bounds([landmark.bounds for landmark in check.landmarks])
+        burning = RegionBurning(check.landmarks, pixel_grid(bounds, pixel_size, wkt_for_gdal(crs)))
         follow(interruptible(burning.steps(), feedback), feedback, CHECKED, BURNT)
         losses = cancelable(
             find_raster_losses, check.landmarks, burning.runs, minimum_area, pixel_size, feedback=feedback

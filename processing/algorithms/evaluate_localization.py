@@ -295,7 +295,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         evaluation = Evaluation(
             database,
             labels,
-            map_frame(labels, self._layer).geotransform,
+            map_frame(labels, self._layer),
             self._ranges(parameters, context),
             self.parameterAsInt(parameters, self.SEED, context),
             self.parameterAsInt(parameters, self.MINIMUM_REFERENCES, context),

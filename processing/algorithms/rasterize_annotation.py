@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -19,6 +20,9 @@ from ..compat import wkt_for_gdal
 from ..framework.annotation import AnnotationAlgorithm
 from ..framework.base import check_canceled, follow
 from ..translation import tr
+
+if TYPE_CHECKING:
+    from ...core.geometry.frame import MapFrame
 
 MAXIMUM_PIXELS = 1_000_000_000_000
 """Beyond this a pixel size is taken for a mistake (a country at 1 cm)."""
@@ -93,7 +97,8 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         bounds = (extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum())
         if extent.isEmpty():
             bounds = union_of_bounds([p.bounds for p in polygons])
-        width, height, geotransform = pixel_grid(bounds, pixel_size)
+        frame = pixel_grid(bounds, pixel_size, wkt_for_gdal(crs))
+        height, width = frame.shape_hw
         output = self.parameterAsOutputLayer(parameters, self.OUTPUT, context)
         feedback.pushInfo(
             tr("Burning {count} polygons into {width} × {height} pixels").format(
@@ -101,7 +106,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             )
         )
         with written_beside(output) as temporary:
-            burning = LabelMapBurning(temporary, width, height, geotransform, wkt_for_gdal(crs), table, polygons)
+            burning = LabelMapBurning(temporary, frame, table, polygons)
             follow(burning.steps(), feedback, READING_SHARE, 100)
         counts = burning.counts
         write_label_map_style(output, table)
@@ -146,11 +151,13 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         return polygons, lookup.table
 
 
-def pixel_grid(bounds, pixel_size: float):
-    """(width, height, geotransform) of the whole pixels around ``bounds``, aligned to multiples of the pixel size.
+def pixel_grid(bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
+    """The frame of the whole pixels around ``bounds``, aligned to multiples of the pixel size.
 
     Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
     """
+    from ...core.geometry.frame import MapFrame
+
     if not pixel_size > 0 or not math.isfinite(pixel_size):
         raise ParameterError(f"The pixel size is {pixel_size:g} m; it must be more than 0.")
     # A bound that is a multiple but for rounding must not add a row of pixels.
@@ -162,7 +169,7 @@ def pixel_grid(bounds, pixel_size: float):
         raise ParameterError(
             f"The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT."
         )
-    return width, height, (left * pixel_size, pixel_size, 0.0, top * pixel_size, 0.0, -pixel_size)
+    return MapFrame.at((left * pixel_size, top * pixel_size), pixel_size, (height, width), crs_wkt)
 
 
 def union_of_bounds(bounds):

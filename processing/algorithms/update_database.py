@@ -159,10 +159,6 @@ class UpdateDatabase(SemRefAlgorithm):
 
 def _pixels_around(box, frame):
     """(left, top, right, bottom) of all pixels that a rectangle in map units touches, and of a pixel around it."""
-    x0, pixel, _, y0, _, _ = frame.geotransform
-    return (
-        floor((box.xMinimum() - x0) / pixel) - 1,
-        floor((y0 - box.yMaximum()) / pixel) - 1,
-        ceil((box.xMaximum() - x0) / pixel) + 1,
-        ceil((y0 - box.yMinimum()) / pixel) + 1,
-    )
+    corners = (box.xMinimum(), box.yMaximum()), (box.xMaximum(), box.yMinimum())
+    (left, top), (right, bottom) = frame.to_pixels(corners).tolist()
+    return floor(left) - 1, floor(top) - 1, ceil(right) + 1, ceil(bottom) + 1

@@ -8,6 +8,7 @@ from typing import Iterator, List, Tuple
 import numpy as np
 from osgeo import gdal, ogr, osr
 
+from ...core.geometry.frame import MapFrame
 from ...core.labels.class_table import ClassTable
 from ...core.labels.counts import count_labels
 from ...storage.label_map_file import TILE_ROWS, LabelMapFile
@@ -23,46 +24,34 @@ class LabelMapBurning:
     def __init__(
         self,
         path: str,
-        width: int,
-        height: int,
-        geotransform: tuple,
-        crs_wkt: str,
+        frame: MapFrame,
         table: ClassTable,
         polygons: List[BurnPolygon],
     ) -> None:
         self._path = path
-        self._size = width, height
-        self._geotransform = geotransform
-        self._crs_wkt = crs_wkt
+        self._frame = frame
         self._table = table
-        self._layer = BurnLayer(polygons, crs_wkt)
+        self._layer = BurnLayer(polygons, frame.crs)
         self.counts = np.zeros(256, np.int64)
 
     def steps(self) -> Iterator[Tuple[str, float]]:
         """Yields (what is being done, share of the map written 0…1)."""
-        width, height = self._size
+        height, width = self._frame.shape_hw
         rows = max(TILE_ROWS, STRIP_PIXELS // width // TILE_ROWS * TILE_ROWS)
-        file = LabelMapFile(self._path, width, height, self._geotransform, self._crs_wkt, self._table)
+        file = LabelMapFile(self._path, width, height, self._frame.geotransform, self._frame.crs, self._table)
         # One thread compresses a strip while this one burns the next.
         with file as label_map, ThreadPoolExecutor(1) as writer:
             yield "Burning polygons", 0.0
             writing = None
             for first in range(0, height, rows):
-                labels = self._burn(first, min(rows, height - first))
+                strip = self._frame.part(0, first, (min(rows, height - first), width))
+                labels = self._layer.burnt(strip, gdal.GDT_Byte)
                 self.counts += count_labels(labels)
                 if writing is not None:
                     writing.result()
                 writing = writer.submit(label_map.write_rows, first, labels)
                 yield "Burning polygons", (first + len(labels)) / height
             writing.result()
-
-    def _burn(self, first_row: int, rows: int) -> np.ndarray:
-        x0, pixel, _, y0, _, _ = self._geotransform
-        strip = gdal.GetDriverByName("MEM").Create("", self._size[0], rows, 1, gdal.GDT_Byte)
-        strip.SetGeoTransform((x0, pixel, 0.0, y0 - first_row * pixel, 0.0, -pixel))
-        strip.SetProjection(self._crs_wkt)
-        self._layer.burn(strip)
-        return strip.ReadAsArray()
 
 
 class BurnLayer:
@@ -80,9 +69,12 @@ class BurnLayer:
             feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(polygon.wkb))
             self._layer.CreateFeature(feature)
 
-    def burn(self, strip: gdal.Dataset) -> None:
-        """Burns what touches ``strip`` (in memory, with geotransform and the same CRS) into its first band."""
-        x0, pixel, _, y0, _, _ = strip.GetGeoTransform()
-        right, bottom = x0 + strip.RasterXSize * pixel, y0 - strip.RasterYSize * pixel
-        self._layer.SetSpatialFilterRect(x0, bottom, right, y0)
+    def burnt(self, frame: MapFrame, kind: int) -> np.ndarray:
+        """(H, W) values burnt into the pixels of ``frame``, 0 where no polygon lies; ``kind``: GDAL's data type."""
+        height, width = frame.shape_hw
+        strip = gdal.GetDriverByName("MEM").Create("", width, height, 1, kind)
+        strip.SetGeoTransform(frame.geotransform)
+        strip.SetProjection(frame.crs)
+        self._layer.SetSpatialFilterRect(*frame.extent)
         gdal.RasterizeLayer(strip, [1], self._layer, options=["ATTRIBUTE=value"])
+        return strip.ReadAsArray()

@@ -14,8 +14,8 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
-from ...core.database.build import MapFrame
 from ...core.errors import ClassTableError, LabelMapError
+from ...core.geometry.frame import MapFrame
 from ...core.labels.class_table import (
     ClassTable,
     LandCoverClass,
@@ -224,7 +224,7 @@ def map_frame(labels: GdalLabels, layer: LabelMapLayer) -> MapFrame:
         raise LabelMapError(
             f"{layer.path} has pixels of {pixel_x:g} × {-pixel_y:g}; resample it to square pixels first."
         )
-    return MapFrame(wkt_for_gdal(layer.crs), tuple(transform))
+    return MapFrame(wkt_for_gdal(layer.crs), tuple(transform), labels.shape_hw)
 
 
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:

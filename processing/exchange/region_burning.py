@@ -8,6 +8,7 @@ from osgeo import gdal
 
 from ...core.annotation.check import DrawnRegion
 from ...core.annotation.raster_losses import RegionRuns, join_runs, runs_of_strip
+from ...core.geometry.frame import MapFrame
 from .annotation import BurnPolygon
 from .burning import STRIP_PIXELS, TILE_ROWS, BurnLayer
 
@@ -18,12 +19,10 @@ class RegionBurning:
     Region n of the list has the number n + 1.
     """
 
-    def __init__(self, regions: Sequence[DrawnRegion], width: int, height: int, geotransform: tuple, crs_wkt: str):
+    def __init__(self, regions: Sequence[DrawnRegion], frame: MapFrame) -> None:
         polygons = [BurnPolygon(region.wkb, n, 0.0, region.bounds) for n, region in enumerate(regions, start=1)]
-        self._layer = BurnLayer(polygons, crs_wkt)
-        self._size = width, height
-        self._geotransform = geotransform
-        self._crs_wkt = crs_wkt
+        self._layer = BurnLayer(polygons, frame.crs)
+        self._frame = frame
         self._strips: List[RegionRuns] = []
 
     @property
@@ -32,13 +31,9 @@ class RegionBurning:
 
     def steps(self) -> Iterator[Tuple[str, float]]:
         """Yields (what is being done, share done 0…1)."""
-        width, height = self._size
-        x0, pixel, _, y0, _, _ = self._geotransform
+        height, width = self._frame.shape_hw
         rows = max(TILE_ROWS, STRIP_PIXELS // 4 // width)
         for first in range(0, height, rows):
-            strip = gdal.GetDriverByName("MEM").Create("", width, min(rows, height - first), 1, gdal.GDT_Int32)
-            strip.SetGeoTransform((x0, pixel, 0.0, y0 - first * pixel, 0.0, -pixel))
-            strip.SetProjection(self._crs_wkt)
-            self._layer.burn(strip)
-            self._strips.append(runs_of_strip(strip.ReadAsArray(), first))
+            strip = self._frame.part(0, first, (min(rows, height - first), width))
+            self._strips.append(runs_of_strip(self._layer.burnt(strip, gdal.GDT_Int32), first))
             yield "Burning landmarks", min(first + rows, height) / height

@@ -261,8 +261,8 @@ def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_pat
     check = AnnotationCheck(annotated, CheckSettings(0.0, 1.0, (1, 2, 3, 4)))
     list(check.steps())
     right, bottom = transform[0] + labels.shape[1] * 0.7, transform[3] - labels.shape[0] * 0.7
-    grid = pixel_grid((transform[0], bottom, right, transform[3]), 0.7)
-    burning = RegionBurning(check.landmarks, *grid, made.GetProjection())
+    frame = pixel_grid((transform[0], bottom, right, transform[3]), 0.7, made.GetProjection())
+    burning = RegionBurning(check.landmarks, frame)
     list(burning.steps())
     runs, classes = burning.runs, [landmark.class_value for landmark in check.landmarks]
     drawn = np.zeros_like(labels)

@@ -93,7 +93,8 @@ class Comparison:
     def _builder(self, threads: int):
         from osgeo import gdal
 
-        from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+        from semref.core.database.build import BuildSettings, DatabaseBuilder
+        from semref.core.geometry.frame import MapFrame
         from semref.processing.exchange.rasters import GdalLabels, HeldLabels, read_class_table
 
         dataset = gdal.Open(str(self._path))

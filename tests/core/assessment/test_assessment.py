@@ -12,9 +12,10 @@ from semref.core.assessment.cells import ground_cells
 from semref.core.assessment.images import AssessmentNoise, ImageSimulator, SimulatedFix
 from semref.core.assessment.model import Chances, beta_quantiles, fit_success, local_sums
 from semref.core.assessment.summary import brier_score, calibration, success_by_landmarks
-from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+from semref.core.database.build import BuildSettings, DatabaseBuilder
 from semref.core.database.model import MapLandmarks
 from semref.core.errors import DatabaseError, ParameterError
+from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import extract_landmarks

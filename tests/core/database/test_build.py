@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from semref.core.database import build
-from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame, level_grids
+from semref.core.database.build import BuildSettings, DatabaseBuilder, level_grids
 from semref.core.errors import ClassTableError, LabelMapError, WindowError
+from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.overview import most_frequent_labels
 from semref.core.labels.sources import ArrayLabels

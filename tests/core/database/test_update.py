@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from semref.core.database import update as update_module
-from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+from semref.core.database.build import BuildSettings, DatabaseBuilder
 from semref.core.database.model import MapLandmarks, Windows
 from semref.core.database.update import DatabaseUpdater
 from semref.core.errors import DatabaseError, LabelMapError
+from semref.core.geometry.frame import MapFrame
 from semref.core.labels import block_hashes as map_hash_module
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels, KeptTiles, PartOfMap

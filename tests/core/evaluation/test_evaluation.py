@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+from semref.core.database.build import BuildSettings, DatabaseBuilder
 from semref.core.errors import ParameterError
 from semref.core.evaluation.evaluation import (
     MAP,
@@ -32,6 +32,7 @@ from semref.core.evaluation.summary import (
     success_by_offset,
     summarize,
 )
+from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.pose import PoseUncertainty
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
@@ -60,7 +61,7 @@ LABELS = scattered()
 
 @pytest.fixture(scope="module")
 def database():
-    frame = MapFrame("", (WEST, 1.0, 0.0, NORTH, 0.0, -1.0))
+    frame = MapFrame.at((WEST, NORTH), 1.0)
     settings = BuildSettings(160.0, 40.0, 30.0, (1.0,), 10, threads=1)
     builder = DatabaseBuilder(ArrayLabels(LABELS), frame, TABLE, settings, "0")
     for _ in builder.steps():
@@ -73,9 +74,10 @@ def evaluate(database):
     """`evaluate(labels=LABELS, pixel=1.0, seed=1, **ranges)` gives an Evaluation."""
 
     def make(labels=LABELS, pixel=1.0, seed=1, right_within=None, minimum=3, **ranges):
-        transform = (WEST, pixel, 0.0, NORTH, 0.0, -pixel)
         ranges = TrialRanges(**ranges)
-        return Evaluation(database, ArrayLabels(labels), transform, ranges, seed, minimum, right_within)
+        return Evaluation(
+            database, ArrayLabels(labels), MapFrame.at((WEST, NORTH), pixel), ranges, seed, minimum, right_within
+        )
 
     return make
 
@@ -165,7 +167,7 @@ def test_trials_lie_only_around_windows_with_enough_landmarks_on_the_map(evaluat
 
 def test_a_map_of_elsewhere_is_refused(evaluate, database):
     with pytest.raises(ParameterError, match="No window"):
-        Evaluation(database, ArrayLabels(LABELS), (0.0, 1.0, 0.0, 0.0, 0.0, -1.0), TrialRanges(), 1)
+        Evaluation(database, ArrayLabels(LABELS), MapFrame.at((0.0, 0.0), 1.0), TrialRanges(), 1)
 
 
 @pytest.mark.parametrize(

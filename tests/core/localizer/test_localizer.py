@@ -6,8 +6,9 @@ import cv2
 import numpy as np
 import pytest
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+from semref.core.database.build import BuildSettings, DatabaseBuilder
 from semref.core.errors import DatabaseError, LabelMapError
+from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localizer.localizer import FIX, NO_MATCH, TOO_FEW_REFERENCES, Localizer, describe_image

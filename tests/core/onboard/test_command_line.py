@@ -19,8 +19,9 @@ import cv2
 import numpy as np
 import pytest
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+from semref.core.database.build import BuildSettings, DatabaseBuilder
 from semref.core.errors import ImageError, LabelMapError
+from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.lon_lat import fit_lon_lat
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.image_files import read_label_image, read_photo

@@ -16,8 +16,9 @@ import cv2
 import numpy as np
 import pytest
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder, MapFrame
+from semref.core.database.build import BuildSettings, DatabaseBuilder
 from semref.core.errors import DatabaseError
+from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.lon_lat import LonLatPolynomial, fit_lon_lat
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels

@@ -1,0 +1,72 @@
+"""THE place where map coordinates become pixels and pixels map coordinates: a north-up grid of square pixels."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Sequence, Tuple
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class MapFrame:
+    """Where the pixels of a label map, an overview or a part of one lie.
+
+    Pixel coordinates are (column, row) from the upper left corner of the first pixel; rows grow to the south.
+
+    Attributes:
+        crs: WKT of a metric CRS, "" where it does not matter
+        geotransform: GDAL's six numbers (x0, pixel, 0, y0, 0, −pixel) in map units, as they were read, to the last bit
+        shape_hw: (height, width) in pixels; (0, 0) where the grid alone matters
+    """
+
+    crs: str
+    geotransform: Tuple[float, ...]
+    shape_hw: Tuple[int, int] = (0, 0)
+
+    @classmethod
+    def at(
+        cls, origin: Sequence[float], pixel_size: float, shape_hw: Tuple[int, int] = (0, 0), crs: str = ""
+    ) -> MapFrame:
+        """The frame whose first pixel has its upper left corner at ``origin`` (x, y)."""
+        return cls(crs, (origin[0], pixel_size, 0.0, origin[1], 0.0, -pixel_size), shape_hw)
+
+    @property
+    def origin(self) -> Tuple[float, float]:
+        """(x, y) of the first pixel's upper left corner, map units."""
+        return self.geotransform[0], self.geotransform[3]
+
+    @property
+    def pixel_size(self) -> float:
+        """Edge of a pixel, map units."""
+        return self.geotransform[1]
+
+    @property
+    def extent(self) -> Tuple[float, float, float, float]:
+        """(x_min, y_min, x_max, y_max), map units."""
+        (x0, y0), pixel, (height, width) = self.origin, self.pixel_size, self.shape_hw
+        return x0, y0 - pixel * height, x0 + pixel * width, y0
+
+    def to_map(self, points_xy: np.ndarray) -> np.ndarray:
+        """(…, 2) pixel coordinates (column, row) → (…, 2) map coordinates (x, y)."""
+        points_xy, (x0, y0), pixel = np.asarray(points_xy), self.origin, self.pixel_size
+        return np.stack([x0 + points_xy[..., 0] * pixel, y0 - points_xy[..., 1] * pixel], axis=-1)
+
+    def to_pixels(self, points_xy: np.ndarray) -> np.ndarray:
+        """(…, 2) map coordinates (x, y) → (…, 2) pixel coordinates (column, row)."""
+        points_xy, (x0, y0), pixel = np.asarray(points_xy), self.origin, self.pixel_size
+        return np.stack([(points_xy[..., 0] - x0) / pixel, (y0 - points_xy[..., 1]) / pixel], axis=-1)
+
+    def part(self, column: int, row: int, shape_hw: Tuple[int, int]) -> MapFrame:
+        """The frame of ``shape_hw`` pixels that begins at (column, row)."""
+        (x0, y0), pixel = self.origin, self.pixel_size
+        return MapFrame.at((x0 + column * pixel, y0 - row * pixel), pixel, shape_hw, self.crs)
+
+    def reduced(self, factor: int) -> MapFrame:
+        """The frame of the same map with pixels ``factor`` times as large; the last ones may stick out over it."""
+        height, width = self.shape_hw
+        return MapFrame.at(self.origin, self.pixel_size * factor, (-(-height // factor), -(-width // factor)), self.crs)
+
+    def of_shape(self, shape_hw: Tuple[int, int]) -> MapFrame:
+        """The same grid with so many pixels (height, width)."""
+        return replace(self, shape_hw=shape_hw)
