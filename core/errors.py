@@ -1,8 +1,37 @@
-"""Errors a user or their data can cause; each message is one sentence that says what to do."""
+"""Errors a user or their data can cause; each says one sentence: what is wrong, with the value, and what to do."""
+
+from __future__ import annotations
+
+from typing import Any, Union
+
+from .sentences import Sentence, english
 
 
 class SemRefError(Exception):
-    """Base of every error that the user can mend; its text is shown to them as it is."""
+    """Base of every error that the user can mend.
+
+    Its text is English; ``processing/wording`` says the same in the user's language.
+
+    >>> str(LabelMapError("labels.no_pixels"))
+    'The image has no pixels.'
+
+    Attributes:
+        sentence: What is said to the user.
+    """
+
+    def __init__(self, code: Union[str, Sentence], /, **values: Any) -> None:
+        """Makes the error.
+
+        Args:
+            code: Key of the template in ``core/sentences`` (or the table of the room that raises), or a sentence
+                that another error said already.
+            values: The values that the template names.
+        """
+        self.sentence = code if isinstance(code, Sentence) else Sentence(code, **values)
+        super().__init__(self.sentence)
+
+    def __str__(self) -> str:
+        return english(self.sentence)
 
 
 class ClassTableError(SemRefError):

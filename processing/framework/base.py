@@ -20,6 +20,7 @@ from ...core.errors import SemRefError
 from ..packages.components import OPENCV, Package, how_to_install, missing
 from ..translation import tr
 from ..version import algorithm_help_url
+from ..wording.sentences import worded
 
 ICON_PATH = Path(__file__).resolve().parents[2] / "resources" / "icon.svg"
 
@@ -62,6 +63,10 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         if advanced:
             parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
         self.addParameter(parameter)
+
+    def worded(self, error: SemRefError) -> str:
+        """What an error says in the user's language, with this algorithm's keys where they help."""
+        return worded(error, [parameter.name() for parameter in self.parameterDefinitions()])
 
     # --- QgsProcessingAlgorithm ---
 
@@ -122,7 +127,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
                 raise self._refusal
             return self.work(parameters, context, feedback)
         except SemRefError as error:
-            raise QgsProcessingException(str(error)) from error
+            raise QgsProcessingException(self.worded(error)) from error
         except Canceled as error:
             raise QgsProcessingException(tr("Canceled; nothing was written.")) from error
         except OSError as error:

@@ -1,0 +1,56 @@
+"""Why an image has no fix."""
+
+from .sentence import Plural
+
+SENTENCES = {
+    # Any road
+    "localization.too_few_landmarks": "{shown}; {needed}.",
+    "localization.shows_landmarks": Plural("The image shows {count} landmark", "The image shows {count} landmarks"),
+    "localization.shows_whole_landmarks": Plural(
+        "The image shows {count} whole landmark", "The image shows {count} whole landmarks"
+    ),
+    "localization.more_needed": Plural("at least {count} more is needed", "at least {count} more are needed"),
+    # Topology vector
+    "localization.vector_too_far": "The nearest window has distance {distance:.3f}, more than {threshold:g}.",
+    # Constellation
+    "localization.no_triangles": "No place on the map has triangles like the image's.",
+    "localization.log_odds_too_low": "The best place has log odds of {log_odds:.1f}; {needed} are needed.",
+    "localization.rivals": Plural(
+        "{count} other place fits almost as well as the best one.",
+        "{count} other places fit almost as well as the best one.",
+    ),
+    "localization.mirror_fits": "The mirrored image fits almost as well, so the pattern is too regular.",
+    "localization.position_too_loose": ("The objects that agree with the map don't fix the position closely enough."),
+    # Map correlation
+    "localization.too_few_classes": ("The map has fewer than two classes, so that no place differs from another."),
+    "localization.too_little_ground": (
+        "The image shows too little ground to search this whole map for it; give a prior position."
+    ),
+    "localization.too_few_labels": (
+        "Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed."
+    ),
+    "localization.hardly_one_class": (
+        "The image shows hardly more than one class; a larger footprint with several classes is needed."
+    ),
+    "localization.nothing_under_image": "No place of the map has labels under at least half of the image.",
+    "localization.agreement_too_low": (
+        "The best place agrees with the image only by {score:.2f}; at least {least:.2f} is needed."
+    ),
+    "localization.mirror_agrees": (
+        "The best place ({score:.2f}) agrees hardly better than the mirrored image does by chance ({mirror:.2f})."
+    ),
+    "localization.two_places_agree": (
+        "Two places agree almost equally well ({score:.2f} and {runner_up:.2f}); "
+        "a prior position could tell them apart."
+    ),
+    "localization.direction_unknown": ("One place agrees, but the image doesn't tell its position in all directions."),
+    "localization.error_too_large": (
+        "One place agrees, but its position is known only within {error_95_m:.3g} m; "
+        "an image of this size needs {needed_m:.3g} m."
+    ),
+    # Both roads
+    "localization.areas_speak_against": (
+        "Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed."
+    ),
+    "localization.neither_road": "{constellation} Map correlation has no fix either: {correlation}",
+}

@@ -1,0 +1,101 @@
+"""A sentence for the user as a code with values; its English template stands in one table.
+
+An error or a result carries a :class:`Sentence`, so that whoever shows it chooses the language. The templates are
+found in dicts named ``SENTENCES``, one module a room (``core/sentences/<room>.py``, ``storage/sentences.py``,
+``processing/wording/``), which add themselves to the table when their package is imported.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, Mapping, NamedTuple, Tuple, Union
+
+
+class Plural(NamedTuple):
+    """A template whose words depend on the value ``count``; both forms are translated.
+
+    Attributes:
+        one: Said when ``count`` is 1.
+        other: Said of every other ``count``.
+    """
+
+    one: str
+    other: str
+
+
+Template = Union[str, Plural]
+
+
+@dataclass(frozen=True, init=False)
+class Sentence:
+    """One sentence for the user: what is said, and with which values.
+
+    >>> str(Sentence("localization.log_odds_too_low", log_odds=1.25, needed=4.0))
+    'The best place has log odds of 1.2; 4.0 are needed.'
+
+    Attributes:
+        code: Key of the template, ``room.what_is_wrong``.
+        values: (name, value) for each placeholder of the template, by name. A value is a text, a path, a number,
+            another sentence (worded in the same language), or a tuple of those (joined with commas).
+    """
+
+    code: str
+    values: Tuple[Tuple[str, Any], ...]
+
+    def __init__(self, code: str, /, **values: Any) -> None:
+        frozen = {name: tuple(value) if isinstance(value, list) else value for name, value in values.items()}
+        object.__setattr__(self, "code", code)
+        object.__setattr__(self, "values", tuple(sorted(frozen.items())))
+
+    def __str__(self) -> str:
+        return english(self)
+
+
+_templates: Dict[str, Template] = {}
+
+
+def add(sentences: Mapping[str, Template]) -> None:
+    """Adds a room's templates to the table; called once, when the room's package is imported.
+
+    Args:
+        sentences: English templates by code, with ``{named}`` placeholders as of ``str.format``.
+    """
+    _templates.update(sentences)
+
+
+def template_of(sentence: Sentence) -> str:
+    """The English template of a sentence, in the form that its ``count`` asks for.
+
+    A code that no table has stands for itself. It can't happen in shipped code: tests/core/test_sentences.py reads
+    every code and its values from the source.
+    """
+    template = _templates.get(sentence.code)
+    if template is None:
+        return sentence.code.replace("{", "{{").replace("}", "}}")
+    if isinstance(template, Plural):
+        return template.one if dict(sentence.values)["count"] == 1 else template.other
+    return template
+
+
+def filled(sentence: Sentence, template: Callable[[Sentence], str]) -> str:
+    """The sentence with its values, sentences among the values included.
+
+    Args:
+        sentence: What to say.
+        template: Words without values for a sentence, in the language wanted.
+    """
+    return template(sentence).format(**{name: _shown(value, template) for name, value in sentence.values})
+
+
+def english(sentence: Sentence) -> str:
+    """The sentence in English, as the command line and logs say it."""
+    return filled(sentence, template_of)
+
+
+def _shown(value: Any, template: Callable[[Sentence], str]) -> Any:
+    """A value as ``str.format`` takes it; numbers stay numbers for the template's format."""
+    if isinstance(value, Sentence):
+        return filled(value, template)
+    if isinstance(value, tuple):
+        return ", ".join(str(_shown(part, template)) for part in value)
+    return value

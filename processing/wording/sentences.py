@@ -1,0 +1,34 @@
+"""What an error or a result says, in the user's language."""
+
+from __future__ import annotations
+
+from typing import Collection, Union
+
+from ...core.errors import SemRefError
+from ...core.sentences import Sentence, filled, template_of
+from ..translation import tr
+from .keys import SENTENCES_BY_KEY
+
+
+def worded(said: Union[SemRefError, Sentence], keys: Collection[str] = ()) -> str:
+    """One sentence in the user's language.
+
+    Args:
+        said: An error, or the sentence of a result.
+        keys: The parameter keys of the algorithm that says it. What can be mended with one of them is said so: core
+            knows no keys, and another algorithm may have none for it.
+
+    Returns:
+        The sentence with its values.
+    """
+    sentence = said.sentence if isinstance(said, SemRefError) else said
+
+    def template(part: Sentence) -> str:
+        return tr(_template_for(part, keys))
+
+    return filled(sentence, template)
+
+
+def _template_for(sentence: Sentence, keys: Collection[str]) -> str:
+    key, template = SENTENCES_BY_KEY.get(sentence.code, ("", ""))
+    return template if key in keys else template_of(sentence)

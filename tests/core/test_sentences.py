@@ -1,0 +1,112 @@
+"""What is said to the user: the codes in the source, their templates and values."""
+
+from __future__ import annotations
+
+import ast
+import pickle
+import re
+import string
+from pathlib import Path
+
+import pytest
+
+from semref.core import errors
+from semref.core.errors import DatabaseError, ImageError, SemRefError
+from semref.core.sentences import Plural, Sentence, add, english, filled, template_of
+from semref.core.sentences.sentence import _templates
+
+ROOT = Path(__file__).resolve().parents[2]
+ROOMS = ("core", "storage", "processing", "ui")
+FILES = [path for room in ROOMS for path in sorted((ROOT / room).rglob("*.py")) if "__pycache__" not in path.parts]
+CODE = re.compile(r"[a-z_]+\.[a-z0-9_]+")
+SAY = {"Sentence"} | {name for name, kind in vars(errors).items() if isinstance(kind, type)}
+"""Names of what is made with a code and its values."""
+
+
+def forms(template) -> tuple[str, ...]:
+    return tuple(template) if isinstance(template, Plural) else (template,)
+
+
+def placeholders(template) -> set[str]:
+    """Names of the values that a template takes; those of a plural include ``count``."""
+    named = {name for form in forms(template) for _, name, _, _ in string.Formatter().parse(form) if name is not None}
+    return named | ({"count"} if isinstance(template, Plural) else set())
+
+
+def said_in(path: Path) -> list[tuple[int, str, set[str]]]:
+    """(line, code, names of its values) wherever the file says a sentence by its code."""
+    found = []
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if not isinstance(node, ast.Call) or not node.args or not isinstance(node.args[0], ast.Constant):
+            continue
+        code, called = node.args[0].value, getattr(node.func, "id", getattr(node.func, "attr", ""))
+        if isinstance(code, str) and CODE.fullmatch(code) and (called in SAY or code in _templates):
+            found.append((node.lineno, code, {str(keyword.arg) for keyword in node.keywords}))
+    return found
+
+
+@pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
+def test_every_code_is_in_the_table_and_has_the_values_of_its_template(path):
+    said = said_in(path)
+    assert [(line, code) for line, code, _ in said if code not in _templates] == []
+    assert [(line, code, names) for line, code, names in said if names != placeholders(_templates[code])] == []
+
+
+@pytest.mark.parametrize("code", sorted(_templates))
+def test_a_template_is_one_room_s_and_names_its_values(code):
+    assert CODE.fullmatch(code)
+    assert all(name.isidentifier() for name in placeholders(_templates[code]))
+
+
+def test_a_sentence_without_values_is_its_template():
+    assert english(Sentence("labels.no_pixels")) == "The image has no pixels."
+
+
+def test_numbers_are_shown_as_the_template_says():
+    sentence = Sentence("localization.vector_too_far", distance=0.123456, threshold=0.25)
+    assert str(sentence) == "The nearest window has distance 0.123, more than 0.25."
+
+
+@pytest.mark.parametrize(("count", "verb"), [(0, "places fit"), (1, "place fits"), (2, "places fit")])
+def test_words_follow_the_count(count, verb):
+    assert str(Sentence("localization.rivals", count=count)).startswith(f"{count} other {verb} ")
+
+
+def test_sentences_among_the_values_are_worded_by_the_same_hand():
+    needed = Sentence("localization.more_needed", count=2)
+    sentence = Sentence("localization.too_few_landmarks", shown="This", needed=needed)
+    assert english(sentence) == "This; at least 2 more are needed."
+    assert filled(sentence, lambda part: f"<{template_of(part)}>") == "<This; <at least 2 more are needed>.>"
+
+
+def test_lists_are_joined_with_commas():
+    sentence = Sentence("localization.neither_road", constellation=["a", Sentence("labels.no_pixels")], correlation=())
+    assert english(sentence) == "a, The image has no pixels. Map correlation has no fix either: "
+
+
+def test_equal_sentences_are_one_in_a_set_whatever_the_order_of_their_values():
+    one = Sentence("room.code", a=1, b=["x", "y"])
+    assert {one, Sentence("room.code", b=("x", "y"), a=1)} == {one}
+    assert one != Sentence("room.code", a=2, b=["x", "y"])
+
+
+def test_a_text_that_is_no_code_stands_for_itself_braces_included():
+    assert str(SemRefError("No {code}.")) == "No {code}."
+
+
+def test_an_error_can_say_what_another_said():
+    said = DatabaseError("localization.rivals", count=1)
+    assert str(ImageError(said.sentence)) == str(said)
+
+
+def test_an_error_keeps_its_sentence_between_processes():
+    error = DatabaseError("localization.rivals", count=3)
+    assert pickle.loads(pickle.dumps(error)).sentence == error.sentence
+
+
+def test_a_room_above_adds_its_own():
+    add({"test.of_a_room_above": "{what} was added."})
+    try:
+        assert str(Sentence("test.of_a_room_above", what="This")) == "This was added."
+    finally:
+        del _templates["test.of_a_room_above"]
