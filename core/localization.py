@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Optional, Tuple
 
+import numpy as np
+
 from .constellation.solver import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, ConstellationResult
 from .correlation.solver import MAP_CORRELATION, TOO_LITTLE_INFORMATION, CorrelationResult
 from .geometry.pose import PoseUncertainty
@@ -24,6 +26,23 @@ class PossiblePlace:
     position: Tuple[float, float]
     heading_deg: float
     pixel_size_m: float
+
+
+@dataclass(frozen=True)
+class Matches:
+    """Landmarks of an image and of the map that agree, m of them.
+
+    Attributes:
+        on_map: (m,) int64, those of the database's landmarks.
+        pixels_xy: (m, 2) float64, pixel coordinates (column, row) of the image's landmarks.
+        seen_xy: (m, 2) float64, map coordinates (x, y) where the fix puts them.
+        residuals: (m,) float64, how far from the map's landmarks that is, map units.
+    """
+
+    on_map: np.ndarray
+    pixels_xy: np.ndarray
+    seen_xy: np.ndarray
+    residuals: np.ndarray
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,10 @@
    <translation>Ein Linienlayer oder der Pfad einer GPX-, KML-, .plan- oder .waypoints-Datei. Jede Linie ist eine eigene Route.</translation>
   </message>
   <message>
+   <source>A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table.</source>
+   <translation>Ein neuer oder leerer Ordner: die Klassen jedes Bildes, wie es lokalisiert wurde, als GeoTIFF mit der Klassentabelle.</translation>
+  </message>
+  <message>
    <source>A new or empty folder; one of an earlier export is replaced.</source>
    <translation>Ein neuer oder leerer Ordner; der eines früheren Exports wird ersetzt.</translation>
   </message>
@@ -764,6 +768,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Fix</translation>
   </message>
   <message>
+   <source>Folder for the label images</source>
+   <translation>Ordner für die Klassenbilder</translation>
+  </message>
+  <message>
    <source>Folder for the sample</source>
    <translation>Ordner für das Beispiel</translation>
   </message>
@@ -1224,6 +1232,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Merkt die Stelle als erledigt vor und geht zur nächsten offenen (Strg+D)</translation>
   </message>
   <message>
+   <source>Matches</source>
+   <translation>Zuordnungen</translation>
+  </message>
+  <message>
    <source>Maximum speed (map units per second)</source>
    <translation>Höchstgeschwindigkeit (Karteneinheiten pro Sekunde)</translation>
   </message>
@@ -1426,6 +1438,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>One feature a finding, in the coordinate reference system of the label map.</source>
    <translation>Ein Objekt je Befund, im Koordinatenbezugssystem der Klassenkarte.</translation>
+  </message>
+  <message>
+   <source>One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the image has it, where the fix puts it, and how far that is off.</source>
+   <translation>Ein Punkt für jede Landmarke der Karte, die mit einer eines Bildes übereinstimmt, bei Fixes mit Kurs: wo das Bild sie hat, wohin der Fix sie legt und wie weit das daneben liegt.</translation>
   </message>
   <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
@@ -2154,6 +2170,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The sample project is in {folder}.</source>
    <translation>Das Beispielprojekt liegt in {folder}.</translation>
+  </message>
+  <message>
+   <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>
+   <translation>Die Suche wurde begrenzt: Häufige Muster wurden ausgelassen, sodass ein besserer Ort vielleicht nicht versucht wurde.</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>

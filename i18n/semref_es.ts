@@ -36,6 +36,10 @@
    <translation>Una capa de líneas, o la ruta de un archivo GPX, KML, .plan o .waypoints. Cada línea es una ruta propia.</translation>
   </message>
   <message>
+   <source>A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table.</source>
+   <translation>Una carpeta nueva o vacía: las etiquetas de cada imagen tal como se localizaron, un GeoTIFF con la tabla de clases.</translation>
+  </message>
+  <message>
    <source>A new or empty folder; one of an earlier export is replaced.</source>
    <translation>Una carpeta nueva o vacía; la de una exportación anterior se reemplaza.</translation>
   </message>
@@ -764,6 +768,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Posición encontrada</translation>
   </message>
   <message>
+   <source>Folder for the label images</source>
+   <translation>Carpeta para las imágenes de etiquetas</translation>
+  </message>
+  <message>
    <source>Folder for the sample</source>
    <translation>Carpeta para el ejemplo</translation>
   </message>
@@ -1224,6 +1232,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Marca el lugar como hecho y pasa al siguiente que no lo está (Ctrl+D)</translation>
   </message>
   <message>
+   <source>Matches</source>
+   <translation>Correspondencias</translation>
+  </message>
+  <message>
    <source>Maximum speed (map units per second)</source>
    <translation>Velocidad máxima (unidades del mapa por segundo)</translation>
   </message>
@@ -1426,6 +1438,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>One feature a finding, in the coordinate reference system of the label map.</source>
    <translation>Un objeto espacial por hallazgo, en el sistema de referencia de coordenadas del mapa de etiquetas.</translation>
+  </message>
+  <message>
+   <source>One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the image has it, where the fix puts it, and how far that is off.</source>
+   <translation>Un punto por cada hito del mapa que coincide con uno de una imagen, para posiciones con rumbo: dónde lo tiene la imagen, dónde lo sitúa la posición y cuánto se desvía.</translation>
   </message>
   <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
@@ -2154,6 +2170,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The sample project is in {folder}.</source>
    <translation>El proyecto de ejemplo está en {folder}.</translation>
+  </message>
+  <message>
+   <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>
+   <translation>La búsqueda se limitó: se omitieron patrones comunes, así que quizá no se probó un lugar mejor.</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>

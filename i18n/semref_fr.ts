@@ -36,6 +36,10 @@
    <translation>Une couche de lignes, ou le chemin d’un fichier GPX, KML, .plan ou .waypoints. Chaque ligne est une route à part.</translation>
   </message>
   <message>
+   <source>A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table.</source>
+   <translation>Un dossier nouveau ou vide : les étiquettes de chaque image telles qu’elles ont été localisées, un GeoTIFF avec la table des classes.</translation>
+  </message>
+  <message>
    <source>A new or empty folder; one of an earlier export is replaced.</source>
    <translation>Un dossier nouveau ou vide ; celui d’une exportation précédente est remplacé.</translation>
   </message>
@@ -764,6 +768,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Position trouvée</translation>
   </message>
   <message>
+   <source>Folder for the label images</source>
+   <translation>Dossier des images d’étiquettes</translation>
+  </message>
+  <message>
    <source>Folder for the sample</source>
    <translation>Dossier de l’exemple</translation>
   </message>
@@ -1224,6 +1232,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Marque l’endroit comme terminé et passe au suivant qui ne l’est pas (Ctrl+D)</translation>
   </message>
   <message>
+   <source>Matches</source>
+   <translation>Correspondances</translation>
+  </message>
+  <message>
    <source>Maximum speed (map units per second)</source>
    <translation>Vitesse maximale (unités de carte par seconde)</translation>
   </message>
@@ -1426,6 +1438,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>One feature a finding, in the coordinate reference system of the label map.</source>
    <translation>Une entité par constat, dans le système de coordonnées de référence de la carte d’étiquettes.</translation>
+  </message>
+  <message>
+   <source>One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the image has it, where the fix puts it, and how far that is off.</source>
+   <translation>Un point par repère de la carte qui concorde avec un repère d’une image, pour les positions avec cap : où l’image le montre, où la position le place et de combien elle s’écarte.</translation>
   </message>
   <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
@@ -2154,6 +2170,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The sample project is in {folder}.</source>
    <translation>Le projet d’exemple se trouve dans {folder}.</translation>
+  </message>
+  <message>
+   <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>
+   <translation>La recherche a été limitée : des motifs courants ont été laissés de côté, un meilleur lieu n’a donc peut-être pas été essayé.</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>

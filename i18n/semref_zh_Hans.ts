@@ -36,6 +36,10 @@
    <translation>线图层，或 GPX、KML、.plan、.waypoints 文件的路径。每条线为一条独立航线。</translation>
   </message>
   <message>
+   <source>A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table.</source>
+   <translation>新文件夹或空文件夹：每幅图像定位时所用的标签，为带类别表的 GeoTIFF。</translation>
+  </message>
+  <message>
    <source>A new or empty folder; one of an earlier export is replaced.</source>
    <translation>新文件夹或空文件夹；之前导出的文件夹会被替换。</translation>
   </message>
@@ -764,6 +768,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>已定位</translation>
   </message>
   <message>
+   <source>Folder for the label images</source>
+   <translation>标签图像文件夹</translation>
+  </message>
+  <message>
    <source>Folder for the sample</source>
    <translation>存放示例的文件夹</translation>
   </message>
@@ -1224,6 +1232,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>将此处标记为已完成，并转到下一处未完成的位置（Ctrl+D）</translation>
   </message>
   <message>
+   <source>Matches</source>
+   <translation>匹配</translation>
+  </message>
+  <message>
    <source>Maximum speed (map units per second)</source>
    <translation>最大速度（地图单位每秒）</translation>
   </message>
@@ -1426,6 +1438,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>One feature a finding, in the coordinate reference system of the label map.</source>
    <translation>每个问题一个要素，采用标签图的坐标参照系。</translation>
+  </message>
+  <message>
+   <source>One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the image has it, where the fix puts it, and how far that is off.</source>
+   <translation>对于带航向的定位，地图上每个与图像地标一致的地标一个点：它在图像中的位置、定位结果把它放在何处以及偏差多少。</translation>
   </message>
   <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
@@ -2154,6 +2170,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The sample project is in {folder}.</source>
    <translation>示例工程位于 {folder}。</translation>
+  </message>
+  <message>
+   <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>
+   <translation>搜索受到限制：常见的模式被略去，因此可能有更好的位置未被尝试。</translation>
   </message>
   <message>
    <source>The selected image appears here.</source>

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..constellation.hypotheses import Prior
 from ..constellation.index import ConstellationIndex, build_index
+from ..constellation.matched_objects import matched_objects
 from ..constellation.solver import localize as solve
 from ..correlation.class_pyramid import MapPyramid
 from ..correlation.places import Prior as CorrelationPrior
@@ -16,6 +17,7 @@ from ..correlation.solver import MAP_CORRELATION, NOMINAL_RANGE, agreement_at
 from ..correlation.solver import localize as correlate
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, LabelMapError
+from ..geometry.footprint import image_corners, on_ground
 from ..landmarks.landmarks import Landmarks, extract_landmarks
 from ..localization import (
     AMBIGUOUS,
@@ -27,6 +29,7 @@ from ..localization import (
     TOO_FEW_REFERENCES,
     TOPOLOGY_VECTOR,
     Localization,
+    Matches,
     PossiblePlace,
     from_constellation,
     from_correlation,
@@ -275,6 +278,31 @@ class Localizer:
         if method == AUTOMATIC:
             return self.localize_automatically(labels_hw, prior)
         return self.localize_by_constellation(labels_hw, prior)
+
+    def matches(
+        self, labels_hw: np.ndarray, found: Localization, footprint: Optional[np.ndarray] = None
+    ) -> Optional[Matches]:
+        """Which of the image's landmarks are which of the map's, as the constellation verifies a fix.
+
+        Args:
+            labels_hw: (H, W) uint8 labels of the image.
+            found: what was found for it.
+            footprint: (4, 2) map coordinates of the ground at its corners, upper left first, of a leveled image.
+
+        Returns:
+            None without a fix that has a heading.
+        """
+        if found.status != FIX or found.heading_deg is None:
+            return None
+        height, width = labels_hw.shape
+        if footprint is None:
+            footprint = image_corners(found.position, found.heading_deg, found.pixel_size_m, width, height)
+        objects, _ = self._objects(labels_hw, found.pixel_size_m)
+        references, pose = self._database.references, (footprint, found.heading_deg, found.pixel_size_m)
+        pairs = matched_objects(objects, labels_hw.shape, *pose, references, self._database.parameters.pixel_size)
+        pixels, on_map = objects.centers_xy[pairs[:, 0]], pairs[:, 1]
+        seen = on_ground(pixels, footprint, labels_hw.shape)
+        return Matches(on_map, pixels, seen, np.hypot(*(seen - references.positions[on_map]).T))
 
     def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:
         """The image as windows of ``window_size`` (map units) of this database are described."""

@@ -14,6 +14,7 @@ from qgis.core import (
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFile,
+    QgsProcessingParameterFolderDestination,
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
     QgsProcessingParameterPoint,
@@ -27,9 +28,12 @@ from ..framework.localized_image import (
     ALTERNATIVE_FIELDS,
     FIELDS,
     FOOTPRINT_FIELDS,
+    MATCH_FIELDS,
+    LabelImages,
     LocalizedImage,
     alternatives,
-    corners,
+    footprint_rows,
+    match_rows,
     row,
     say,
     with_jumps,
@@ -58,6 +62,8 @@ class LocalizeImages(SemRefAlgorithm):
     MAXIMUM_SPEED = "MAXIMUM_SPEED"
     FOOTPRINTS = "FOOTPRINTS"
     ALTERNATIVES = "ALTERNATIVES"
+    MATCHES = "MATCHES"
+    LABELS = "LABELS"
     FIX_COUNT = "FIX_COUNT"
     AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION, MAP_CORRELATION = range(4)
 
@@ -183,6 +189,23 @@ class LocalizeImages(SemRefAlgorithm):
             ),
             tr("For ambiguous images: the ground of each place that fits, the best one first."),
         )
+        self.offer(
+            QgsProcessingParameterFeatureSink(
+                self.MATCHES, tr("Matches"), SOURCE_POINT, optional=True, createByDefault=False
+            ),
+            tr(
+                "One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the "
+                "image has it, where the fix puts it, and how far that is off."
+            ),
+            advanced=True,
+        )
+        self.offer(
+            QgsProcessingParameterFolderDestination(
+                self.LABELS, tr("Folder for the label images"), optional=True, createByDefault=False
+            ),
+            tr("A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table."),
+            advanced=True,
+        )
         self.addOutput(QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of fixes")))
 
     def checkParameterValues(self, parameters, context):
@@ -234,39 +257,60 @@ class LocalizeImages(SemRefAlgorithm):
         if method == self.TOPOLOGY_VECTOR:
             # The published method, exactly: images as they are.
             cameras = [replace(camera, attitude=None, problem="") for camera in cameras]
-        localized = []
-        for n, path in enumerate(paths):
+        folder = self.parameterAsString(parameters, self.LABELS, context)
+        with LabelImages.written_to(folder, paths, database.class_table) as keep:
+            localized = []
+            for n, path in enumerate(paths):
+                check_canceled(feedback)
+                feedback.setProgressText(os.path.basename(path))
+                arguments = path, localize, read_labels, cameras[n], keep
+                localized.append(cancelable(_localize, *arguments, feedback=feedback))
+                say(localized[-1], feedback)
+                feedback.setProgress(95 * (n + 1) / len(paths))
+            if parameters.get(self.MAXIMUM_SPEED) not in (None, ""):
+                speed = self.parameterAsDouble(parameters, self.MAXIMUM_SPEED, context)
+                times_s = [camera.time_s for camera in cameras]
+                localized = with_jumps(localized, times_s, database.windows, speed, feedback)
+            # Sinks are made last: a cancel before leaves nothing behind.
             check_canceled(feedback)
-            feedback.setProgressText(os.path.basename(path))
-            arguments = path, localize, read_labels, cameras[n]
-            localized.append(cancelable(_localize, *arguments, feedback=feedback))
-            say(localized[-1], feedback)
-            feedback.setProgress(95 * (n + 1) / len(paths))
-        if parameters.get(self.MAXIMUM_SPEED) not in (None, ""):
-            speed = self.parameterAsDouble(parameters, self.MAXIMUM_SPEED, context)
-            times_s = [camera.time_s for camera in cameras]
-            localized = with_jumps(localized, times_s, database.windows, speed, feedback)
-        # Sinks are made last: a cancel before leaves nothing behind.
-        check_canceled(feedback)
-        results = {self.OUTPUT: self._write_positions(parameters, context, localized, crs)}
-        footprints = self._write_footprints(parameters, context, localized, database, crs)
-        if footprints:
-            results[self.FOOTPRINTS] = footprints
-        places = self._write_alternatives(parameters, context, localized, crs)
-        if places:
-            results[self.ALTERNATIVES] = places
+            results = self._write(parameters, context, localized, database, crs)
+        if folder:
+            results[self.LABELS] = folder
         fixes = sum(1 for item in localized if item.result is not None and item.result.status == FIX)
         feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
         results[self.FIX_COUNT] = fixes
         return results
 
+    def _write(self, parameters, context, localized, database, crs):
+        """Writes the layers that are wanted; their destinations by key."""
+        results = {self.OUTPUT: self._write_positions(parameters, context, localized, crs)}
+        polygons = (
+            (self.FOOTPRINTS, FOOTPRINT_FIELDS, lambda item: footprint_rows(item, database.windows)),
+            (self.ALTERNATIVES, ALTERNATIVE_FIELDS, alternatives),
+        )
+        for key, fields, rows_of in polygons:
+            sink = Sink(self, parameters, key, context, fields, POLYGON, crs)
+            if sink.is_wanted:
+                for item in localized:
+                    for ground, values in rows_of(item):
+                        sink.add(_polygon(ground), values)
+                results[key] = sink.close()
+        sink = Sink(self, parameters, self.MATCHES, context, MATCH_FIELDS, POINT, crs)
+        if sink.is_wanted:
+            for item in localized:
+                for position, values in match_rows(item, database):
+                    sink.add(QgsGeometry.fromPointXY(QgsPointXY(*position)), values)
+            results[self.MATCHES] = sink.close()
+        return results
+
     def _localizing(self, parameters, context, localizer, crs):
-        """The function (labels, Leveling or None) → LeveledLocalization that the parameters ask for."""
+        """The function (labels, Leveling or None) → (LeveledLocalization, Matches or None) that is asked for."""
         from ...core.localizer.leveled import LeveledLocalization, localize_leveled
         from ...core.localizer.localizer import METHODS, Prior, default_scales
 
         method = METHODS[self.parameterAsEnum(parameters, self.METHOD, context)]
         localizer.check(method)
+        with_matches = parameters.get(self.MATCHES) not in (None, "")
         scales = self._scales(parameters, context)
         position = radius = None
         if parameters.get(self.PRIOR_POINT) not in (None, ""):
@@ -282,8 +326,10 @@ class LocalizeImages(SemRefAlgorithm):
             sizes = ground and localizer.pixel_sizes(labels_hw.shape, ground)
             prior = Prior(position, radius, heading, heading_range, sizes)
             if way is None:
-                return LeveledLocalization(localizer.localize(labels_hw, method, prior))
-            return localize_leveled(localizer, labels_hw, method, prior, way)
+                found = LeveledLocalization(localizer.localize(labels_hw, method, prior))
+            else:
+                found = localize_leveled(localizer, labels_hw, method, prior, way)
+            return found, localizer.matches(labels_hw, found.result, found.footprint) if with_matches else None
 
         return localize
 
@@ -318,28 +364,6 @@ class LocalizeImages(SemRefAlgorithm):
             sink.add(geometry, values)
         return sink.close()
 
-    def _write_footprints(self, parameters, context, localized, database, crs):
-        """The destination, None when footprints are not wanted."""
-        sink = Sink(self, parameters, self.FOOTPRINTS, context, FOOTPRINT_FIELDS, POLYGON, crs)
-        if not sink.is_wanted:
-            return None
-        names = [name for name, _ in FOOTPRINT_FIELDS]
-        for item in localized:
-            ground = corners(item, database.windows)
-            if ground is not None:
-                sink.add(_polygon(ground), {name: value for name, value in row(item).items() if name in names})
-        return sink.close()
-
-    def _write_alternatives(self, parameters, context, localized, crs):
-        """The destination, None when they are not wanted."""
-        sink = Sink(self, parameters, self.ALTERNATIVES, context, ALTERNATIVE_FIELDS, POLYGON, crs)
-        if not sink.is_wanted:
-            return None
-        for item in localized:
-            for ground, values in alternatives(item):
-                sink.add(_polygon(ground), values)
-        return sink.close()
-
 
 def _polygon(corners_xy) -> QgsGeometry:
     return QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners_xy]])
@@ -357,12 +381,13 @@ def _with_overview(database, path, feedback):
         return database
 
 
-def _localize(path, localize, read_labels, camera) -> LocalizedImage:
+def _localize(path, localize, read_labels, camera, keep) -> LocalizedImage:
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
     try:
         labels_hw = read_labels(path)
-        found = localize(labels_hw, camera.leveling(labels_hw.shape))
+        found, matches = localize(labels_hw, camera.leveling(labels_hw.shape))
         remark = camera.remark(labels_hw.shape)
-        return LocalizedImage(path, found.result, "", labels_hw.shape, found.footprint, found.nadir, remark)
     except SemRefError as error:
         return LocalizedImage(path, error=str(error))
+    keep(path, labels_hw)
+    return LocalizedImage(path, found.result, "", labels_hw.shape, found.footprint, found.nadir, remark, None, matches)

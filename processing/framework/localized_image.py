@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from dataclasses import dataclass, replace
-from typing import Optional, Tuple
+from typing import Callable, Dict, Iterator, Optional, Sequence, Tuple
 
+from ...core.labels.class_table import ClassTable
 from ..translation import tr
 
 ERROR = "error"
@@ -36,6 +38,7 @@ FIELDS = (
     ("error_95_direction", "real"),
     ("heading_deviation", "real"),
     ("pixel_size_deviation", "real"),
+    ("search_capped", "boolean"),
 )
 FOOTPRINT_FIELDS = (
     ("image", "text"),
@@ -45,6 +48,17 @@ FOOTPRINT_FIELDS = (
     ("method", "text"),
 )
 ALTERNATIVE_FIELDS = (("image", "text"), ("rank", "integer"), ("heading", "real"), ("pixel_size", "real"))
+MATCH_FIELDS = (
+    ("image", "text"),
+    ("number", "integer"),
+    ("class", "integer"),
+    ("class_name", "text"),
+    ("image_column", "real"),
+    ("image_row", "real"),
+    ("seen_x", "real"),
+    ("seen_y", "real"),
+    ("residual", "real"),
+)
 
 
 @dataclass(frozen=True)
@@ -52,7 +66,8 @@ class LocalizedImage:
     """One image and its result; ``error`` instead when it could not be read.
 
     footprint: (4, 2) map coordinates of a leveled image's corners; nadir: of the point straight below its camera;
-    remark: about its leveling; jump: whether it could not have been reached in time, None if that was not checked.
+    remark: about its leveling; jump: whether it could not have been reached in time, None if that was not checked;
+    matches: ``Matches`` with the map's landmarks, where they are wanted and the fix has a heading.
     """
 
     path: str
@@ -63,6 +78,53 @@ class LocalizedImage:
     nadir: Optional[Tuple[float, float]] = None
     remark: str = ""
     jump: Optional[bool] = None
+    matches: Optional[object] = None
+
+
+class LabelImages:
+    """A folder of label images, each named after its image; called with an image's path and its (H, W) labels."""
+
+    def __init__(self, folder: str, paths: Sequence[str], table: ClassTable) -> None:
+        self._folder, self._table = folder, table
+        self._names = label_image_names(paths)
+
+    def __call__(self, path: str, labels_hw) -> None:
+        from ...storage.label_map_file import LabelMapFile
+
+        height, width = labels_hw.shape
+        target = os.path.join(self._folder, self._names[path])
+        with LabelMapFile(target, width, height, None, "", self._table) as label_map:
+            label_map.write_rows(0, labels_hw)
+
+    @staticmethod
+    @contextlib.contextmanager
+    def written_to(folder: str, paths: Sequence[str], table: ClassTable) -> Iterator[Callable]:
+        """The writer of a folder, which takes its place when the block ends well; nothing is written without one."""
+        from ...storage.files import folder_written_beside
+
+        if not folder:
+            yield lambda path, labels_hw: None
+            return
+        with folder_written_beside(folder) as temporary:
+            yield LabelImages(temporary, paths, table)
+
+
+def label_image_names(paths: Sequence[str]) -> Dict[str, str]:
+    """File names of the label images by the images' paths: the stem and ``.tif``; of several images with one stem the
+    second ``stem_2.tif`` and so on. The same for the same images in the same order."""
+    names: Dict[str, str] = {}
+    taken = set()
+    for path in paths:
+        if path in names:
+            continue
+        stem = os.path.splitext(os.path.basename(path))[0]
+        name, number = stem, 1
+        while name.lower() in taken:
+            number += 1
+            name = f"{stem}_{number}"
+        taken.add(name.lower())
+        names[path] = f"{name}.tif"
+    return names
 
 
 def with_jumps(localized, times_s, windows, speed, feedback):
@@ -124,7 +186,33 @@ def row(item) -> dict:
         "camera_x": item.nadir and item.nadir[0],
         "camera_y": item.nadir and item.nadir[1],
         "jump": item.jump,
+        "search_capped": result.search_capped,
     }
+
+
+def footprint_rows(item, windows) -> list:
+    """((4, 2) map coordinates, values of FOOTPRINT_FIELDS) of an image with a fix, else nothing."""
+    ground = corners(item, windows)
+    if ground is None:
+        return []
+    values = row(item)
+    return [(ground, {name: values[name] for name, _ in FOOTPRINT_FIELDS})]
+
+
+def match_rows(item, database) -> list:
+    """(map position, values of MATCH_FIELDS) of each landmark of the map that agrees with one of the image."""
+    found = item.matches
+    if found is None:
+        return []
+    names = {c.value: c.name for c in database.class_table}
+    positions = database.references.positions[found.on_map].tolist()
+    classes = database.references.classes[found.on_map].tolist()
+    columns = found.pixels_xy.tolist(), found.seen_xy.tolist(), found.residuals.tolist()
+    rows = []
+    for n, (position, value, pixel, seen, residual) in enumerate(zip(positions, classes, *columns), start=1):
+        values = item.path, n, value, names.get(value), *pixel, *seen, residual
+        rows.append((position, {name: value for (name, _), value in zip(MATCH_FIELDS, values)}))
+    return rows
 
 
 def alternatives(item) -> list:
@@ -150,6 +238,9 @@ def say(item, feedback) -> None:
     if item.remark:
         feedback.pushInfo(f"{name}: {item.remark}")
     result = item.result
+    if result.search_capped:
+        capped = tr("The search was capped: common patterns were left out, so a better place may not have been tried.")
+        feedback.pushWarning(f"{name}: {capped}")
     if result.position is None:
         feedback.pushInfo(f"{name}: {result.status}. {result.reason}")
         return

@@ -69,6 +69,24 @@ def test_the_footprint_lies_where_the_image_was_taken(localize):
     assert (bottom, top) == pytest.approx((NORTH - 450 - SIZE / 2, NORTH - 450 + SIZE / 2), abs=1.5)
 
 
+def test_matches_say_where_image_and_map_have_the_same_landmarks(localize, tmp_path):
+    column, row, heading, scale = 612, 455, 200, 1.2
+    matches = tmp_path / "matches.gpkg"
+    found, _ = localize(view(column, row, heading, scale), MATCHES=str(matches))
+    source = ogr.Open(str(matches))
+    points = [(f.items(), f.GetGeometryRef().GetPoint_2D()) for f in source.GetLayer(0)]
+    assert len(points) > 0.9 * found["inliers"] and [values["number"] for values, _ in points] == list(
+        range(1, len(points) + 1)
+    )
+    turn = scale * np.exp(-1j * np.radians(heading))
+    for values, (x, y) in points:
+        assert values["image"] == found["image"] and values["class_name"] == NAMES[values["class"]]
+        truth = turn * complex(values["image_column"] - SIZE / 2, SIZE / 2 - values["image_row"])
+        assert (x - WEST - column, y - NORTH + row) == pytest.approx((truth.real, truth.imag), abs=3)
+        off = np.hypot(values["seen_x"] - x, values["seen_y"] - y)
+        assert values["residual"] == pytest.approx(off, abs=1e-6) and off < 3
+
+
 @pytest.mark.parametrize(
     "labels",
     [view(500, 450, 30)[:, ::-1], view(300, 300, 10, labels=scattered_objects(900, 1000, 1300, seed=6))],

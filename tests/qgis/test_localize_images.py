@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from made_inputs import METRIC_CRS, NORTH, WEST, scattered_objects, spatial_reference, write_raster
 from osgeo import gdal, ogr, osr
-from qgis.core import QgsVectorLayer
+from qgis.core import QgsProcessingException, QgsVectorLayer
 
 LOCALIZE = "semref:localizeimages"
 SIZE, STRIDE = 120, 40
@@ -20,7 +20,8 @@ FIELDS = (
     "image String, status String, x Real, y Real, longitude Real, latitude Real, heading Real, pixel_size Real, "
     "confidence Real, distance Real, inliers Integer, references Integer, log_odds Real, error_95 Real, window String, "
     "method String, reason String, camera_x Real, camera_y Real, jump Integer, "
-    "error_95_minor Real, error_95_direction Real, heading_deviation Real, pixel_size_deviation Real"
+    "error_95_minor Real, error_95_direction Real, heading_deviation Real, pixel_size_deviation Real, "
+    "search_capped Integer"
 )
 LABELS = scattered_objects(400, 480, 240, seed=11)
 
@@ -64,6 +65,42 @@ def image(folder: Path, name: str, labels: np.ndarray) -> str:
 def colored(labels: np.ndarray) -> np.ndarray:
     palette = np.array([COLORS[value] for value in range(5)], np.uint8)
     return np.moveaxis(palette[labels], 2, 0)
+
+
+# --- labels ---
+
+
+def test_the_labels_folder_has_a_label_map_for_each_image_by_its_stem(localize, tmp_path):
+    (tmp_path / "other").mkdir()
+    first = image(tmp_path, "a.png", window(0, 0))
+    second = image(tmp_path / "other", "a.png", colored(window(40, 80)))
+    broken = tmp_path / "broken.png"
+    broken.write_bytes(b"no image")
+    folder = tmp_path / "labels"
+    _, results = localize([first, second, str(broken)], LABELS=str(folder))
+    assert results["LABELS"] == str(folder)
+    names = {path.name for path in folder.iterdir() if path.suffix == ".tif"}
+    assert names == {"a.tif", "a_2.tif"}
+    for name, expected in (("a.tif", window(0, 0)), ("a_2.tif", window(40, 80))):
+        labels = gdal.Open(str(folder / name))
+        assert np.array_equal(labels.ReadAsArray(), expected)
+        assert "1,building,#cc6677" in labels.GetMetadataItem("SEMREF_CLASS_TABLE")
+
+
+def test_a_labels_folder_with_other_files_is_refused_before_anything_is_localized(localize, tmp_path):
+    folder = tmp_path / "labels"
+    folder.mkdir()
+    (folder / "mine.txt").write_text("keep me")
+    with pytest.raises(QgsProcessingException, match="holds other files"):
+        localize([image(tmp_path, "a.png", window(0, 0))], LABELS=str(folder))
+    assert [path.name for path in folder.iterdir()] == ["mine.txt"]
+    assert not (tmp_path / "positions.gpkg").exists()
+
+
+def test_the_topology_vector_has_no_matches_because_it_knows_no_heading(localize, tmp_path):
+    matches = tmp_path / "matches.gpkg"
+    localize([image(tmp_path, "a.png", window(0, 0))], MATCHES=str(matches))
+    assert rows(str(matches)) == []
 
 
 # --- rows and columns ---
