@@ -55,7 +55,7 @@ PARAMETERS = {
     "localizeimages": (
         "localization",
         "DATABASE IMAGES [MODEL] METHOD OUTPUT [FOOTPRINTS] [ALTERNATIVES]",
-        "OUTPUT FOOTPRINTS ALTERNATIVES FIX_COUNT",
+        "OUTPUT FOOTPRINTS ALTERNATIVES MATCHES LABELS FIX_COUNT",
     ),
     "evaluatelocalization": (
         "localization",
