@@ -7,8 +7,8 @@ from osgeo import gdal
 
 from ..core.errors import LabelMapError
 from ..core.geometry.footprint import is_parallelogram, on_ground
-from ..processing.exchange.rasters import open_raster
 from .gdal_errors import gdal_failure
+from .rasters import open_raster
 
 GRID = 16
 """Points a side that tell GDAL how a tilted image lies; between them it bends a thin plate. Closer together at the

@@ -10,10 +10,10 @@ from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsReferencedRectangle, 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QProgressBar, QPushButton
 
-from ..processing.exchange.rasters import read_class_table
 from ..processing.exchange.styles import annotation_renderer
 from ..processing.framework.shipped_models import MODELS
 from ..processing.translation import tr
+from ..storage.rasters import read_class_table
 from ..storage.sample_files import (
     ANNOTATION_FILE,
     CLASS_FIELD,

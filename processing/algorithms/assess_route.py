@@ -17,8 +17,8 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError, SemRefError
+from ...storage.route_files import is_waypoint_file
 from ..compat import POINT, SOURCE_LINE, SOURCE_POINT
-from ..exchange.routes import is_waypoint_file
 from ..framework.assessing import AssessAlgorithm, reason_text, setting_rows
 from ..framework.base import LOCALIZATION, cancelable, check_canceled
 from ..framework.sinks import Sink

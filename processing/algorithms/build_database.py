@@ -106,7 +106,7 @@ class BuildDatabase(SemRefAlgorithm):
         return True, ""
 
     def read_layers(self, parameters, context, feedback):
-        from ..exchange.rasters import label_map_layer
+        from ..exchange.layers import label_map_layer
 
         self._layer = label_map_layer(self.parameterAsRasterLayer(parameters, self.LABELS, context), self.LABELS)
 
@@ -114,7 +114,8 @@ class BuildDatabase(SemRefAlgorithm):
         from ...core.database.build import DatabaseBuilder
         from ...storage.files import written_beside
         from ...storage.geopackage import DatabaseWriter
-        from ..exchange.rasters import GdalLabels, HeldLabels, map_frame
+        from ...storage.rasters import GdalLabels, HeldLabels
+        from ..exchange.layers import map_frame
         from ..exchange.reference_systems import longitudes_latitudes
         from ..exchange.styles import database_styles
 
@@ -145,9 +146,9 @@ class BuildDatabase(SemRefAlgorithm):
 
     def _table(self, parameters, context, feedback, labels):
         """The map's class table with the asked reference classes."""
-        from ..exchange.rasters import class_table_of_map, class_table_of_values, count_values
+        from ...storage.rasters import class_table_of_map, class_table_of_values, count_values
 
-        table = class_table_of_map(labels, self._layer)
+        table = class_table_of_map(labels, self._layer.file)
         if table is None:
             table = class_table_of_values(count_values(labels, feedback.isCanceled))
             check_canceled(feedback)

@@ -124,7 +124,7 @@ class CheckAnnotation(AnnotationAlgorithm):
     def _checked(self, features, lookup, parameters, context, feedback, crs):
         """Findings on how the features lie, and what pixels do to them if their size is given."""
         from ...core.annotation.check import AnnotationCheck, CheckSettings, find_raster_losses
-        from ..exchange.region_burning import RegionBurning
+        from ...storage.burning import RegionBurning
 
         minimum_area = self.parameterAsDouble(parameters, self.MINIMUM_AREA, context)
         landmark_classes = lookup.table.reference_values or tuple(c.value for c in lookup.table)

@@ -12,6 +12,7 @@ from qgis.core import (
 )
 
 from ..compat import POLYGON, SOURCE_POLYGON
+from ..framework.annotation import geometry_of
 from ..framework.base import ANNOTATION, SemRefAlgorithm, check_canceled
 from ..framework.sinks import Sink
 from ..translation import tr
@@ -79,7 +80,7 @@ class CompareLabels(SemRefAlgorithm):
         self.addOutput(QgsProcessingOutputNumber(self.OVERALL_ACCURACY, tr("Overall accuracy")))
 
     def read_layers(self, parameters, context, feedback):
-        from ..exchange.rasters import label_map_layer
+        from ..exchange.layers import label_map_layer
 
         self._layers = [
             label_map_layer(self.parameterAsRasterLayer(parameters, key, context), key)
@@ -88,9 +89,11 @@ class CompareLabels(SemRefAlgorithm):
 
     def work(self, parameters, context, feedback):
         from ...core.labels.comparison import LabelComparison
-        from ..exchange.comparing import DisagreementMap, LabelMapPair
+        from ...storage.comparing import DisagreementMap, LabelMapPair
+        from ..exchange.layers import require_one_crs
 
-        pair = LabelMapPair(*self._layers)
+        require_one_crs(*self._layers)
+        pair = LabelMapPair(*(layer.path for layer in self._layers))
         match = self._match(pair, feedback)
         with DisagreementMap(pair) as disagreements:
             feedback.setProgressText(tr("Comparing"))
@@ -106,10 +109,10 @@ class CompareLabels(SemRefAlgorithm):
 
     def _match(self, pair, feedback):
         from ...core.labels.comparison import match_classes
-        from ..exchange.rasters import class_table_of_map
+        from ...storage.rasters import class_table_of_map
 
         maps = (pair.reference, pair.predicted)
-        match = match_classes(*(class_table_of_map(labels, layer) for labels, layer in zip(maps, self._layers)))
+        match = match_classes(*(class_table_of_map(labels, layer.file) for labels, layer in zip(maps, self._layers)))
         if not match.by_name:
             feedback.pushWarning(tr("The maps share no class names: classes are matched by their values."))
         elif match.only_predicted:
@@ -131,7 +134,7 @@ class CompareLabels(SemRefAlgorithm):
         return counts
 
     def _polygons(self, parameters, context, disagreements, feedback):
-        """[(code, area, outline)], the largest first; raises Canceled, also while they are being made."""
+        """[(code, area, outline as WKB)], the largest first; raises Canceled, also while they are being made."""
 
         def proceed(share):
             feedback.setProgress(40 + 40 * share)
@@ -176,7 +179,7 @@ class CompareLabels(SemRefAlgorithm):
                 "annotated_value": annotated,
                 "predicted_value": predicted,
             }
-            sink.add(outline, values)
+            sink.add(geometry_of(outline), values)
         feedback.pushInfo(tr("{count} places disagree.").format(count=len(polygons)))
         return sink.close()
 

@@ -64,7 +64,7 @@ class DecodeColorLabels(SemRefAlgorithm):
         )
 
     def read_layers(self, parameters, context, feedback):
-        from ..exchange.rasters import label_map_layer
+        from ..exchange.layers import label_map_layer
 
         self._layer = label_map_layer(self.parameterAsRasterLayer(parameters, self.INPUT, context), self.INPUT)
 
@@ -72,7 +72,7 @@ class DecodeColorLabels(SemRefAlgorithm):
         from ...core.labels.color_labels import decode_by_hsv, decode_by_nearest_color
         from ...storage.files import written_beside
         from ...storage.label_map_file import LabelMapFile
-        from ..exchange.rasters import open_raster, read_bgr, read_class_table
+        from ...storage.rasters import open_raster, read_bgr, read_class_table
         from ..exchange.styles import write_label_map_style
 
         table = read_class_table(self.parameterAsFile(parameters, self.CLASS_TABLE, context))

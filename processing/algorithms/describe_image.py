@@ -113,13 +113,13 @@ class DescribeImage(SemRefAlgorithm):
         self.addOutput(QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")))
 
     def read_layers(self, parameters, context, feedback):
-        from ..exchange.rasters import label_map_layer
+        from ..exchange.layers import label_map_layer
 
         self._layer = label_map_layer(self.parameterAsRasterLayer(parameters, self.INPUT, context), self.INPUT)
 
     def work(self, parameters, context, feedback):
         from ...core.localizer.localizer import describe_image
-        from ..exchange.rasters import open_raster, read_label_image
+        from ...storage.rasters import open_raster, read_label_image
 
         transform = open_raster(self._layer.path, "Image").GetGeoTransform(can_return_null=True) or (0, 1, 0, 0, 0, -1)
         table, fraction_of, length = self._settings(parameters, context, transform)
@@ -146,7 +146,7 @@ class DescribeImage(SemRefAlgorithm):
     def _settings(self, parameters, context, transform):
         """(class table, function square size → area fraction, vector length), from the database or the parameters."""
         from ...storage.geopackage import read_database
-        from ..exchange.rasters import open_raster, read_class_table, stored_class_table
+        from ...storage.rasters import open_raster, read_class_table, stored_class_table
 
         database_path = self.parameterAsFile(parameters, self.DATABASE, context)
         if database_path:

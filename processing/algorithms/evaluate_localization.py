@@ -236,7 +236,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         return TrialRanges(**{key.lower(): tuple(self.parameterAsRange(parameters, key, context)) for key in keys})
 
     def read_layers(self, parameters, context, feedback):
-        from ..exchange.rasters import label_map_layer
+        from ..exchange.layers import label_map_layer
 
         self._layer = label_map_layer(self.parameterAsRasterLayer(parameters, self.LABELS, context), self.LABELS)
 
@@ -283,7 +283,8 @@ class EvaluateLocalization(SemRefAlgorithm):
         """(Evaluation, database, its CRS); raises SemRefError when map and database don't belong together."""
         from ...core.evaluation.evaluation import Evaluation
         from ...storage.geopackage import read_database
-        from ..exchange.rasters import GdalLabels, map_frame
+        from ...storage.rasters import GdalLabels
+        from ..exchange.layers import map_frame
 
         feedback.setProgressText(tr("Reading the database"))
         database = read_database(self.parameterAsFile(parameters, self.DATABASE, context), with_overview=True)
@@ -305,7 +306,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _check_map(self, labels, database, crs):
         """Raises LabelMapError unless the label map has the database's CRS and classes."""
-        from ..exchange.rasters import named_classes, stored_class_table
+        from ...storage.rasters import named_classes, stored_class_table
         from ..exchange.reference_systems import describe_crs
 
         if self._layer.crs != crs:

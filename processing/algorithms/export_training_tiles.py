@@ -87,7 +87,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
         self.addOutput(QgsProcessingOutputNumber(self.TILE_COUNT, tr("Number of tiles")))
 
     def read_layers(self, parameters, context, feedback):
-        from ..exchange.rasters import label_map_layer
+        from ..exchange.layers import label_map_layer
 
         self._image, self._labels = (
             label_map_layer(self.parameterAsRasterLayer(parameters, key, context), key)
@@ -96,14 +96,14 @@ class ExportTrainingTiles(SemRefAlgorithm):
 
     def work(self, parameters, context, feedback):
         from ...storage.files import folder_written_beside
-        from ..exchange.rasters import read_class_table
-        from ..exchange.training_tiles import MANIFEST, TileExport
+        from ...storage.rasters import read_class_table
+        from ...storage.training_tiles import MANIFEST, TileExport
 
         table_path = self.parameterAsFile(parameters, self.CLASS_TABLE, context)
         table = read_class_table(table_path) if table_path else None
         export = TileExport(
-            self._image,
-            self._labels,
+            self._image.file,
+            self._labels.file,
             self.parameterAsInt(parameters, self.TILE_SIZE, context),
             self.parameterAsInt(parameters, self.STRIDE, context),
             self.parameterAsDouble(parameters, self.VALIDATION_FRACTION, context),

@@ -40,6 +40,7 @@ from ..framework.localized_image import (
 )
 from ..framework.sinks import Sink
 from ..translation import tr
+from ..wording.camera_messages import camera_remark
 
 
 class LocalizeImages(SemRefAlgorithm):
@@ -234,9 +235,9 @@ class LocalizeImages(SemRefAlgorithm):
 
     def work(self, parameters, context, feedback):
         from ...core.localizer.localizer import FIX, Localizer
+        from ...storage.camera_files import read_cameras
         from ...storage.geopackage import read_database
-        from ..exchange.camera_files import read_cameras
-        from ..exchange.rasters import image_files
+        from ...storage.rasters import image_files
 
         feedback.setProgressText(tr("Reading the database"))
         method = self.parameterAsEnum(parameters, self.METHOD, context)
@@ -335,7 +336,7 @@ class LocalizeImages(SemRefAlgorithm):
 
     def _label_reader(self, parameters, context, table, feedback):
         """The function path → labels: of label images, or with a model of photos."""
-        from ..exchange.rasters import read_label_image
+        from ...storage.rasters import read_label_image
         from ..framework.photo_labels import PhotoLabels
 
         model_path = self.parameterAsFile(parameters, self.MODEL, context)
@@ -386,7 +387,7 @@ def _localize(path, localize, read_labels, camera, keep) -> LocalizedImage:
     try:
         labels_hw = read_labels(path)
         found, matches = localize(labels_hw, camera.leveling(labels_hw.shape))
-        remark = camera.remark(labels_hw.shape)
+        remark = camera_remark(camera, labels_hw.shape)
     except SemRefError as error:
         return LocalizedImage(path, error=str(error))
     keep(path, labels_hw)

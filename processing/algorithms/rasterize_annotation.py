@@ -77,8 +77,8 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         self.addOutput(QgsProcessingOutputNumber(self.LABELED_FRACTION, tr("Fraction of the map that is labeled")))
 
     def work(self, parameters, context, feedback):
+        from ...storage.burning import LabelMapBurning
         from ...storage.files import written_beside
-        from ..exchange.burning import LabelMapBurning
         from ..exchange.reference_systems import describe_crs, metric_crs
         from ..exchange.styles import write_label_map_style
 

@@ -84,7 +84,7 @@ class SegmentImage(SemRefAlgorithm):
         )
 
     def read_layers(self, parameters, context, feedback):
-        from ..exchange.images import image_layer
+        from ..exchange.layers import image_layer
 
         self._layer = image_layer(self.parameterAsRasterLayer(parameters, self.INPUT, context), self.INPUT)
 
@@ -93,7 +93,7 @@ class SegmentImage(SemRefAlgorithm):
         from ...core.segmentation.tiling import segment
         from ...storage.files import written_beside
         from ...storage.label_map_file import LabelMapFile, whole_tile_rows
-        from ..exchange.rasters import read_class_table
+        from ...storage.rasters import read_class_table
         from ..exchange.styles import write_label_map_style
 
         table_path = self.parameterAsFile(parameters, self.CLASS_TABLE, context)
@@ -119,7 +119,8 @@ class SegmentImage(SemRefAlgorithm):
 
     def _image(self, parameters, context, model, feedback):
         """The image at the model's resolution; says how it is read."""
-        from ..exchange.images import GdalImage, resampled_size
+        from ...storage.images import GdalImage
+        from ..exchange.images import resampled_size
 
         image = GdalImage(self._layer.path)
         resolution_m = model.settings.resolution_m

@@ -66,7 +66,7 @@ class UpdateDatabase(SemRefAlgorithm):
         )
 
     def read_layers(self, parameters, context, feedback):
-        from ..exchange.rasters import label_map_layer
+        from ..exchange.layers import label_map_layer
 
         self._layer = label_map_layer(self.parameterAsRasterLayer(parameters, self.LABELS, context), self.LABELS)
         self._changed = self.parameterAsSource(parameters, self.CHANGED, context)
@@ -78,7 +78,8 @@ class UpdateDatabase(SemRefAlgorithm):
         from ...storage.database_edit import DatabaseEditor
         from ...storage.files import written_beside
         from ...storage.geopackage import read_stored_database
-        from ..exchange.rasters import GdalLabels, map_frame
+        from ...storage.rasters import GdalLabels
+        from ..exchange.layers import map_frame
 
         output = self.parameterAsFileOutput(parameters, self.OUTPUT, context)
         stored = read_stored_database(self.parameterAsFile(parameters, self.DATABASE, context))
@@ -115,7 +116,7 @@ class UpdateDatabase(SemRefAlgorithm):
 
     def _check_classes(self, table, labels):
         """The map's own class table, if it brings one, must be the database's."""
-        from ..exchange.rasters import named_classes, stored_class_table
+        from ...storage.rasters import named_classes, stored_class_table
 
         found = stored_class_table(labels.dataset, self._layer.path) or named_classes(labels.dataset)
         differing = {(c.value, c.name) for c in found} ^ {(c.value, c.name) for c in table}

@@ -23,6 +23,7 @@ from qgis.core import (
 
 from ...core.errors import AnnotationError
 from ...core.labels.class_table import ClassTable, LandCoverClass, class_table_from_names, class_table_from_values
+from ...storage.burning import BurnPolygon
 from ..compat import POLYGON_GEOMETRY, is_null
 
 _NO_PRIORITY = float("-inf")
@@ -93,16 +94,6 @@ class AnnotationCounts:
 
 def _features(number: int) -> str:
     return "1 feature" if number == 1 else f"{number} features"
-
-
-@dataclass(frozen=True)
-class BurnPolygon:
-    """One polygon to burn: WKB in the target CRS, class value, priority (higher on top), bounds."""
-
-    wkb: bytes
-    value: int
-    priority: float
-    bounds: Tuple[float, float, float, float]
 
 
 def annotation_source(

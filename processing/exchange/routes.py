@@ -1,16 +1,11 @@
-"""Planned routes: lines of a layer, and the waypoint files that planners have (GPX, KML, .plan, .waypoints)."""
+"""Planned routes: lines of a layer or of a waypoint file, brought to a database's CRS."""
 
 from __future__ import annotations
 
-import json
-import math
-import os
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, List, Optional, Sequence, Tuple
+from typing import List, Tuple
 
 import numpy as np
-from osgeo import gdal, ogr
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
@@ -21,19 +16,9 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
-from ...storage.gdal_errors import gdal_failures
+from ...storage.route_files import read_waypoint_file
 from ..compat import LINE_GEOMETRY
-from .reference_systems import describe_crs
-
-WAYPOINT_FILES = (".gpx", ".kml", ".kmz", ".plan", ".waypoints", ".mission")
-"""Files that are read here and not as layers: as layers QGIS would take the first part of them, or nothing."""
-
-LARGEST_FILE_BYTES = 64 << 20
-
-_POSITION_COMMANDS = (16, 17, 18, 19, 21, 22, 31, 82, 84, 85)
-"""MAVLink commands that fly to a place: waypoint, loiter (4), land, take-off, spline, VTOL take-off and landing."""
-
-_WGS84 = "EPSG:4326"
+from .reference_systems import WGS84, describe_crs
 
 
 @dataclass(frozen=True)
@@ -42,11 +27,6 @@ class Route:
 
     lines: Tuple[np.ndarray, ...]
     crs: QgsCoordinateReferenceSystem
-
-
-def is_waypoint_file(value: Any) -> bool:
-    """Whether a parameter's value is the path of a waypoint file."""
-    return isinstance(value, str) and Path(value).suffix.lower() in WAYPOINT_FILES
 
 
 def route_of_source(source: QgsProcessingFeatureSource) -> Route:
@@ -63,18 +43,7 @@ def route_of_source(source: QgsProcessingFeatureSource) -> Route:
 
 def read_route(path: str) -> Route:
     """The route of a waypoint file. Raises ParameterError for a file without one."""
-    if not os.path.isfile(path):
-        raise ParameterError(f"There is no file {path}; choose another route.")
-    if os.path.getsize(path) > LARGEST_FILE_BYTES:
-        raise ParameterError(f"{path} is larger than {LARGEST_FILE_BYTES >> 20} MB; no route is.")
-    suffix = Path(path).suffix.lower()
-    if suffix == ".plan":
-        lines = [plan_positions(_text(path), path)]
-    elif suffix in (".waypoints", ".mission"):
-        lines = [waypoint_positions(_text(path), path)]
-    else:
-        lines = _lines_of_ogr(path)
-    return _checked(Route(tuple(lines), QgsCoordinateReferenceSystem(_WGS84)), path)
+    return _checked(Route(tuple(read_waypoint_file(path)), QgsCoordinateReferenceSystem(WGS84)), path)
 
 
 def lines_in(
@@ -94,124 +63,6 @@ def lines_in(
     if not all(np.isfinite(line).all() for line in moved):
         raise ParameterError(f"ROUTE does not fit its CRS {describe_crs(route.crs)}; correct the CRS.")
     return moved
-
-
-def plan_positions(text: str, path: str) -> np.ndarray:
-    """(n, 2) longitude, latitude of a QGroundControl plan: its mission's items, surveys by their transects.
-
-    Raises ParameterError for a file that is none.
-    """
-    try:
-        plan = json.loads(text)
-    except (ValueError, RecursionError):
-        raise ParameterError(f"{path} is no JSON and so no plan of QGroundControl; save the plan again.") from None
-    mission = plan.get("mission") if isinstance(plan, dict) else None
-    if not isinstance(mission, dict) or not isinstance(mission.get("items"), list):
-        raise ParameterError(f"{path} has no mission; save it with QGroundControl as a plan.")
-    found: List[Tuple[float, float]] = []
-    for item in mission["items"]:
-        if isinstance(item, dict):
-            found += _item_positions(item)
-    return _lon_lat(found, path)
-
-
-def waypoint_positions(text: str, path: str) -> np.ndarray:
-    """(n, 2) longitude, latitude of a waypoint list as MAVLink tools write it (“QGC WPL 110”).
-
-    Raises ParameterError for a file that is none.
-    """
-    lines = text.splitlines()
-    if not lines or not lines[0].startswith("QGC WPL"):
-        raise ParameterError(f"{path} is no waypoint list: its first line is not “QGC WPL 110”.")
-    found = []
-    # The first one is the home position.
-    for line in lines[2:]:
-        cells = line.split()
-        if len(cells) >= 11:
-            try:
-                command, latitude, longitude = int(cells[3]), float(cells[8]), float(cells[9])
-            except ValueError:
-                raise ParameterError(f"{path} has a line that is no waypoint: {line[:60]}") from None
-            if command in _POSITION_COMMANDS and (latitude or longitude):
-                found.append((latitude, longitude))
-    return _lon_lat(found, path)
-
-
-def _item_positions(item: dict) -> List[Tuple[Any, Any]]:
-    """(latitude, longitude) of what a mission's item flies through."""
-    if item.get("type") == "SimpleItem":
-        place = item.get("params")
-        if item.get("command") not in _POSITION_COMMANDS or not isinstance(place, list) or len(place) < 6:
-            return []
-        # A take-off from where the aircraft stands has no place, or 0, 0.
-        return [(place[4], place[5])] if place[4] and place[5] else []
-    transects = item.get("TransectStyleComplexItem")
-    if isinstance(transects, dict):
-        return _pairs(transects.get("VisualTransectPoints"))
-    keys = "landingApproachCoordinate", "loiterCoordinate", "landCoordinate"
-    return [pair for key in keys for pair in _pairs([item.get(key)])]
-
-
-def _pairs(places: Any) -> List[Tuple[Any, Any]]:
-    """Those of the places that have a latitude and a longitude."""
-    if not isinstance(places, list):
-        return []
-    return [(place[0], place[1]) for place in places if isinstance(place, list) and len(place) >= 2]
-
-
-def _lon_lat(positions: Sequence[Tuple[Any, Any]], path: str) -> np.ndarray:
-    for latitude, longitude in positions:
-        numbers = all(isinstance(value, (int, float)) and math.isfinite(value) for value in (latitude, longitude))
-        if not numbers or abs(latitude) > 90 or abs(longitude) > 180:
-            raise ParameterError(f"{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.")
-    return np.array([(longitude, latitude) for latitude, longitude in positions], np.float64).reshape(-1, 2)
-
-
-def _text(path: str) -> str:
-    try:
-        return Path(path).read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError:
-        raise ParameterError(f"{path} is no text and so no route; choose another file.") from None
-
-
-def _lines_of_ogr(path: str) -> List[np.ndarray]:
-    """Lines of a GPX or KML file: routes before tracks; without any the waypoints in their order."""
-    dataset = None
-    with gdal_failures() as failures:
-        dataset = gdal.OpenEx(path, gdal.OF_VECTOR)
-    if dataset is None:
-        raise ParameterError(f"{path} can't be read as a route ({failures[0] if failures else 'unknown format'}).")
-    names = [dataset.GetLayer(n).GetName() for n in range(dataset.GetLayerCount())]
-    if Path(path).suffix.lower() == ".gpx":
-        # The other layers repeat these point by point.
-        for wanted in ("routes", "tracks", "waypoints"):
-            found = _geometries(dataset, [name for name in names if name == wanted])
-            if found:
-                return found
-        return []
-    return _geometries(dataset, names)
-
-
-def _geometries(dataset: gdal.Dataset, names: Sequence[str]) -> List[np.ndarray]:
-    lines, points = [], []
-    for name in names:
-        for feature in dataset.GetLayerByName(name):
-            for part in _parts(feature.GetGeometryRef()):
-                kind = ogr.GT_Flatten(part.GetGeometryType())
-                if kind == ogr.wkbLineString and part.GetPointCount() > 1:
-                    lines.append(np.array([point[:2] for point in part.GetPoints()]))
-                elif kind == ogr.wkbPoint:
-                    points.append((part.GetX(), part.GetY()))
-    return lines or ([np.array(points)] if len(points) > 1 else [])
-
-
-def _parts(geometry: Optional[ogr.Geometry]) -> List[ogr.Geometry]:
-    """The single geometries of a geometry."""
-    if geometry is None or geometry.IsEmpty():
-        return []
-    if ogr.GT_IsSubClassOf(ogr.GT_Flatten(geometry.GetGeometryType()), ogr.wkbGeometryCollection):
-        return [part for n in range(geometry.GetGeometryCount()) for part in _parts(geometry.GetGeometryRef(n))]
-    return [geometry]
 
 
 def _checked(route: Route, name: str) -> Route:

@@ -76,8 +76,8 @@ class AnnotationAlgorithm(SemRefAlgorithm):
 
     def classes(self, parameters, context, feedback):
         """The ClassLookup: of the class table if one is given, else of the layer's style, else of its values."""
+        from ...storage.rasters import read_class_table
         from ..exchange.annotation import class_lookup
-        from ..exchange.rasters import read_class_table
 
         table_path = self.parameterAsFile(parameters, self.CLASS_TABLE, context)
         table = read_class_table(table_path) if table_path else None

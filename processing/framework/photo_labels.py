@@ -31,9 +31,10 @@ class PhotoLabels:
         self._is_described = False
 
     def __call__(self, path: str) -> np.ndarray:
+        from ...core.labels.image_files import MAXIMUM_IMAGE_PIXELS
         from ...core.segmentation.tiling import nearest_labels, segment
-        from ..exchange.images import GdalImage, resampled_size, stated_crs
-        from ..exchange.rasters import MAXIMUM_IMAGE_PIXELS
+        from ...storage.images import GdalImage
+        from ..exchange.images import resampled_size, stated_crs
 
         photo = GdalImage(path)
         shape_hw = photo.shape_hw

@@ -106,7 +106,7 @@ def dock(plugin, iface):
 def slow(monkeypatch, area):
     """Makes a run as long as a thousand images; a cancel is heeded between two of them."""
     from semref.processing.algorithms import localize_images
-    from semref.processing.exchange import rasters
+    from semref.storage import rasters
 
     localize = localize_images._localize
 

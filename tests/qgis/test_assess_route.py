@@ -104,7 +104,8 @@ FILES = {
 
 @pytest.mark.parametrize("name", list(FILES))
 def test_waypoint_files_have_the_same_route(qgis_app, tmp_path, name):
-    from semref.processing.exchange.routes import is_waypoint_file, lines_in, read_route
+    from semref.processing.exchange.routes import lines_in, read_route
+    from semref.storage.route_files import is_waypoint_file
 
     path = tmp_path / name
     path.write_text(FILES[name](TURNS), encoding="utf-8")

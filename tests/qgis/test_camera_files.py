@@ -11,7 +11,8 @@ from made_inputs import write_raster, write_text
 from osgeo import gdal
 
 from semref.core.errors import ParameterError
-from semref.processing.exchange.camera_files import read_cameras
+from semref.processing.wording.camera_messages import camera_remark
+from semref.storage.camera_files import read_cameras
 
 DJI = 'drone-dji:GimbalRollDegree="+0.00" drone-dji:GimbalPitchDegree="-80.00" drone-dji:GimbalYawDegree="+12.30"'
 PIX4D = "<Camera:Roll>4.5</Camera:Roll><Camera:Pitch>-3</Camera:Pitch>"
@@ -53,7 +54,7 @@ def test_a_table_gives_attitude_focal_length_and_time(tmp_path):
     (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, text))
     assert angles(camera) == (1.5, -20) and camera.time_s == 12.25 and camera.source == "cameras.csv"
     assert camera.lens.focal_length_px((30, 40)) == 35
-    assert "roll 1.5°, pitch -20.0° (cameras.csv)" in camera.remark((30, 40))
+    assert "roll 1.5°, pitch -20.0° (cameras.csv)" in camera_remark(camera, (30, 40))
     assert camera.leveling((30, 40)).shape_hw != (30, 40)
 
 
@@ -129,7 +130,7 @@ def test_nothing_known_is_no_error(tmp_path):
     broken = str(write_text(tmp_path / "broken.png", "no image"))
     cameras = read_cameras([label_image(tmp_path), str(tmp_path / "none.png"), broken], "")
     assert [camera.leveling((30, 40)) for camera in cameras] == [None] * 3
-    assert [camera.remark((30, 40)) for camera in cameras] == [""] * 3
+    assert [camera_remark(camera, (30, 40)) for camera in cameras] == [""] * 3
 
 
 def test_the_photo_of_the_same_name_tells_what_its_gimbal_told(tmp_path):
@@ -152,13 +153,13 @@ def test_without_focal_length_the_image_is_taken_as_it_is_and_the_log_says_so(tm
     photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="0")
     (camera,) = read_cameras([label_image(tmp_path)], "")
     assert camera.leveling((30, 40)) is None
-    assert camera.remark((30, 40)) == "IMG_1.jpg tells no focal length, so the image is taken as it is."
+    assert camera_remark(camera, (30, 40)) == "IMG_1.jpg tells no focal length, so the image is taken as it is."
 
 
 def test_a_focal_length_does_not_serve_an_image_of_another_shape(tmp_path):
     photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="24")
     (camera,) = read_cameras([label_image(tmp_path, width=30)], "")
-    assert camera.leveling((30, 30)) is None and "shape is not that of IMG_1.jpg" in camera.remark((30, 30))
+    assert camera.leveling((30, 30)) is None and "shape is not that of IMG_1.jpg" in camera_remark(camera, (30, 30))
 
 
 def test_a_photo_that_viewers_turn_tells_no_attitude(tmp_path):

@@ -114,7 +114,7 @@ def jobs(run_algorithm, tmp_path_factory):
 def small_steps(monkeypatch):
     """Small slices, so that small inputs take many steps."""
     from semref.processing.algorithms import decode_color_labels
-    from semref.processing.exchange import burning, comparing
+    from semref.storage import burning, comparing
 
     monkeypatch.setattr(comparing, "_PIXELS_AT_ONCE", 10_000)
     monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 10_000)

@@ -149,7 +149,7 @@ def test_photos_without_georeference_are_compared_pixel_by_pixel(compare, tmp_pa
 
 
 def test_blocks_give_the_same_as_the_whole(compare, maps, monkeypatch):
-    from semref.processing.exchange import comparing
+    from semref.storage import comparing
 
     whole = compare(*maps[:2])
     monkeypatch.setattr(comparing, "_PIXELS_AT_ONCE", 1000)

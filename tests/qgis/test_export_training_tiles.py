@@ -174,7 +174,7 @@ def test_sixteen_bits_and_four_bands_become_geotiffs_with_all_values(export, tmp
 
 
 def test_the_manifest_tells_what_a_network_will_see_of_deep_images(export, tmp_path):
-    from semref.processing.exchange.images import GdalImage
+    from semref.storage.images import GdalImage
 
     image = photo_of(LABELS, np.uint16, bands=4)
     deep = write_raster(tmp_path / "deep.tif", image, kind=gdal.GDT_UInt16)

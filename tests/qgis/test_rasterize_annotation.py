@@ -107,7 +107,7 @@ def test_valid_polygons_burn_as_gdal_burns_them_on_the_tap_grid(labels, tmp_path
 
 
 def test_a_map_of_several_strips_equals_one_burnt_at_once(labels, tmp_path, monkeypatch):
-    from semref.processing.exchange import burning
+    from semref.storage import burning
 
     features = [(polygon(corners), n % 5 + 1) for n, corners in enumerate(random_polygons(2, 60, 700))]
     layer = write_layer(tmp_path / "annotation.gpkg", features, [("class", "integer")])

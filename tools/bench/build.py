@@ -95,7 +95,7 @@ class Comparison:
 
         from semref.core.database.build import BuildSettings, DatabaseBuilder
         from semref.core.geometry.frame import MapFrame
-        from semref.processing.exchange.rasters import GdalLabels, HeldLabels, read_class_table
+        from semref.storage.rasters import GdalLabels, HeldLabels, read_class_table
 
         dataset = gdal.Open(str(self._path))
         frame = MapFrame(dataset.GetProjection(), tuple(dataset.GetGeoTransform()))

@@ -131,7 +131,7 @@ def read_picture(hit: Hit, database: ReferenceDatabase, photo_labels=None) -> Im
     # Not at the top: the dock has to open, and say so, where OpenCV is missing.
     from ...core.landmarks.landmarks import extract_landmarks
     from ...core.localizer.localizer import describe_image
-    from ...processing.exchange.rasters import read_label_image
+    from ...storage.rasters import read_label_image
 
     table, parameters, path = database.class_table, database.parameters, hit.image
     photo = photo_picture(path) if photo_labels else None
@@ -205,7 +205,7 @@ def label_picture(labels_hw: np.ndarray, colors: dict) -> QImage:
 
 def photo_picture(path: str) -> QImage:
     """The photo as the network sees its colors."""
-    from ...processing.exchange.images import GdalImage
+    from ...storage.images import GdalImage
 
     photo = GdalImage(path)
     height, width = photo.shape_hw

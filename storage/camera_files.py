@@ -10,8 +10,8 @@ from datetime import datetime, timezone
 from math import isfinite
 from typing import Dict, List, Optional, Tuple
 
-from ...core.errors import LabelMapError, ParameterError
-from ...core.geometry.leveling import (
+from ..core.errors import LabelMapError, ParameterError
+from ..core.geometry.leveling import (
     Attitude,
     Leveling,
     attitude_from_gimbal,
@@ -19,7 +19,6 @@ from ...core.geometry.leveling import (
     focal_length_from_view,
     leveling,
 )
-from ..translation import tr
 from .rasters import open_raster
 
 PHOTO_EXTENSIONS = (".jpg", ".jpeg", ".JPG", ".JPEG", ".tif", ".tiff", ".TIF", ".TIFF")
@@ -67,7 +66,7 @@ class Camera:
     problem: str = ""
 
     def leveling(self, shape_hw: Tuple[int, int]) -> Optional[Leveling]:
-        """How to level an image of this shape (H, W ≥ 1); None when it is level or not enough is known (``remark``).
+        """How to level an image of this shape (H, W ≥ 1); None when it is level or not enough is known.
 
         Raises ParameterError and LabelMapError for a view that can't be leveled.
         """
@@ -78,18 +77,6 @@ class Camera:
         if max(abs(self.attitude.roll_deg), abs(self.attitude.pitch_deg)) < _LEVEL_DEG:
             return None
         return leveling(self.attitude, self.lens.focal_length_px(shape_hw), shape_hw)
-
-    def remark(self, shape_hw: Tuple[int, int]) -> str:
-        """What the log says about an image of this shape; empty when nothing is known of its attitude."""
-        if self.attitude is None:
-            return ""
-        if self.lens is None:
-            return tr("{source} tells no focal length, so the image is taken as it is.").format(source=self.source)
-        if not self.lens.fits(shape_hw):
-            text = tr("The shape is not that of {source}, so the image is taken as it is.")
-            return text.format(source=self.source)
-        text = tr("Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).")
-        return text.format(roll=self.attitude.roll_deg, pitch=self.attitude.pitch_deg, source=self.source)
 
 
 def read_cameras(paths: List[str], table_path: str) -> List[Camera]:

@@ -1,21 +1,33 @@
-"""Burning polygons into a label map with GDAL, strip by strip."""
+"""Burning polygons with GDAL, strip by strip: into a label map, or numbered to see what pixels make of them."""
 
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
-from typing import Iterator, List, Tuple
+from dataclasses import dataclass
+from typing import Iterator, List, Sequence, Tuple
 
 import numpy as np
 from osgeo import gdal, ogr, osr
 
-from ...core.geometry.frame import MapFrame
-from ...core.labels.class_table import ClassTable
-from ...core.labels.counts import count_labels
-from ...storage.label_map_file import TILE_ROWS, LabelMapFile
-from .annotation import BurnPolygon
+from ..core.annotation.check import DrawnRegion
+from ..core.annotation.raster_losses import RegionRuns, join_runs, runs_of_strip
+from ..core.geometry.frame import MapFrame
+from ..core.labels.class_table import ClassTable
+from ..core.labels.counts import count_labels
+from .label_map_file import TILE_ROWS, LabelMapFile
 
 STRIP_PIXELS = 16_000_000
 """Pixels burnt and written at a time."""
+
+
+@dataclass(frozen=True)
+class BurnPolygon:
+    """One polygon to burn: WKB in the target CRS, class value, priority (higher on top), bounds."""
+
+    wkb: bytes
+    value: int
+    priority: float
+    bounds: Tuple[float, float, float, float]
 
 
 class LabelMapBurning:
@@ -78,3 +90,29 @@ class BurnLayer:
         self._layer.SetSpatialFilterRect(*frame.extent)
         gdal.RasterizeLayer(strip, [1], self._layer, options=["ATTRIBUTE=value"])
         return strip.ReadAsArray()
+
+
+class RegionBurning:
+    """Burns regions that don't overlap as a label map is burnt; iterate ``steps()`` to the end, then take ``runs``.
+
+    Region n of the list has the number n + 1.
+    """
+
+    def __init__(self, regions: Sequence[DrawnRegion], frame: MapFrame) -> None:
+        polygons = [BurnPolygon(region.wkb, n, 0.0, region.bounds) for n, region in enumerate(regions, start=1)]
+        self._layer = BurnLayer(polygons, frame.crs)
+        self._frame = frame
+        self._strips: List[RegionRuns] = []
+
+    @property
+    def runs(self) -> RegionRuns:
+        return join_runs(self._strips)
+
+    def steps(self) -> Iterator[Tuple[str, float]]:
+        """Yields (what is being done, share done 0…1)."""
+        height, width = self._frame.shape_hw
+        rows = max(TILE_ROWS, STRIP_PIXELS // 4 // width)
+        for first in range(0, height, rows):
+            strip = self._frame.part(0, first, (min(rows, height - first), width))
+            self._strips.append(runs_of_strip(self._layer.burnt(strip, gdal.GDT_Int32), first))
+            yield "Burning landmarks", min(first + rows, height) / height

@@ -9,15 +9,14 @@ from typing import Dict, Iterator, List, Optional, Tuple
 import numpy as np
 from osgeo import gdal
 
-from ...core.errors import ClassTableError, LabelMapError, ParameterError
-from ...core.labels.class_table import UNLABELED, ClassTable
-from ...core.labels.counts import count_labels
-from ...core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
-from ...storage.gdal_errors import gdal_failure, gdal_failures
-from ...storage.pictures import write_png, write_tiff
-from ..compat import is_metric, wkt_for_gdal
+from ..core.errors import ClassTableError, LabelMapError, ParameterError
+from ..core.labels.class_table import UNLABELED, ClassTable
+from ..core.labels.counts import count_labels
+from ..core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
+from .gdal_errors import gdal_failure, gdal_failures
 from .images import GdalImage
-from .rasters import GdalLabels, LabelMapLayer, class_table_of_map, class_table_of_values, open_raster
+from .pictures import write_png, write_tiff
+from .rasters import GdalLabels, RasterFile, class_table_of_map, class_table_of_values, open_raster
 
 MANIFEST = "manifest.json"
 FORMAT = "semref training tiles 1"
@@ -38,19 +37,19 @@ class ImageBands:
     that it sees as 0 and 255, None for 8 bits.
     """
 
-    def __init__(self, layer: LabelMapLayer) -> None:
-        self.path = layer.path
-        self.dataset = open_raster(layer.path, "Image")
+    def __init__(self, path: str) -> None:
+        self.path = path
+        self.dataset = open_raster(path, "Image")
         bands = {n: self.dataset.GetRasterBand(n) for n in range(1, self.dataset.RasterCount + 1)}
         kept = [n for n, band in bands.items() if band.GetColorInterpretation() != gdal.GCI_AlphaBand]
         self.bands = [bands[n] for n in kept]
         self.kind = self.bands[0].DataType
         if any(band.DataType != self.kind for band in self.bands) or self.kind not in _KINDS:
             name = gdal.GetDataTypeName(self.kind)
-            raise LabelMapError(f"{layer.path} holds {name} values; training tiles are made of 8- or 16-bit images.")
+            raise LabelMapError(f"{path} holds {name} values; training tiles are made of 8- or 16-bit images.")
         if self.bands[0].GetRasterColorTable() is not None:
-            raise LabelMapError(f"{layer.path} has a palette; convert it to an RGB image first.")
-        self._seen = GdalImage(layer.path)
+            raise LabelMapError(f"{path} has a palette; convert it to an RGB image first.")
+        self._seen = GdalImage(path)
         self.network_bands = [kept.index(n) + 1 for n in self._seen.bands]
         self.stretch = self._seen.stretch
 
@@ -87,17 +86,17 @@ class LabelsOnImage:
     A LabelSource. Raises LabelMapError when one of the two has no place on the ground and their sizes differ.
     """
 
-    def __init__(self, layer: LabelMapLayer, image: ImageBands, image_layer: LabelMapLayer) -> None:
-        self.labels = GdalLabels(layer.path)
+    def __init__(self, file: RasterFile, image: ImageBands, image_crs_wkt: str) -> None:
+        self.labels = GdalLabels(file.path)
         self.shape_hw = image.shape_hw
         self._image_transform = image.geotransform
-        self._crs = wkt_for_gdal(layer.crs), wkt_for_gdal(image_layer.crs)
+        self._crs = file.crs_wkt, image_crs_wkt
         transform = self.labels.dataset.GetGeoTransform(can_return_null=True)
         placed = transform is not None and self._image_transform is not None
         self._same_grid = self.labels.shape_hw == self.shape_hw and (not placed or transform == self._image_transform)
         if not self._same_grid and not (placed and all(self._crs)):
             raise LabelMapError(
-                f"{layer.path} has {_size(self.labels.shape_hw)} pixels, the image {_size(self.shape_hw)}, and not "
+                f"{file.path} has {_size(self.labels.shape_hw)} pixels, the image {_size(self.shape_hw)}, and not "
                 "both are georeferenced; give both a place on the ground, or labels of the image’s size."
             )
 
@@ -127,12 +126,10 @@ def _size(shape_hw: Tuple[int, int]) -> str:
 class TileExport:
     """Writes the tiles of an image into a folder; iterate ``steps()`` to its end, then read ``counts``."""
 
-    def __init__(
-        self, image_layer: LabelMapLayer, labels_layer: LabelMapLayer, tile_size: int, stride: int, fraction: float
-    ) -> None:
-        self._image = ImageBands(image_layer)
-        self._labels = LabelsOnImage(labels_layer, self._image, image_layer)
-        self._layers = image_layer, labels_layer
+    def __init__(self, image: RasterFile, labels: RasterFile, tile_size: int, stride: int, fraction: float) -> None:
+        self._image = ImageBands(image.path)
+        self._labels = LabelsOnImage(labels, self._image, image.crs_wkt)
+        self._files = image, labels
         self._tile_size, self._stride, self._fraction = tile_size, stride, fraction
         self._block = block_size(self._image.shape_hw, tile_size)
         self.counts: Dict[str, int] = dict.fromkeys(SUBSETS, 0)
@@ -153,7 +150,7 @@ class TileExport:
                 values += counted
                 labeled[row, column] += counted[UNLABELED + 1 :].sum()
                 yield "Counting labels", COUNTING_SHARE * number / labeled.size
-        table = table or class_table_of_map(self._labels.labels, self._layers[1]) or class_table_of_values(values)
+        table = table or class_table_of_map(self._labels.labels, self._files[1]) or class_table_of_values(values)
         _require_known_values(values, table)
         held_out = validation_blocks(labeled, self._fraction)
         tiles = plan_tiles(self._image.shape_hw, self._tile_size, self._stride, held_out, self._block)
@@ -216,16 +213,16 @@ class TileExport:
             )
 
     def _manifest(self) -> dict:
-        image_layer, labels_layer = self._layers
-        transform, crs = self._image.geotransform, image_layer.crs
+        image, labels = self._files
+        transform = self._image.geotransform
         mean = self._sums / self._pixels
         return {
             "format": FORMAT,
-            "image": Path(image_layer.path).name,
-            "labels": Path(labels_layer.path).name,
-            "crs": wkt_for_gdal(crs) if transform is not None else "",
+            "image": Path(image.path).name,
+            "labels": Path(labels.path).name,
+            "crs": image.crs_wkt if transform is not None else "",
             "geotransform": list(transform) if transform is not None else None,
-            "pixel_size": _pixel_size(transform) if transform is not None and is_metric(crs) else None,
+            "pixel_size": _pixel_size(transform) if transform is not None and image.is_metric else None,
             "tile_size": self._tile_size,
             "stride": self._stride,
             "block_size": self._block,

@@ -8,12 +8,10 @@ from typing import Callable, Iterator, List, Tuple
 
 import numpy as np
 from osgeo import gdal, ogr
-from qgis.core import QgsGeometry
 
-from ...core.errors import LabelMapError
-from ...storage.gdal_errors import gdal_failure, gdal_failures
-from .rasters import GdalLabels, LabelMapLayer
-from .reference_systems import describe_crs
+from ..core.errors import LabelMapError
+from .gdal_errors import gdal_failure, gdal_failures
+from .rasters import GdalLabels
 
 PIXEL_TRANSFORM = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
 """Maps without georeference: pixels, rows downwards."""
@@ -28,13 +26,9 @@ class LabelMapPair:
     the maps don't lie on each other.
     """
 
-    def __init__(self, reference: LabelMapLayer, predicted: LabelMapLayer) -> None:
-        self.reference, self.predicted = GdalLabels(reference.path), GdalLabels(predicted.path)
-        if reference.crs.isValid() and predicted.crs.isValid() and reference.crs != predicted.crs:
-            raise LabelMapError(
-                f"REFERENCE is in {describe_crs(reference.crs)}, but PREDICTED is in {describe_crs(predicted.crs)}; "
-                "warp one of them to the other's CRS."
-            )
+    def __init__(self, reference: str, predicted: str) -> None:
+        """Opens the two files, whose CRS must be the same."""
+        self.reference, self.predicted = GdalLabels(reference), GdalLabels(predicted)
         grids = [labels.dataset.GetGeoTransform(can_return_null=True) for labels in (self.reference, self.predicted)]
         (height, width), (other_height, other_width) = self.reference.shape_hw, self.predicted.shape_hw
         if None in grids and (grids[0] != grids[1] or (height, width) != (other_height, other_width)):
@@ -144,9 +138,7 @@ class DisagreementMap:
                 found.append((feature.GetFID(), area))
         return sorted(found, key=lambda item: (-item[1], item[0]))
 
-    def polygon(self, number: int) -> Tuple[int, QgsGeometry]:
-        """(code, outline) of a polygon."""
+    def polygon(self, number: int) -> Tuple[int, bytes]:
+        """(code, outline as WKB) of a polygon."""
         feature = self._layer.GetFeature(number)
-        geometry = QgsGeometry()
-        geometry.fromWkb(bytes(feature.GetGeometryRef().ExportToWkb()))
-        return feature.GetField("code"), geometry
+        return feature.GetField("code"), bytes(feature.GetGeometryRef().ExportToWkb())

@@ -4,33 +4,25 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Callable, Dict, Iterator, List, Optional, Tuple
+from typing import Callable, Iterator, List, Optional, Tuple
 
 import numpy as np
 from osgeo import gdal
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsPalettedRasterRenderer,
-    QgsRasterLayer,
-)
 
-from ...core.errors import ClassTableError, LabelMapError
-from ...core.geometry.frame import MapFrame
-from ...core.labels.class_table import (
+from ..core.errors import ClassTableError, LabelMapError
+from ..core.labels.class_table import (
     ClassTable,
     LandCoverClass,
     class_table_from_csv,
     class_table_from_values,
     default_color,
 )
-from ...core.labels.color_labels import decode_colors
-from ...core.labels.counts import count_labels
-from ...core.labels.image_files import MAXIMUM_IMAGE_PIXELS
-from ...core.labels.sources import ArrayLabels, LabelSource
-from ...storage.gdal_errors import gdal_failure
-from ...storage.label_map_file import CLASS_TABLE_ITEM
-from ..compat import is_metric, wkt_for_gdal
-from .reference_systems import describe_crs
+from ..core.labels.color_labels import decode_colors
+from ..core.labels.counts import count_labels
+from ..core.labels.image_files import MAXIMUM_IMAGE_PIXELS
+from ..core.labels.sources import ArrayLabels, LabelSource
+from .gdal_errors import gdal_failure
+from .label_map_file import CLASS_TABLE_ITEM
 
 HELD_PIXELS = 400_000_000
 """A label map up to this size is held in memory while a database is built; a larger one is read piece by piece."""
@@ -128,35 +120,20 @@ class HeldLabels:
 
 
 @dataclass(frozen=True)
-class LabelMapLayer:
-    """What the main thread knows of a raster layer: its GDAL source, CRS, and the classes of its style, if any."""
+class RasterFile:
+    """What a raster file cannot tell GDAL itself: what QGIS knows of its layer.
+
+    Attributes:
+        path: GDAL's source.
+        crs_wkt: The CRS as GDAL takes it; empty for none.
+        is_metric: Whether that CRS is projected with meters as unit.
+        styled_classes: Classes of the layer's style, if it has any.
+    """
 
     path: str
-    crs: QgsCoordinateReferenceSystem
-    styled_classes: Tuple[LandCoverClass, ...]
-
-
-def label_map_layer(layer: Optional[QgsRasterLayer], name: str) -> LabelMapLayer:
-    """Takes what is needed out of a layer, in the thread it lives in. Raises LabelMapError."""
-    if layer is None or not layer.isValid():
-        raise LabelMapError(f"{name} is not a raster that can be read; choose a label map.")
-    if layer.providerType() != "gdal":
-        raise LabelMapError(f"“{layer.name()}” comes from {layer.providerType()}; save it as GeoTIFF first.")
-    return LabelMapLayer(layer.source(), layer.crs(), _styled_classes(layer))
-
-
-def _styled_classes(layer: QgsRasterLayer) -> Tuple[LandCoverClass, ...]:
-    renderer = layer.renderer()
-    if not isinstance(renderer, QgsPalettedRasterRenderer):
-        return ()
-    found: Dict[int, LandCoverClass] = {}
-    for entry in renderer.classes():
-        value = int(entry.value)
-        # 0 is unlabeled whatever the palette calls it; labels repeat in palettes that were made automatically.
-        if 0 < value <= 255:
-            found[value] = LandCoverClass(value, entry.label or str(value), entry.color.name())
-    names = [c.name for c in found.values()]
-    return tuple(found.values()) if len(set(names)) == len(names) else ()
+    crs_wkt: str = ""
+    is_metric: bool = False
+    styled_classes: Tuple[LandCoverClass, ...] = ()
 
 
 def stored_class_table(dataset: gdal.Dataset, path: str) -> Optional[ClassTable]:
@@ -179,12 +156,12 @@ def named_classes(dataset: gdal.Dataset) -> Tuple[LandCoverClass, ...]:
     return tuple(found) if len(set(names)) == len(names) else ()
 
 
-def class_table_of_map(labels: GdalLabels, layer: LabelMapLayer) -> Optional[ClassTable]:
+def class_table_of_map(labels: GdalLabels, file: RasterFile) -> Optional[ClassTable]:
     """The map's own table, else that of its category names, else of its layer's style; None when it has none."""
-    stored = stored_class_table(labels.dataset, layer.path)
+    stored = stored_class_table(labels.dataset, file.path)
     if stored is not None:
         return stored
-    classes = named_classes(labels.dataset) or layer.styled_classes
+    classes = named_classes(labels.dataset) or file.styled_classes
     return ClassTable(classes) if classes else None
 
 
@@ -203,28 +180,6 @@ def count_values(labels: GdalLabels, canceled: Callable[[], bool]) -> np.ndarray
 def class_table_of_values(counts: np.ndarray) -> ClassTable:
     """Table of the label values that occur; ``counts``: (256,) pixels a value."""
     return class_table_from_values(int(v) for v in np.flatnonzero(counts) if v)
-
-
-def map_frame(labels: GdalLabels, layer: LabelMapLayer) -> MapFrame:
-    """CRS and geotransform of a label map; raises LabelMapError unless metric, north up, with square pixels."""
-    if not layer.crs.isValid():
-        raise LabelMapError(f"{layer.path} has no coordinate reference system; assign a metric one to the layer.")
-    if not is_metric(layer.crs):
-        raise LabelMapError(
-            f"{layer.path} is in {describe_crs(layer.crs)}, which does not measure in meters; "
-            "rasterize or warp it to a projected CRS in meters."
-        )
-    transform = labels.dataset.GetGeoTransform(can_return_null=True)
-    if transform is None:
-        raise LabelMapError(f"{layer.path} has no georeference, so its windows would have no place on the map.")
-    _, pixel_x, turn_x, _, turn_y, pixel_y = transform
-    if turn_x or turn_y or pixel_y >= 0 or pixel_x <= 0:
-        raise LabelMapError(f"{layer.path} is rotated or mirrored; warp it to a north-up grid first.")
-    if abs(pixel_x + pixel_y) > 1e-6 * pixel_x:
-        raise LabelMapError(
-            f"{layer.path} has pixels of {pixel_x:g} × {-pixel_y:g}; resample it to square pixels first."
-        )
-    return MapFrame(wkt_for_gdal(layer.crs), tuple(transform), labels.shape_hw)
 
 
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:

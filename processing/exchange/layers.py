@@ -1,0 +1,92 @@
+"""Raster layers: what worker threads need of them, taken out in the thread they live in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Dict, Optional, Tuple, Type
+
+from qgis.core import QgsCoordinateReferenceSystem, QgsPalettedRasterRenderer, QgsRasterLayer
+
+from ...core.errors import ImageError, LabelMapError, SemRefError
+from ...core.geometry.frame import MapFrame
+from ...core.labels.class_table import LandCoverClass
+from ...storage.rasters import GdalLabels, RasterFile
+from ..compat import is_metric, wkt_for_gdal
+from .reference_systems import describe_crs
+
+
+@dataclass(frozen=True)
+class RasterLayer:
+    """A raster layer as the main thread knows it: GDAL's source, CRS, and the classes of its style, if any."""
+
+    path: str
+    crs: QgsCoordinateReferenceSystem
+    styled_classes: Tuple[LandCoverClass, ...]
+
+    @property
+    def file(self) -> RasterFile:
+        """The same for rooms without QGIS."""
+        return RasterFile(self.path, wkt_for_gdal(self.crs), is_metric(self.crs), self.styled_classes)
+
+
+def label_map_layer(layer: Optional[QgsRasterLayer], name: str) -> RasterLayer:
+    """Takes what is needed out of a layer. Raises LabelMapError."""
+    return _taken(layer, LabelMapError, f"{name} is not a raster that can be read; choose a label map.")
+
+
+def image_layer(layer: Optional[QgsRasterLayer], name: str) -> RasterLayer:
+    """Takes what is needed out of a layer. Raises ImageError."""
+    return _taken(layer, ImageError, f"{name} is not a raster that can be read; choose a photo or an orthophoto.")
+
+
+def _taken(layer: Optional[QgsRasterLayer], failure: Type[SemRefError], sentence: str) -> RasterLayer:
+    if layer is None or not layer.isValid():
+        raise failure(sentence)
+    if layer.providerType() != "gdal":
+        raise failure(f"“{layer.name()}” comes from {layer.providerType()}; save it as GeoTIFF first.")
+    return RasterLayer(layer.source(), layer.crs(), _styled_classes(layer))
+
+
+def _styled_classes(layer: QgsRasterLayer) -> Tuple[LandCoverClass, ...]:
+    renderer = layer.renderer()
+    if not isinstance(renderer, QgsPalettedRasterRenderer):
+        return ()
+    found: Dict[int, LandCoverClass] = {}
+    for entry in renderer.classes():
+        value = int(entry.value)
+        # 0 is unlabeled whatever the palette calls it; labels repeat in palettes that were made automatically.
+        if 0 < value <= 255:
+            found[value] = LandCoverClass(value, entry.label or str(value), entry.color.name())
+    names = [c.name for c in found.values()]
+    return tuple(found.values()) if len(set(names)) == len(names) else ()
+
+
+def require_one_crs(reference: RasterLayer, predicted: RasterLayer) -> None:
+    """Raises LabelMapError for two maps in different CRS; a map without one is taken to have the other's."""
+    if reference.crs.isValid() and predicted.crs.isValid() and reference.crs != predicted.crs:
+        raise LabelMapError(
+            f"REFERENCE is in {describe_crs(reference.crs)}, but PREDICTED is in {describe_crs(predicted.crs)}; "
+            "warp one of them to the other's CRS."
+        )
+
+
+def map_frame(labels: GdalLabels, layer: RasterLayer) -> MapFrame:
+    """CRS and geotransform of a label map; raises LabelMapError unless metric, north up, with square pixels."""
+    if not layer.crs.isValid():
+        raise LabelMapError(f"{layer.path} has no coordinate reference system; assign a metric one to the layer.")
+    if not is_metric(layer.crs):
+        raise LabelMapError(
+            f"{layer.path} is in {describe_crs(layer.crs)}, which does not measure in meters; "
+            "rasterize or warp it to a projected CRS in meters."
+        )
+    transform = labels.dataset.GetGeoTransform(can_return_null=True)
+    if transform is None:
+        raise LabelMapError(f"{layer.path} has no georeference, so its windows would have no place on the map.")
+    _, pixel_x, turn_x, _, turn_y, pixel_y = transform
+    if turn_x or turn_y or pixel_y >= 0 or pixel_x <= 0:
+        raise LabelMapError(f"{layer.path} is rotated or mirrored; warp it to a north-up grid first.")
+    if abs(pixel_x + pixel_y) > 1e-6 * pixel_x:
+        raise LabelMapError(
+            f"{layer.path} has pixels of {pixel_x:g} × {-pixel_y:g}; resample it to square pixels first."
+        )
+    return MapFrame(wkt_for_gdal(layer.crs), tuple(transform), labels.shape_hw)

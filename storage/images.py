@@ -1,0 +1,192 @@
+"""Photos and orthophotos as networks see them: red, green and blue of 8 bits, at a wanted resolution."""
+
+from __future__ import annotations
+
+from typing import Callable, List, Optional, Tuple
+
+import numpy as np
+from osgeo import gdal
+
+from ..core.errors import ImageError, LabelMapError
+from .gdal_errors import gdal_failure
+from .rasters import open_raster
+
+WAVELENGTHS_UM = (0.665, 0.560, 0.490)
+"""Middle of red, green and blue light, for bands that state their wavelength."""
+
+STRETCHED = 2, 98
+"""Percentiles of a band that become 0 and 255 when it has more than 8 bits: what QGIS shows by default."""
+
+_SAMPLES, _SAMPLE_EDGE = 8, 128
+"""Percentiles are taken from this many squares of this edge along each axis, spread over the image."""
+
+
+class GdalImage:
+    """An ImageSource on disk. Raises ImageError for what can't be read.
+
+    ``bands``: numbers of the bands taken as red, green and blue. ``stretch``: (3, 2) lowest and highest value of
+    each, None for 8 bits.
+    """
+
+    def __init__(self, path: str, size_wh: Optional[Tuple[int, int]] = None) -> None:
+        """``size_wh``: (width, height) to resample to."""
+        self._path = path
+        try:
+            self._file = open_raster(path, "Image")
+        except LabelMapError as error:
+            raise ImageError(str(error)) from None
+        self._view = _in_colors(self._file)
+        self.bands = color_bands(self._view)
+        kinds = {self._view.GetRasterBand(number).DataType for number in self.bands}
+        if any(gdal.DataTypeIsComplex(kind) for kind in kinds):
+            raise ImageError(f"{path} holds complex numbers; a network takes photos.")
+        self.stretch = None if kinds == {gdal.GDT_Byte} else self._percentiles()
+        if size_wh is not None:
+            self._view = _resampled(self._view, size_wh)
+        self._row = 0
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        return self._view.RasterYSize, self._view.RasterXSize
+
+    @property
+    def geotransform(self) -> Optional[tuple]:
+        return self._view.GetGeoTransform(can_return_null=True)
+
+    def read(self, column: int, row: int, width: int, height: int) -> Tuple[np.ndarray, Optional[np.ndarray]]:
+        if row != self._row:
+            # Tiles come row by row: what lies above would only fill GDAL's cache.
+            self._view.FlushCache()
+            self._file.FlushCache()
+            self._row = row
+        window = column, row, width, height
+        pixels = self._bytes(window) if self.stretch is None else self._stretched(window)
+        has_data = self._has_data(window)
+        if has_data is not None:
+            pixels[~has_data] = 0
+        return pixels, has_data
+
+    def _has_data(self, window) -> Optional[np.ndarray]:
+        """(height, width) bool: a pixel has data unless all its bands have none; None where all pixels have."""
+        found = None
+        for number in sorted(set(self.bands)):
+            band = self._view.GetRasterBand(number)
+            if band.GetMaskFlags() & gdal.GMF_ALL_VALID:
+                return None
+            mask = self._values(band.GetMaskBand(), window) > 0
+            found = mask if found is None else found | mask
+            if not band.GetMaskFlags() & gdal.GMF_NODATA:
+                break
+        return None if found.all() else found
+
+    def _bytes(self, window) -> np.ndarray:
+        """(height, width, 3) uint8 as they lie in the file, all bands in one go."""
+        column, row, width, height = window
+        pixels = np.empty((height, width, 3), np.uint8)
+        spaces = 3, 3 * width, 1  # bytes from pixel to pixel, from line to line, from band to band
+        self._read(
+            self._view.ReadRaster,
+            column,
+            row,
+            width,
+            height,
+            width,
+            height,
+            gdal.GDT_Byte,
+            list(self.bands),
+            *spaces,
+            buf_obj=pixels,
+        )
+        return pixels
+
+    def _stretched(self, window) -> np.ndarray:
+        """(height, width, 3) uint8, the values between the limits of ``stretch``."""
+        read = {number: self._values(self._view.GetRasterBand(number), window) for number in set(self.bands)}
+        limited = zip(self.bands, self.stretch)
+        return np.stack([_stretched(read[number], *limits) for number, limits in limited], axis=2)
+
+    def _values(self, band: gdal.Band, window) -> np.ndarray:
+        return self._read(band.ReadAsArray, *window)
+
+    def _read(self, read: Callable, *arguments, **keywords):
+        """What GDAL reads. It may raise or give None, as the user set it. Raises ImageError."""
+        try:
+            found = read(*arguments, **keywords)
+        except RuntimeError as error:
+            raise ImageError(f"{self._path} is damaged or cut short: {gdal_failure(error)}.") from None
+        if found is None:
+            raise ImageError(f"{self._path} is damaged or cut short: {gdal_failure()}.")
+        return found
+
+    def _percentiles(self) -> np.ndarray:
+        height, width = self.shape_hw
+        windows = [
+            (column, row, min(_SAMPLE_EDGE, width), min(_SAMPLE_EDGE, height))
+            for row in _spread(height)
+            for column in _spread(width)
+        ]
+        limits = []
+        for number in self.bands:
+            band = self._view.GetRasterBand(number)
+            found = []
+            for window in windows:
+                values = self._values(band, window)
+                found.append(values[(self._values(band.GetMaskBand(), window) > 0) & np.isfinite(values)])
+            values = np.concatenate(found)
+            limits.append(np.percentile(values, STRETCHED) if values.size else (0.0, 1.0))
+        return np.array(limits)
+
+
+def _spread(length: int) -> List[int]:
+    last = max(0, length - _SAMPLE_EDGE)
+    return sorted({int(first) for first in np.linspace(0, last, _SAMPLES)})
+
+
+def _stretched(values: np.ndarray, least: float, most: float) -> np.ndarray:
+    scaled = (np.nan_to_num(values.astype(np.float32)) - least) * (255 / max(most - least, 1e-9))
+    return np.clip(scaled + 0.5, 0, 255).astype(np.uint8)
+
+
+def color_bands(dataset: gdal.Dataset) -> Tuple[int, int, int]:
+    """Numbers of the red, green and blue band; one grey band stands for all three.
+
+    By color interpretation, else by the wavelengths that the bands state, else the first three.
+    """
+    bands = [dataset.GetRasterBand(number) for number in range(1, dataset.RasterCount + 1)]
+    meanings = [band.GetColorInterpretation() for band in bands]
+    wanted = (gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand)
+    if all(meaning in meanings for meaning in wanted):
+        red, green, blue = (meanings.index(meaning) + 1 for meaning in wanted)
+        return red, green, blue
+    lengths = [_wavelength_um(band) for band in bands]
+    if len(bands) >= 3 and None not in lengths:
+        red, green, blue = (int(np.argmin(np.abs(np.array(lengths) - middle))) + 1 for middle in WAVELENGTHS_UM)
+        if len({red, green, blue}) == 3:
+            return red, green, blue
+    return (1, 2, 3) if len(bands) >= 3 else (1, 1, 1)
+
+
+def _wavelength_um(band: gdal.Band) -> Optional[float]:
+    """Micrometers, as ENVI's headers or (from GDAL 3.10 on) the domain IMAGERY tell them; None for none."""
+    text = band.GetMetadataItem("wavelength") or band.GetMetadataItem("CENTRAL_WAVELENGTH_UM", "IMAGERY") or ""
+    try:
+        length = float(text)
+    except ValueError:
+        return None
+    is_nanometers = (band.GetMetadataItem("wavelength_units") or "").lower().startswith("nano")
+    return length / 1000 if is_nanometers else length
+
+
+def _in_colors(dataset: gdal.Dataset) -> gdal.Dataset:
+    """A paletted image as red, green and blue; others as they are."""
+    if dataset.GetRasterBand(1).GetRasterColorTable() is None or dataset.RasterCount > 1:
+        return dataset
+    return gdal.Translate("", dataset, format="VRT", rgbExpand="rgb")
+
+
+def _resampled(dataset: gdal.Dataset, size_wh: Tuple[int, int]) -> gdal.Dataset:
+    """A view of another size: means of pixels where it shrinks, bilinear where it grows."""
+    shrinks = size_wh[0] < dataset.RasterXSize
+    return gdal.Translate(
+        "", dataset, format="VRT", width=size_wh[0], height=size_wh[1], resampleAlg="average" if shrinks else "bilinear"
+    )

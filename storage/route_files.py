@@ -1,0 +1,160 @@
+"""Planned routes in the waypoint files that planners have: GPX, KML, .plan, .waypoints."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from pathlib import Path
+from typing import Any, List, Optional, Sequence, Tuple
+
+import numpy as np
+from osgeo import gdal, ogr
+
+from ..core.errors import ParameterError
+from .gdal_errors import gdal_failures
+
+WAYPOINT_FILES = (".gpx", ".kml", ".kmz", ".plan", ".waypoints", ".mission")
+"""Files that are read here and not as layers: as layers QGIS would take the first part of them, or nothing."""
+
+LARGEST_FILE_BYTES = 64 << 20
+
+_POSITION_COMMANDS = (16, 17, 18, 19, 21, 22, 31, 82, 84, 85)
+"""MAVLink commands that fly to a place: waypoint, loiter (4), land, take-off, spline, VTOL take-off and landing."""
+
+
+def is_waypoint_file(value: Any) -> bool:
+    """Whether a parameter's value is the path of a waypoint file."""
+    return isinstance(value, str) and Path(value).suffix.lower() in WAYPOINT_FILES
+
+
+def read_waypoint_file(path: str) -> List[np.ndarray]:
+    """Lines, each (n, 2) longitude, latitude. Raises ParameterError for a file that can't be read."""
+    if not os.path.isfile(path):
+        raise ParameterError(f"There is no file {path}; choose another route.")
+    if os.path.getsize(path) > LARGEST_FILE_BYTES:
+        raise ParameterError(f"{path} is larger than {LARGEST_FILE_BYTES >> 20} MB; no route is.")
+    suffix = Path(path).suffix.lower()
+    if suffix == ".plan":
+        return [plan_positions(_text(path), path)]
+    if suffix in (".waypoints", ".mission"):
+        return [waypoint_positions(_text(path), path)]
+    return _lines_of_ogr(path)
+
+
+def plan_positions(text: str, path: str) -> np.ndarray:
+    """(n, 2) longitude, latitude of a QGroundControl plan: its mission's items, surveys by their transects.
+
+    Raises ParameterError for a file that is none.
+    """
+    try:
+        plan = json.loads(text)
+    except (ValueError, RecursionError):
+        raise ParameterError(f"{path} is no JSON and so no plan of QGroundControl; save the plan again.") from None
+    mission = plan.get("mission") if isinstance(plan, dict) else None
+    if not isinstance(mission, dict) or not isinstance(mission.get("items"), list):
+        raise ParameterError(f"{path} has no mission; save it with QGroundControl as a plan.")
+    found: List[Tuple[float, float]] = []
+    for item in mission["items"]:
+        if isinstance(item, dict):
+            found += _item_positions(item)
+    return _lon_lat(found, path)
+
+
+def waypoint_positions(text: str, path: str) -> np.ndarray:
+    """(n, 2) longitude, latitude of a waypoint list as MAVLink tools write it (“QGC WPL 110”).
+
+    Raises ParameterError for a file that is none.
+    """
+    lines = text.splitlines()
+    if not lines or not lines[0].startswith("QGC WPL"):
+        raise ParameterError(f"{path} is no waypoint list: its first line is not “QGC WPL 110”.")
+    found = []
+    # The first one is the home position.
+    for line in lines[2:]:
+        cells = line.split()
+        if len(cells) >= 11:
+            try:
+                command, latitude, longitude = int(cells[3]), float(cells[8]), float(cells[9])
+            except ValueError:
+                raise ParameterError(f"{path} has a line that is no waypoint: {line[:60]}") from None
+            if command in _POSITION_COMMANDS and (latitude or longitude):
+                found.append((latitude, longitude))
+    return _lon_lat(found, path)
+
+
+def _item_positions(item: dict) -> List[Tuple[Any, Any]]:
+    """(latitude, longitude) of what a mission's item flies through."""
+    if item.get("type") == "SimpleItem":
+        place = item.get("params")
+        if item.get("command") not in _POSITION_COMMANDS or not isinstance(place, list) or len(place) < 6:
+            return []
+        # A take-off from where the aircraft stands has no place, or 0, 0.
+        return [(place[4], place[5])] if place[4] and place[5] else []
+    transects = item.get("TransectStyleComplexItem")
+    if isinstance(transects, dict):
+        return _pairs(transects.get("VisualTransectPoints"))
+    keys = "landingApproachCoordinate", "loiterCoordinate", "landCoordinate"
+    return [pair for key in keys for pair in _pairs([item.get(key)])]
+
+
+def _pairs(places: Any) -> List[Tuple[Any, Any]]:
+    """Those of the places that have a latitude and a longitude."""
+    if not isinstance(places, list):
+        return []
+    return [(place[0], place[1]) for place in places if isinstance(place, list) and len(place) >= 2]
+
+
+def _lon_lat(positions: Sequence[Tuple[Any, Any]], path: str) -> np.ndarray:
+    for latitude, longitude in positions:
+        numbers = all(isinstance(value, (int, float)) and math.isfinite(value) for value in (latitude, longitude))
+        if not numbers or abs(latitude) > 90 or abs(longitude) > 180:
+            raise ParameterError(f"{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.")
+    return np.array([(longitude, latitude) for latitude, longitude in positions], np.float64).reshape(-1, 2)
+
+
+def _text(path: str) -> str:
+    try:
+        return Path(path).read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError:
+        raise ParameterError(f"{path} is no text and so no route; choose another file.") from None
+
+
+def _lines_of_ogr(path: str) -> List[np.ndarray]:
+    """Lines of a GPX or KML file: routes before tracks; without any the waypoints in their order."""
+    dataset = None
+    with gdal_failures() as failures:
+        dataset = gdal.OpenEx(path, gdal.OF_VECTOR)
+    if dataset is None:
+        raise ParameterError(f"{path} can't be read as a route ({failures[0] if failures else 'unknown format'}).")
+    names = [dataset.GetLayer(n).GetName() for n in range(dataset.GetLayerCount())]
+    if Path(path).suffix.lower() == ".gpx":
+        # The other layers repeat these point by point.
+        for wanted in ("routes", "tracks", "waypoints"):
+            found = _geometries(dataset, [name for name in names if name == wanted])
+            if found:
+                return found
+        return []
+    return _geometries(dataset, names)
+
+
+def _geometries(dataset: gdal.Dataset, names: Sequence[str]) -> List[np.ndarray]:
+    lines, points = [], []
+    for name in names:
+        for feature in dataset.GetLayerByName(name):
+            for part in _parts(feature.GetGeometryRef()):
+                kind = ogr.GT_Flatten(part.GetGeometryType())
+                if kind == ogr.wkbLineString and part.GetPointCount() > 1:
+                    lines.append(np.array([point[:2] for point in part.GetPoints()]))
+                elif kind == ogr.wkbPoint:
+                    points.append((part.GetX(), part.GetY()))
+    return lines or ([np.array(points)] if len(points) > 1 else [])
+
+
+def _parts(geometry: Optional[ogr.Geometry]) -> List[ogr.Geometry]:
+    """The single geometries of a geometry."""
+    if geometry is None or geometry.IsEmpty():
+        return []
+    if ogr.GT_IsSubClassOf(ogr.GT_Flatten(geometry.GetGeometryType()), ogr.wkbGeometryCollection):
+        return [part for n in range(geometry.GetGeometryCount()) for part in _parts(geometry.GetGeometryRef(n))]
+    return [geometry]
