@@ -252,7 +252,4 @@ def _require_known_values(values: np.ndarray, table: ClassTable) -> None:
     """``values``: (256,) pixels a value."""
     unknown = [str(v) for v in np.flatnonzero(values) if v != UNLABELED and table.by_value(int(v)) is None]
     if unknown:
-        raise ClassTableError(
-            f"The labels have the value {', '.join(unknown)}, which the class table lacks; its classes are "
-            f"{table.describe()}."
-        )
+        raise ClassTableError("storage.labels_not_in_table", unknown=unknown, classes=table.describe())

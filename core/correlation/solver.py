@@ -100,7 +100,7 @@ def localize(
     a range of pixel sizes that is empty or not positive.
     """
     if labels_hw.size == 0:
-        raise LabelMapError("The image has no pixels.")
+        raise LabelMapError("labels.no_pixels")
     if not 0 < pixel_sizes_m[0] <= pixel_sizes_m[1]:
         raise ValueError(f"Pixel sizes from {pixel_sizes_m[0]:g} to {pixel_sizes_m[1]:g} m are no range.")
     if not pyramid.space.channels:

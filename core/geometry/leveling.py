@@ -37,9 +37,7 @@ class Attitude:
     def __post_init__(self) -> None:
         for name, value in (("roll", self.roll_deg), ("pitch", self.pitch_deg)):
             if not abs(value) < 90:
-                raise ParameterError(
-                    f"A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down."
-                )
+                raise ParameterError("geometry.attitude", name=name, value=value)
 
     @property
     def down(self) -> np.ndarray:
@@ -54,7 +52,7 @@ def attitude_from_gimbal(roll_deg: float, pitch_deg: float) -> Attitude:
     roll, pitch = np.radians((roll_deg, pitch_deg))
     right, top, axis = np.sin(roll) * np.cos(pitch), -np.cos(roll) * np.cos(pitch), -np.sin(pitch)
     if axis <= 0:
-        raise ParameterError(f"A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.")
+        raise ParameterError("geometry.gimbal_pitch", pitch_deg=pitch_deg)
     return Attitude(float(np.degrees(np.arctan2(-right, axis))), float(np.degrees(np.arcsin(-top))))
 
 
@@ -98,17 +96,19 @@ def leveling(attitude: Attitude, focal_length_px: float, shape_hw: Tuple[int, in
     where the view comes too near the horizon, LabelMapError for an image that is empty or too large to warp."""
     height, width = shape_hw
     if not focal_length_px > 0:
-        raise ParameterError(f"The focal length is {focal_length_px:g} pixels; it must be above 0.")
+        raise ParameterError("geometry.focal_length", focal_length_px=focal_length_px)
     if not height or not width:
-        raise LabelMapError("The image has no pixels.")
+        raise LabelMapError("labels.no_pixels")
     rays = np.array([(x, y, focal_length_px) for x, y in _around(width / 2, height / 2)])
     depths = rays @ attitude.down
     steepest = float(np.degrees(np.arccos(np.clip(depths / np.linalg.norm(rays, axis=1), -1, 1)).max()))
     if steepest > STEEPEST_VIEW_DEG:
         raise ParameterError(
-            f"With roll {attitude.roll_deg:g}° and pitch {attitude.pitch_deg:g}° a corner of the image looks "
-            f"{steepest:.0f}° away from straight down, more than {STEEPEST_VIEW_DEG:g}° and too near the horizon; "
-            "use images that look down more steeply."
+            "geometry.near_horizon",
+            roll_deg=attitude.roll_deg,
+            pitch_deg=attitude.pitch_deg,
+            steepest=steepest,
+            most_deg=STEEPEST_VIEW_DEG,
         )
     to_ground = _ground_matrix(attitude.down, focal_length_px)
     corners = _complex(to_ground, rays)
@@ -117,8 +117,12 @@ def leveling(attitude: Attitude, focal_length_px: float, shape_hw: Tuple[int, in
     size = int(top - bottom), int(right - left)
     if max(*size, *shape_hw) > LONGEST_EDGE_PX:
         raise LabelMapError(
-            f"The image has {width} × {height} pixels and {size[1]} × {size[0]} when leveled, but an edge may have "
-            f"{LONGEST_EDGE_PX} at most; reduce it first."
+            "geometry.leveled_too_large",
+            width=width,
+            height=height,
+            level_width=size[1],
+            level_height=size[0],
+            most=LONGEST_EDGE_PX,
         )
     from_pixels = np.array([[1, 0, -width / 2], [0, -1, height / 2], [0, 0, focal_length_px]])
     to_pixels = np.array([[1, 0, -left], [0, -1, top], [0, 0, 1]])

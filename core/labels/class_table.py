@@ -7,9 +7,10 @@ import hashlib
 import io
 import re
 from dataclasses import dataclass, replace
-from typing import Dict, Iterable, List, Optional, Sequence, Tuple
+from typing import Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 from ..errors import ClassTableError
+from ..sentences import Sentence
 
 UNLABELED = 0
 """Label of pixels that no class covers ("unlabeled/other")."""
@@ -63,22 +64,20 @@ class LandCoverClass:
     def __post_init__(self) -> None:
         if not 0 <= self.value <= MAXIMUM_VALUE:
             raise ClassTableError(
-                f"Class “{self.name}” has the value {self.value}; class values go from 0 to {MAXIMUM_VALUE}."
+                "labels.class_value_out_of_range", name=self.name, value=self.value, most=MAXIMUM_VALUE
             )
         if not self.name:
-            raise ClassTableError(f"The class with value {self.value} has no name; give it one.")
+            raise ClassTableError("labels.class_without_name", value=self.value)
         if not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
-            raise ClassTableError(f"Class “{self.name}” has the color “{self.color}”; write it as #rrggbb.")
+            raise ClassTableError("labels.class_color", name=self.name, color=self.color)
         if self.role not in ROLES:
             raise ClassTableError(
-                f"Class “{self.name}” has the role “{self.role}”; it must be “{REFERENCE}” or “{BACKGROUND}”."
+                "labels.class_role", name=self.name, role=self.role, reference=REFERENCE, background=BACKGROUND
             )
         if self.value == UNLABELED and self.role == REFERENCE:
-            raise ClassTableError(
-                f"Class “{self.name}” has the value 0, which means unlabeled; it can't be a reference."
-            )
+            raise ClassTableError("labels.class_unlabeled_reference", name=self.name)
         if (self.hsv_min is None) != (self.hsv_max is None):
-            raise ClassTableError(f"Class “{self.name}” has only one of hsv_min and hsv_max; give both or none.")
+            raise ClassTableError("labels.class_hsv_half", name=self.name)
 
     @property
     def is_reference(self) -> bool:
@@ -98,10 +97,10 @@ class ClassTable:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "classes", tuple(sorted(self.classes, key=lambda c: c.value)))
-        for what, keys in (("value", [c.value for c in self.classes]), ("name", [c.name for c in self.classes])):
+        for column, keys in (("value", [c.value for c in self.classes]), ("name", [c.name for c in self.classes])):
             repeated = sorted({str(k) for k in keys if keys.count(k) > 1})
             if repeated:
-                raise ClassTableError(f"The class table has the {what} {', '.join(repeated)} more than once.")
+                raise ClassTableError("labels.class_repeated", column=column, repeated=repeated)
 
     def __iter__(self):
         return iter(self.classes)
@@ -136,23 +135,19 @@ class ClassTable:
         for text in names_or_values:
             found = self.find(text)
             if found is None:
-                raise ClassTableError(f"There is no class “{text}”; the classes are {self.describe()}.")
+                raise ClassTableError("labels.no_such_class", text=text, classes=self.describe())
             chosen.add(found.value)
         return ClassTable(tuple(replace(c, role=REFERENCE if c.value in chosen else BACKGROUND) for c in self.classes))
 
     def require_references(self) -> "ClassTable":
         """Itself, if it has a reference class; else raises ClassTableError."""
         if not self.references:
-            raise ClassTableError(
-                f"No class is a reference class; name at least one of {self.describe()} "
-                "in REFERENCE_CLASSES, or give it the role “reference” in the class table."
-            )
+            raise ClassTableError("labels.no_reference_class", classes=self.describe())
         return self
 
-    def describe(self) -> str:
-        """“1 building, 2 bare_land” – for messages."""
-        shown = [f"{c.value} {c.name}" for c in self.classes[:12]]
-        return ", ".join(shown) + (f" and {len(self.classes) - 12} more" if len(self.classes) > 12 else "")
+    def describe(self) -> Union[Tuple[str, ...], Sentence]:
+        """“1 building, 2 bare_land” as a value of a sentence."""
+        return shortened([f"{c.value} {c.name}" for c in self.classes])
 
     def digest(self) -> str:
         """SHA-256 of the table's CSV text: equal tables, equal digests."""
@@ -177,25 +172,29 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
     """
     lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
     if len(lines) < 2:
-        raise ClassTableError(f"{source} has no classes; it needs a header value,name,color,role and a line a class.")
+        raise ClassTableError("labels.class_table_empty", source=source)
     separator = max(",;\t", key=lines[0].count)
     reader = csv.DictReader(lines, delimiter=separator, skipinitialspace=True)
     header = [(name or "").strip().lower() for name in reader.fieldnames or []]
     missing = [name for name in ("value", "name") if name not in header]
     if missing:
-        raise ClassTableError(f"{source} lacks the column {' and '.join(missing)}; its header is “{lines[0].strip()}”.")
+        raise ClassTableError(
+            "labels.class_table_lacks_column", source=source, missing=missing, header=lines[0].strip()
+        )
     reader.fieldnames = header
-    return ClassTable(tuple(_class_from_row(row, f"{source}, line {n}") for n, row in enumerate(reader, start=2)))
+    return ClassTable(
+        tuple(
+            _class_from_row(row, Sentence("labels.line", source=source, line=n))
+            for n, row in enumerate(reader, start=2)
+        )
+    )
 
 
 def class_table_from_names(names: Iterable[str]) -> ClassTable:
     """A table for classes known only by name: values 1, 2, … in the given order, colors chosen, all background."""
     found = list(names)
     if len(found) > MAXIMUM_VALUE:
-        raise ClassTableError(
-            f"There are {len(found)} classes, but a label map holds {MAXIMUM_VALUE}; "
-            "choose another class field, or merge classes with a class table."
-        )
+        raise ClassTableError("labels.too_many_classes", count=len(found), most=MAXIMUM_VALUE)
     return ClassTable(tuple(LandCoverClass(i, name, default_color(i)) for i, name in enumerate(found, start=1)))
 
 
@@ -216,18 +215,25 @@ def split_list(text: Optional[str]) -> List[str]:
     return [item.strip() for item in (text or "").split(LIST_SEPARATOR) if item.strip()]
 
 
-def _class_from_row(row: Dict[str, Optional[str]], where: str) -> LandCoverClass:
+def shortened(items: Sequence[str], most: int = 12) -> Union[Tuple[str, ...], Sentence]:
+    """The items as a value of a sentence; of many the first ``most``, and how many more there are."""
+    if len(items) <= most:
+        return tuple(items)
+    return Sentence("labels.and_more", shown=items[:most], count=len(items) - most)
+
+
+def _class_from_row(row: Dict[str, Optional[str]], where: Sentence) -> LandCoverClass:
     cell = {
         key: (value or "").strip() for key, value in row.items() if isinstance(key, str) and not isinstance(value, list)
     }
     try:
         value = int(cell["value"])
     except ValueError:
-        raise ClassTableError(f"{where}: “{cell['value']}” is not a whole number for value.") from None
+        raise ClassTableError("labels.class_value_not_whole", where=where, text=cell["value"]) from None
     try:
         order = float(cell["draw_order"]) if cell.get("draw_order") else None
     except ValueError:
-        raise ClassTableError(f"{where}: “{cell['draw_order']}” is not a number for draw_order.") from None
+        raise ClassTableError("labels.class_order_not_number", where=where, text=cell["draw_order"]) from None
     try:
         return LandCoverClass(
             value=value,
@@ -239,16 +245,16 @@ def _class_from_row(row: Dict[str, Optional[str]], where: str) -> LandCoverClass
             hsv_max=_hsv(cell.get("hsv_max", ""), where),
         )
     except ClassTableError as error:
-        raise ClassTableError(f"{where}: {error}") from None
+        raise ClassTableError("labels.at_line", where=where, fault=error.sentence) from None
 
 
-def _hsv(text: str, where: str) -> Optional[Hsv]:
+def _hsv(text: str, where: Sentence) -> Optional[Hsv]:
     if not text:
         return None
     parts = text.split()
     limits = (180, 255, 255)
     if len(parts) != 3 or not all(p.isdecimal() for p in parts) or any(int(p) > m for p, m in zip(parts, limits)):
-        raise ClassTableError(f"{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).")
+        raise ClassTableError("labels.class_hsv", where=where, text=text)
     return int(parts[0]), int(parts[1]), int(parts[2])
 
 

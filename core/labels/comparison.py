@@ -81,9 +81,7 @@ class LabelComparison:
         counts[UNLABELED] = 0
         object.__setattr__(self, "counts", counts)
         if not self.pixels:
-            raise LabelMapError(
-                "The maps have no pixel in common that REFERENCE labels; choose maps of the same ground."
-            )
+            raise LabelMapError("labels.nothing_in_common")
 
     @property
     def pixels(self) -> int:

@@ -46,21 +46,21 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
         elif data[:4] in _TIFF_ORDERS:
             data, nodata = _tiff_values(data, path)
         elif not data.startswith(b"\xff\xd8"):
-            raise LabelMapError(f"{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.")
+            raise LabelMapError("labels.unknown_image_format", path=path)
     except struct.error:
-        raise LabelMapError(f"{path} is damaged or cut short; copy it again.") from None
+        raise LabelMapError("labels.damaged", path=path) from None
     image = _decoded(data, cv2.IMREAD_UNCHANGED, path, LabelMapError)
     if image.ndim == 3:
         if image.dtype != np.uint8:
-            raise LabelMapError(f"{path} holds {image.dtype} values; a color label image has 8 bits a band.")
+            raise LabelMapError("labels.color_not_8_bits", path=path, kind=image.dtype)
         return decode_colors(image[..., :3], table)
     if image.dtype.kind not in "iu":
-        raise LabelMapError(f"{path} holds {image.dtype} values; a label map holds whole numbers from 0 to 255.")
+        raise LabelMapError("labels.not_whole_numbers", path=path, kind=image.dtype)
     if nodata is not None:
         image[image == nodata] = 0
     if image.min() < 0 or image.max() > 255:
         found = int(image.max() if image.max() > 255 else image.min())
-        raise LabelMapError(f"{path} has the value {found}; a label map holds class values from 0 to 255.")
+        raise LabelMapError("labels.value_out_of_range", path=path, found=found)
     labels_hw = image.astype(np.uint8)
     # Gray of fewer than 8 bits was stretched to 0 … 255.
     return labels_hw if levels is None else labels_hw // (255 // levels)
@@ -70,7 +70,7 @@ def read_photo(path: str) -> ArrayImage:
     """A photo of 8 bits a band, as its pixels lie in the file; without data where it is transparent. ImageError."""
     image = _decoded(_read(path, ImageError), cv2.IMREAD_UNCHANGED, path, ImageError)
     if image.dtype != np.uint8:
-        raise ImageError(f"{path} holds {image.dtype} values; a photo has 8 bits a band: convert it first.")
+        raise ImageError("labels.photo_not_8_bits", path=path, kind=image.dtype)
     if image.ndim == 2:
         return ArrayImage(cv2.cvtColor(image, cv2.COLOR_GRAY2RGB))
     has_data = image[..., 3] > 0 if image.shape[2] == 4 else None
@@ -86,7 +86,7 @@ def image_files(paths: List[str]) -> List[str]:
             continue
         images = [os.path.join(path, name) for name in sorted(os.listdir(path)) if is_image_name(name)]
         if not images:
-            raise LabelMapError(f"The folder {path} holds no image ({', '.join(IMAGE_EXTENSIONS)}).")
+            raise LabelMapError("labels.folder_without_images", path=path, endings=IMAGE_EXTENSIONS)
         found += images
     return found
 
@@ -101,7 +101,7 @@ def _read(path: str, kind: type) -> bytes:
         with open(path, "rb") as file:
             return file.read()
     except OSError as error:
-        raise kind(f"Image {path} can't be read: {error.strerror}.") from None
+        raise kind("labels.image_unreadable", path=path, reason=error.strerror) from None
 
 
 def _decoded(data: bytes, flags: int, path: str, kind: type) -> np.ndarray:
@@ -109,14 +109,17 @@ def _decoded(data: bytes, flags: int, path: str, kind: type) -> np.ndarray:
     try:
         image = cv2.imdecode(np.frombuffer(data, np.uint8), flags | cv2.IMREAD_IGNORE_ORIENTATION) if data else None
     except cv2.error as error:
-        raise kind(f"Image {path} can't be read: {error.err}.") from None
+        raise kind("labels.image_unreadable", path=path, reason=error.err) from None
     if image is None:
-        raise kind(f"Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.")
+        raise kind("labels.image_not_decoded", path=path)
     height, width = image.shape[:2]
     if height * width > MAXIMUM_IMAGE_PIXELS:
         raise kind(
-            f"{path} has {width} × {height} pixels, more than a query image may have "
-            f"({MAXIMUM_IMAGE_PIXELS // 1_000_000} million); cut it to what one photo shows."
+            "labels.image_too_large",
+            path=path,
+            width=width,
+            height=height,
+            most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
         )
     return image
 
@@ -128,7 +131,7 @@ def _png_values(data: bytes, path: str) -> Tuple[bytes, object]:
     if kind != b"IHDR":
         raise struct.error
     if color == _PNG_GRAY_ALPHA:
-        raise LabelMapError(f"{path} has 2 bands; a label map has one: save it without transparency.")
+        raise LabelMapError("labels.two_bands", path=path)
     if color == _PNG_PALETTE:
         header = header[:9] + bytes([_PNG_GRAY]) + header[10:]
         # A palette or its transparency in a gray image would be an error.
@@ -167,7 +170,7 @@ def _tiff_values(data: bytes, path: str) -> Tuple[bytes, object]:
             nodata = _number(data[place + 8 : place + 8 + length] if length <= 4 else data[far : far + length])
     if palette_at is not None:
         if bits != 8:
-            raise LabelMapError(f"{path} is a paletted TIFF of {bits} bits a pixel; save it with 8, or as PNG.")
+            raise LabelMapError("labels.palette_bits", path=path, bits=bits)
         patched = bytearray(data)
         struct.pack_into(order + "H", patched, palette_at, _TIFF_GRAY)
         data = bytes(patched)

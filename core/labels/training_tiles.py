@@ -67,9 +67,7 @@ def plan_tiles(shape_hw: Tuple[int, int], tile_size: int, stride: int, held_out:
     """
     height, width = shape_hw
     if min(shape_hw) < tile_size:
-        raise ParameterError(
-            f"The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; choose a smaller tile."
-        )
+        raise ParameterError("labels.smaller_than_tile", width=width, height=height, tile_size=tile_size)
     tiles = []
     for row in range(0, height - tile_size + 1, stride):
         for column in range(0, width - tile_size + 1, stride):

@@ -93,7 +93,7 @@ def describe_image(
     """
     column, row, size = centered_square(labels_hw.shape)
     if size < 1:
-        raise LabelMapError("The image has no pixels.")
+        raise LabelMapError("labels.no_pixels")
     square = np.ascontiguousarray(labels_hw[row : row + size, column : column + size])
     objects = extract_landmarks(square, reference_values, area_fraction * size * size)
     vector = topology_vector(
@@ -318,5 +318,5 @@ class Localizer:
 def _shape(labels_hw: np.ndarray) -> Tuple[int, int]:
     """(height, width). Raises LabelMapError for an image without pixels."""
     if not labels_hw.size:
-        raise LabelMapError("The image has no pixels.")
+        raise LabelMapError("labels.no_pixels")
     return labels_hw.shape[0], labels_hw.shape[1]

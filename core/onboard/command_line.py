@@ -20,6 +20,7 @@ from ..errors import DatabaseError, ParameterError, SemRefError
 from ..labels.image_files import image_files, is_image_name, read_label_image, read_photo
 from ..localizer.localizer import FIX, MAP_CORRELATION, METHODS, Localizer, Prior
 from ..localizer.record import gga_sentence, record
+from ..sentences import english
 from .format import OnboardDatabase, read_onboard
 
 ALL_FIXED, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED = range(4)
@@ -131,7 +132,7 @@ def description(onboard: OnboardDatabase) -> Dict[str, Any]:
         "windows": len(database.windows),
         "references": len(database.references),
         "overview": "none" if overview is None else f"{overview.shape[1]} × {overview.shape[0]} pixels",
-        "classes": database.class_table.describe(),
+        "classes": english(database.class_table.describe()),
         "reference_classes": ", ".join(c.name for c in database.class_table.references),
         "crs": parameters.crs.split('"')[1] if '"' in parameters.crs else parameters.crs,
         "extent": list(parameters.extent),

@@ -87,9 +87,9 @@ def filled(sentence: Sentence, template: Callable[[Sentence], str]) -> str:
     return template(sentence).format(**{name: _shown(value, template) for name, value in sentence.values})
 
 
-def english(sentence: Sentence) -> str:
-    """The sentence in English, as the command line and logs say it."""
-    return filled(sentence, template_of)
+def english(said: Any) -> str:
+    """A sentence, or what may be a value of one, in English, as the command line and logs say it."""
+    return str(_shown(said, template_of))
 
 
 def _shown(value: Any, template: Callable[[Sentence], str]) -> Any:

@@ -25,19 +25,11 @@ class WindowGrid:
 
     def __post_init__(self) -> None:
         if self.size < 1 or self.stride < 1:
-            raise WindowError(
-                f"Window size ({self.size} px) and stride ({self.stride} px) must be at least one pixel; enlarge them."
-            )
+            raise WindowError("windows.below_one_pixel", size=self.size, stride=self.stride)
         if self.stride > self.size:
-            raise WindowError(
-                f"The stride ({self.stride} px) is larger than the window ({self.size} px), so ground between "
-                "the windows would be missed; make the stride at most the window size."
-            )
+            raise WindowError("windows.stride_above_size", stride=self.stride, size=self.size)
         if self.size > min(self.width, self.height):
-            raise WindowError(
-                f"The window ({self.size} px) is larger than the map ({self.width} × {self.height} px); "
-                "choose a smaller window or a larger map."
-            )
+            raise WindowError("windows.larger_than_map", size=self.size, width=self.width, height=self.height)
 
     @property
     def columns(self) -> np.ndarray:

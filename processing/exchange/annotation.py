@@ -22,7 +22,13 @@ from qgis.core import (
 )
 
 from ...core.errors import AnnotationError
-from ...core.labels.class_table import ClassTable, LandCoverClass, class_table_from_names, class_table_from_values
+from ...core.labels.class_table import (
+    ClassTable,
+    LandCoverClass,
+    class_table_from_names,
+    class_table_from_values,
+    shortened,
+)
 from ...storage.burning import BurnPolygon
 from ..compat import POLYGON_GEOMETRY, is_null
 
@@ -301,10 +307,10 @@ def require_known_classes(counts: AnnotationCounts, source: AnnotationSource, ta
     """Raises AnnotationError naming the class values that the table does not have."""
     if not counts.unknown:
         return
-    named = [f"“{text}” ({number})" for text, number in counts.unknown.most_common(_NAMED_AT_MOST)]
-    more = len(counts.unknown) - len(named)
+    unknown = [f"“{text}” ({number})" for text, number in counts.unknown.most_common()]
     raise AnnotationError(
-        f"“{source.name}” has classes that the class table does not have: {', '.join(named)}"
-        f"{f' and {more} more' if more else ''}; add them to the table ({table.describe()}) "
-        "or leave those features out."
+        "exchange.unknown_classes",
+        source=source.name,
+        unknown=shortened(unknown, _NAMED_AT_MOST),
+        classes=table.describe(),
     )

@@ -276,7 +276,7 @@ def test_a_layer_removed_while_the_algorithm_runs_does_not_stop_it(tmp_path, def
     [
         ("", "no classes"),
         ("value,name,color,role\n", "no classes"),
-        ("number,label\n1,field\n", "value and name"),
+        ("number,label\n1,field\n", "value, name"),
         ("value,name,color,role\nx,field,#00ff00,background\n", "“x”"),
         ("value,name,color,role\n300,field,#00ff00,background\n", "300"),
         ("value,name,color,role\n-1,field,#00ff00,background\n", "-1"),

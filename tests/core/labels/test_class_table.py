@@ -14,6 +14,7 @@ from semref.core.labels.class_table import (
     default_color,
     split_list,
 )
+from semref.core.sentences import english
 
 TABLE = ClassTable(
     (
@@ -101,7 +102,7 @@ def test_a_table_without_classes_is_refused(text):
 
 @pytest.mark.parametrize(
     ("header", "missing"),
-    [("name,color", "value"), ("value,color", "name"), ("id,label", "value and name")],
+    [("name,color", "value"), ("value,color", "name"), ("id,label", "value, name")],
 )
 def test_a_missing_column_is_named(header, missing):
     with refuses(f"classes.csv lacks the column {missing}; its header is “{header}”."):
@@ -237,8 +238,8 @@ def test_value_zero_can_not_be_chosen_as_a_reference():
 def test_a_table_without_references_is_refused_where_one_is_needed():
     assert TABLE.require_references() is TABLE
     with refuses(
-        "No class is a reference class; name at least one of 1 building, 3 bare, dry “land”, 7 water "
-        "in REFERENCE_CLASSES, or give it the role “reference” in the class table."
+        "No class is a reference class; choose at least one of 1 building, 3 bare, dry “land”, "
+        "7 water as one, or give it the role “reference” in the class table."
     ):
         TABLE.with_references([]).require_references()
 
@@ -249,7 +250,7 @@ def test_references_stand_in_order_of_class_value():
 
 
 def test_long_tables_are_described_in_short():
-    assert class_table_from_values(range(1, 31)).describe().endswith("12 12 and 18 more")
+    assert english(class_table_from_values(range(1, 31)).describe()).endswith("12 12 and 18 more")
 
 
 def test_default_colors_are_valid_distinct_and_always_the_same():
