@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+import semref.processing
+import semref.storage  # noqa: F401  Both add their rooms' sentences.
 from semref.core import errors
 from semref.core.errors import DatabaseError, ImageError, SemRefError
 from semref.core.sentences import Plural, Sentence, add, english, filled, template_of
