@@ -1,4 +1,4 @@
-"""Photos and orthophotos as networks see them: red, green and blue of 8 bits, at a wanted resolution."""
+"""Photos and orthophotos as networks see them: red, green and blue of 8 bits."""
 
 from __future__ import annotations
 
@@ -28,8 +28,7 @@ class GdalImage:
     each, None for 8 bits.
     """
 
-    def __init__(self, path: str, size_wh: Optional[Tuple[int, int]] = None) -> None:
-        """``size_wh``: (width, height) to resample to."""
+    def __init__(self, path: str) -> None:
         self._path = path
         try:
             self._file = open_raster(path, "Image")
@@ -41,8 +40,6 @@ class GdalImage:
         if any(gdal.DataTypeIsComplex(kind) for kind in kinds):
             raise ImageError(f"{path} holds complex numbers; a network takes photos.")
         self.stretch = None if kinds == {gdal.GDT_Byte} else self._percentiles()
-        if size_wh is not None:
-            self._view = _resampled(self._view, size_wh)
         self._row = 0
 
     @property
@@ -182,11 +179,3 @@ def _in_colors(dataset: gdal.Dataset) -> gdal.Dataset:
     if dataset.GetRasterBand(1).GetRasterColorTable() is None or dataset.RasterCount > 1:
         return dataset
     return gdal.Translate("", dataset, format="VRT", rgbExpand="rgb")
-
-
-def _resampled(dataset: gdal.Dataset, size_wh: Tuple[int, int]) -> gdal.Dataset:
-    """A view of another size: means of pixels where it shrinks, bilinear where it grows."""
-    shrinks = size_wh[0] < dataset.RasterXSize
-    return gdal.Translate(
-        "", dataset, format="VRT", width=size_wh[0], height=size_wh[1], resampleAlg="average" if shrinks else "bilinear"
-    )

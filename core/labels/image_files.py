@@ -9,15 +9,17 @@ from __future__ import annotations
 import os
 import struct
 import zlib
-from typing import List, Tuple
+from dataclasses import dataclass
+from typing import Iterator, List, Optional, Tuple, Type
 
 import cv2
 import numpy as np
 
-from ..errors import ImageError, LabelMapError
+from ..errors import ImageError, LabelMapError, SemRefError
 from .class_table import ClassTable
 from .color_labels import decode_colors
 from .image_source import ArrayImage
+from .tiff import BITS, EXTRA_SAMPLES, ORDERS, PHOTOMETRIC, TiffTags, pixel_size_m
 
 IMAGE_EXTENSIONS = (".png", ".tif", ".tiff", ".jpg", ".jpeg")
 
@@ -26,10 +28,9 @@ MAXIMUM_IMAGE_PIXELS = 400_000_000
 
 _PNG = b"\x89PNG\r\n\x1a\n"
 _PNG_PALETTE, _PNG_GRAY, _PNG_GRAY_ALPHA = 3, 0, 4
-_TIFF_ORDERS = {b"II*\0": "<", b"MM\0*": ">"}
-_BITS_TAG, _PHOTOMETRIC_TAG, _NODATA_TAG = 258, 262, 42113
-_TIFF_PALETTE, _TIFF_GRAY = 3, 1
-_SHORT, _ASCII = 3, 2
+_TIFF_GRAY, _TIFF_PALETTE = 1, 3
+_TIFF_PREMULTIPLIED, _TIFF_OPACITY = 1, 2
+"""Kinds of a TIFF's fourth band: its colors are darkened by it already, or they aren't."""
 
 
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:
@@ -43,7 +44,7 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     try:
         if data.startswith(_PNG):
             data, levels = _png_values(data, path)
-        elif data[:4] in _TIFF_ORDERS:
+        elif data[:4] in ORDERS:
             data, nodata = _tiff_values(data, path)
         elif not data.startswith(b"\xff\xd8"):
             raise LabelMapError("labels.unknown_image_format", path=path)
@@ -66,15 +67,62 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     return labels_hw if levels is None else labels_hw // (255 // levels)
 
 
-def read_photo(path: str) -> ArrayImage:
-    """A photo of 8 bits a band, as its pixels lie in the file; without data where it is transparent. ImageError."""
-    image = _decoded(_read(path, ImageError), cv2.IMREAD_UNCHANGED, path, ImageError)
+@dataclass(frozen=True)
+class Photo:
+    """A photo as its file has it.
+
+    Attributes:
+        image: Its pixels.
+        pixel_size_m: Ground meters along a row and along a column of a pixel; None where the file does not say.
+    """
+
+    image: ArrayImage
+    pixel_size_m: Optional[Tuple[float, float]]
+
+
+def read_photo(path: str) -> Photo:
+    """A photo of 8 bits a band, as its pixels lie in the file; without data where it is transparent or nodata.
+
+    Only what stands in the file itself counts, not what lies in others beside it. Raises ImageError.
+    """
+    data = _read(path, ImageError)
+    try:
+        return _photo(data, path)
+    except struct.error:
+        raise ImageError("labels.damaged", path=path) from None
+
+
+def _photo(data: bytes, path: str) -> Photo:
+    """The photo of a file's content; raises struct.error for a TIFF with damaged tags."""
+    tags = TiffTags(data) if data[:4] in ORDERS else None
+    image = _decoded(_with_plain_bands(data, tags), cv2.IMREAD_UNCHANGED, path, ImageError)
     if image.dtype != np.uint8:
         raise ImageError("labels.photo_not_8_bits", path=path, kind=image.dtype)
-    if image.ndim == 2:
-        return ArrayImage(cv2.cvtColor(image, cv2.COLOR_GRAY2RGB))
-    has_data = image[..., 3] > 0 if image.shape[2] == 4 else None
-    return ArrayImage(np.ascontiguousarray(image[..., 2::-1]), has_data)
+    has_data = _has_data(image, tags)
+    colors = cv2.cvtColor(image, cv2.COLOR_GRAY2RGB) if image.ndim == 2 else np.ascontiguousarray(image[..., 2::-1])
+    if has_data is not None:
+        colors[~has_data] = 0
+    return Photo(ArrayImage(colors, has_data), None if tags is None else pixel_size_m(tags, image.shape[:2]))
+
+
+def _with_plain_bands(data: bytes, tags: Optional[TiffTags]) -> bytes:
+    """The TIFF with colors that count as darkened by their opacity already: else OpenCV would darken them."""
+    if tags is None or tags.values(EXTRA_SAMPLES) != (_TIFF_OPACITY,):
+        return data
+    patched = bytearray(data)
+    struct.pack_into(tags.order + "H", patched, tags.entries[EXTRA_SAMPLES][2], _TIFF_PREMULTIPLIED)
+    return bytes(patched)
+
+
+def _has_data(image: np.ndarray, tags: Optional[TiffTags]) -> Optional[np.ndarray]:
+    """(H, W) bool: where a decoded photo has data; None everywhere. As GDAL decides: nodata goes before opacity."""
+    nodata = None if tags is None else tags.nodata()
+    if nodata is not None:
+        bands = image if image.ndim == 3 else image[..., None]
+        return (bands[..., :3] != nodata).any(axis=2)
+    extra = () if tags is None else tags.values(EXTRA_SAMPLES)
+    is_opacity = not extra or extra[0] in (_TIFF_OPACITY, _TIFF_PREMULTIPLIED)
+    return image[..., 3] > 0 if image.ndim == 3 and image.shape[2] == 4 and is_opacity else None
 
 
 def image_files(paths: List[str]) -> List[str]:
@@ -96,7 +144,7 @@ def is_image_name(name: str) -> bool:
     return name.lower().endswith(IMAGE_EXTENSIONS) and not name.startswith(".")
 
 
-def _read(path: str, kind: type) -> bytes:
+def _read(path: str, kind: Type[SemRefError]) -> bytes:
     try:
         with open(path, "rb") as file:
             return file.read()
@@ -104,7 +152,7 @@ def _read(path: str, kind: type) -> bytes:
         raise kind("labels.image_unreadable", path=path, reason=error.strerror) from None
 
 
-def _decoded(data: bytes, flags: int, path: str, kind: type) -> np.ndarray:
+def _decoded(data: bytes, flags: int, path: str, kind: Type[SemRefError]) -> np.ndarray:
     # The orientation of EXIF is left alone: GDAL, which the plugin reads with, doesn't know it.
     try:
         image = cv2.imdecode(np.frombuffer(data, np.uint8), flags | cv2.IMREAD_IGNORE_ORIENTATION) if data else None
@@ -124,7 +172,7 @@ def _decoded(data: bytes, flags: int, path: str, kind: type) -> np.ndarray:
     return image
 
 
-def _png_values(data: bytes, path: str) -> Tuple[bytes, object]:
+def _png_values(data: bytes, path: str) -> Tuple[bytes, Optional[int]]:
     """The PNG with a palette's indices as gray values, and its highest value when it has fewer than 8 bits."""
     _, kind, header = struct.unpack_from(">I4s13s", data, len(_PNG))
     bits, color = header[8], header[9]
@@ -140,7 +188,7 @@ def _png_values(data: bytes, path: str) -> Tuple[bytes, object]:
     return data, 2**bits - 1 if color in (_PNG_PALETTE, _PNG_GRAY) and bits < 8 else None
 
 
-def _png_chunks(data: bytes):
+def _png_chunks(data: bytes) -> Iterator[Tuple[bytes, bytes]]:
     place = len(_PNG)
     while place + 12 <= len(data):
         length, name = struct.unpack_from(">I4s", data, place)
@@ -152,33 +200,14 @@ def _png_chunk(name: bytes, content: bytes) -> bytes:
     return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
 
 
-def _tiff_values(data: bytes, path: str) -> Tuple[bytes, object]:
+def _tiff_values(data: bytes, path: str) -> Tuple[bytes, Optional[float]]:
     """The TIFF with a palette's indices as gray values, and its nodata value (GDAL's tag), None without one."""
-    order = _TIFF_ORDERS[data[:4]]
-    (first,) = struct.unpack_from(order + "I", data, 4)
-    (count,) = struct.unpack_from(order + "H", data, first)
-    nodata, bits, palette_at = None, 1, None
-    for n in range(count):
-        place = first + 2 + 12 * n
-        tag, kind, length, value = struct.unpack_from(order + "HHIH", data, place)
-        if tag == _BITS_TAG and kind == _SHORT and length == 1:
-            bits = value
-        elif tag == _PHOTOMETRIC_TAG and value == _TIFF_PALETTE:
-            palette_at = place + 8
-        elif tag == _NODATA_TAG and kind == _ASCII:
-            (far,) = struct.unpack_from(order + "I", data, place + 8)
-            nodata = _number(data[place + 8 : place + 8 + length] if length <= 4 else data[far : far + length])
-    if palette_at is not None:
+    tags = TiffTags(data)
+    if tags.values(PHOTOMETRIC) == (_TIFF_PALETTE,):
+        bits = (tags.values(BITS) or (1,))[0]
         if bits != 8:
             raise LabelMapError("labels.palette_bits", path=path, bits=bits)
         patched = bytearray(data)
-        struct.pack_into(order + "H", patched, palette_at, _TIFF_GRAY)
+        struct.pack_into(tags.order + "H", patched, tags.entries[PHOTOMETRIC][2], _TIFF_GRAY)
         data = bytes(patched)
-    return data, nodata
-
-
-def _number(text: bytes):
-    try:
-        return float(text.rstrip(b"\0 "))
-    except ValueError:
-        return None
+    return data, tags.nodata()

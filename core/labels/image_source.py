@@ -17,7 +17,8 @@ class ImageSource(Protocol):
     def read(self, column: int, row: int, width: int, height: int) -> Tuple[np.ndarray, Optional[np.ndarray]]:
         """(height, width, 3) uint8 pixels, red first, and (height, width) bool: where there is data; None everywhere.
 
-        The piece lies wholly on the image. Pieces are asked for row by row of tiles, from top to bottom.
+        Pixels without data are 0. The piece lies wholly on the image. Pieces are asked for row by row of tiles, from
+        top to bottom.
         """
 
 

@@ -17,6 +17,7 @@ import cv2
 import numpy as np
 
 from ..errors import DatabaseError, ParameterError, SemRefError
+from ..labels.class_table import ClassTable
 from ..labels.image_files import image_files, is_image_name, read_label_image, read_photo
 from ..localizer.localizer import FIX, MAP_CORRELATION, METHODS, Localizer, Prior
 from ..localizer.record import gga_sentence, record
@@ -183,7 +184,7 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
     if method == MAP_CORRELATION and not localizer.has_overview:
         raise DatabaseError(f"{options.database} has no overview, which map correlation searches; export it with one.")
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
-    read_labels = _label_reader(options, onboard)
+    read_labels = label_reader(options.model, options.threads, onboard.database.class_table)
     _say(logging.INFO, "ready", database=options.database, content_hash=onboard.content_hash)
 
     def find(path: str) -> Dict[str, Any]:
@@ -208,21 +209,20 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
     return find
 
 
-def _label_reader(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[str], np.ndarray]:
+def label_reader(model_path: Optional[str], threads: int, table: ClassTable) -> Callable[[str], np.ndarray]:
     """The function path → labels: of label images, or with a model of photos."""
-    table = onboard.database.class_table
-    if not options.model:
+    if not model_path:
         return lambda path: read_label_image(path, table)
     # onnxruntime is needed for photos only.
     from ..segmentation.model import SegmentationModel
-    from ..segmentation.tiling import segment
+    from ..segmentation.photo_labels import PhotoLabels
 
-    model = SegmentationModel(options.model, options.threads)
-    values = model.classes.values_in(table, options.model)
+    model = SegmentationModel(model_path, threads)
+    values = model.classes.values_in(table, model_path)
 
     def labels_of(path: str) -> np.ndarray:
-        rows = [rows for _, rows in segment(model, read_photo(path), values, model.settings.overlap)]
-        return np.concatenate([part.labels_hw for part in rows if part is not None])
+        photo = read_photo(path)
+        return PhotoLabels(model, photo.image, values, photo.pixel_size_m).found()
 
     return labels_of
 

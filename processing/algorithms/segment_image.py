@@ -13,6 +13,7 @@ from qgis.core import (
 
 from ..compat import wkt_for_gdal
 from ..framework.base import ANNOTATION, SemRefAlgorithm, check_canceled
+from ..framework.photo_labels import describe
 from ..packages.components import ONNXRUNTIME, OPENCV
 from ..threads import worker_threads
 from ..translation import tr
@@ -92,6 +93,7 @@ class SegmentImage(SemRefAlgorithm):
         from ...core.segmentation.model import SegmentationModel
         from ...core.segmentation.tiling import segment
         from ...storage.files import written_beside
+        from ...storage.images import GdalImage
         from ...storage.label_map_file import LabelMapFile, whole_tile_rows
         from ...storage.rasters import read_class_table
         from ..exchange.styles import write_label_map_style
@@ -101,13 +103,15 @@ class SegmentImage(SemRefAlgorithm):
         feedback.setProgressText(tr("Loading the model"))
         model = SegmentationModel(self.parameterAsFile(parameters, self.MODEL, context), worker_threads(), table)
         check_canceled(feedback)
-        image = self._image(parameters, context, model, feedback)
+        photo = GdalImage(self._layer.path)
+        image = self._at_resolution(parameters, context, photo, model, feedback)
         overlap = model.settings.overlap
         if parameters.get(self.OVERLAP) not in (None, ""):
             overlap = self.parameterAsDouble(parameters, self.OVERLAP, context) / 100
         output = self.parameterAsOutputLayer(parameters, self.OUTPUT, context)
         height, width = image.shape_hw
-        grid = width, height, image.geotransform, wkt_for_gdal(self._layer.crs)
+        transform = _resized_transform(photo.geotransform, photo.shape_hw, image.shape_hw)
+        grid = width, height, transform, wkt_for_gdal(self._layer.crs)
         classes = model.classes
         feedback.setProgressText(tr("Segmenting"))
         with closing(segment(model, image, classes.values, overlap)) as steps, written_beside(output) as temporary:
@@ -117,41 +121,32 @@ class SegmentImage(SemRefAlgorithm):
         write_label_map_style(output, classes.table)
         return {self.OUTPUT: output}
 
-    def _image(self, parameters, context, model, feedback):
-        """The image at the model's resolution; says how it is read."""
-        from ...storage.images import GdalImage
-        from ..exchange.images import resampled_size
+    def _at_resolution(self, parameters, context, photo, model, feedback):
+        """The photo at the resolution asked for or the model's; says how it is read."""
+        from ...core.segmentation.resampling import at_resolution
+        from ..exchange.images import pixel_size_m
 
-        image = GdalImage(self._layer.path)
         resolution_m = model.settings.resolution_m
         if parameters.get(self.RESOLUTION) not in (None, ""):
             resolution_m = self.parameterAsDouble(parameters, self.RESOLUTION, context) / 100
-        size_wh = resolution_m and resampled_size(image, self._layer.crs, resolution_m)
-        if size_wh:
-            image = GdalImage(self._layer.path, size_wh)
-        describe(model, image, feedback)
-        if size_wh:
+        image = at_resolution(photo, pixel_size_m(photo, self._layer.crs), resolution_m)
+        describe(model, photo, feedback)
+        if image is not photo:
+            height, width = image.shape_hw
             text = tr("Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.")
-            feedback.pushInfo(text.format(resolution=100 * resolution_m, width=size_wh[0], height=size_wh[1]))
+            feedback.pushInfo(text.format(resolution=100 * resolution_m, width=width, height=height))
         elif resolution_m is None:
             feedback.pushWarning(tr("The model does not say its resolution: the image is taken as it is."))
         return image
 
 
-def describe(model, image, feedback) -> None:
-    """Says what runs, which bands it sees, and what of the model's metadata was overruled."""
-    text = tr("{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.")
-    classes = ", ".join(model.classes.names)
-    provider = model.provider.replace("ExecutionProvider", "")
-    height, width = model.tile_hw
-    feedback.pushInfo(text.format(model=model.path, classes=classes, provider=provider, width=width, height=height))
-    red, green, blue = image.bands
-    feedback.pushInfo(tr("Red, green and blue: bands {red}, {green}, {blue}.").format(red=red, green=green, blue=blue))
-    if image.stretch is not None:
-        limits = ", ".join(f"{least:g}–{most:g}" for least, most in image.stretch)
-        feedback.pushInfo(tr("Stretched to 8 bits from {limits}.").format(limits=limits))
-    for note in model.notes:
-        feedback.pushWarning(note)
+def _resized_transform(transform, old_hw, new_hw):
+    """The geotransform of an image that was brought to another (height, width); None for None."""
+    if transform is None:
+        return None
+    x, x_column, x_row, y, y_column, y_row = transform
+    down, across = (old / new for old, new in zip(old_hw, new_hw))
+    return x, x_column * across, x_row * down, y, y_column * across, y_row * down
 
 
 def _followed(steps, feedback):

@@ -1,4 +1,4 @@
-"""How large the pixels of a photo are on the ground, and the size that brings it to a network's resolution."""
+"""How large the pixels of a photo are on the ground."""
 
 from __future__ import annotations
 
@@ -7,35 +7,14 @@ from typing import Optional, Tuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsDistanceArea, QgsPointXY
 
-from ...core.errors import ImageError
 from ...storage.images import GdalImage
 from ...storage.rasters import open_raster
 from ..compat import is_metric
-
-SAME_RESOLUTION = 0.05
-"""An image whose resolution is this close to the wanted one is not resampled."""
 
 
 def stated_crs(path: str) -> QgsCoordinateReferenceSystem:
     """The CRS in a raster file; an invalid one for none."""
     return QgsCoordinateReferenceSystem.fromWkt(open_raster(path, "Image").GetProjection())
-
-
-def resampled_size(
-    image: GdalImage, crs: QgsCoordinateReferenceSystem, resolution_m: float
-) -> Optional[Tuple[int, int]]:
-    """(width, height) that give the image pixels of ``resolution_m`` meters; None when it may stay as it is.
-
-    That is so when the image has no georeference or nearly that resolution. Raises ImageError when nothing is left.
-    """
-    pixel_m = pixel_size_m(image, crs)
-    if pixel_m is None or max(abs(size / resolution_m - 1) for size in pixel_m) < SAME_RESOLUTION:
-        return None
-    height, width = image.shape_hw
-    width, height = (round(size * edge / resolution_m) for size, edge in zip(pixel_m, (width, height)))
-    if min(width, height) < 1:
-        raise ImageError(f"At {100 * resolution_m:g} cm a pixel nothing is left of the image; give another RESOLUTION.")
-    return width, height
 
 
 def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> Optional[Tuple[float, float]]:

@@ -7,9 +7,9 @@ from qgis.core import QgsProcessingFeedback
 
 from ...core.errors import ImageError, ModelError
 from ...core.labels.class_table import ClassTable
-from ..algorithms.segment_image import describe
 from ..packages.components import ONNXRUNTIME, how_to_install, missing
 from ..threads import worker_threads
+from ..translation import tr
 from .base import check_canceled
 
 
@@ -32,26 +32,37 @@ class PhotoLabels:
 
     def __call__(self, path: str) -> np.ndarray:
         from ...core.labels.image_files import MAXIMUM_IMAGE_PIXELS
-        from ...core.segmentation.tiling import nearest_labels, segment
+        from ...core.segmentation.photo_labels import PhotoLabels as Labels
         from ...storage.images import GdalImage
-        from ..exchange.images import resampled_size, stated_crs
+        from ..exchange.images import pixel_size_m, stated_crs
 
         photo = GdalImage(path)
-        shape_hw = photo.shape_hw
-        if shape_hw[0] * shape_hw[1] > MAXIMUM_IMAGE_PIXELS:
+        height, width = photo.shape_hw
+        if height * width > MAXIMUM_IMAGE_PIXELS:
             raise ImageError(
-                f"{path} has {shape_hw[1]} × {shape_hw[0]} pixels, more than a query image may have "
+                f"{path} has {width} × {height} pixels, more than a query image may have "
                 f"({MAXIMUM_IMAGE_PIXELS // 1_000_000} million); cut it to what one photo shows."
             )
-        settings = self._model.settings
-        size_wh = settings.resolution_m and resampled_size(photo, stated_crs(path), settings.resolution_m)
-        if size_wh:
-            photo = GdalImage(path, size_wh)
+        labels = Labels(self._model, photo, self._values, pixel_size_m(photo, stated_crs(path)))
         if not self._is_described:
             describe(self._model, photo, self._feedback)
             self._is_described = True
-        found = []
-        for _, rows in segment(self._model, photo, self._values, settings.overlap):
+        for _ in labels.steps():
             check_canceled(self._feedback)
-            found += [] if rows is None else [rows.labels_hw]
-        return nearest_labels(np.concatenate(found), shape_hw)
+        return labels.labels_hw
+
+
+def describe(model, image, feedback) -> None:
+    """Says what runs, which bands it sees, and what of the model's metadata was overruled."""
+    text = tr("{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.")
+    classes = ", ".join(model.classes.names)
+    provider = model.provider.replace("ExecutionProvider", "")
+    height, width = model.tile_hw
+    feedback.pushInfo(text.format(model=model.path, classes=classes, provider=provider, width=width, height=height))
+    red, green, blue = image.bands
+    feedback.pushInfo(tr("Red, green and blue: bands {red}, {green}, {blue}.").format(red=red, green=green, blue=blue))
+    if image.stretch is not None:
+        limits = ", ".join(f"{least:g}–{most:g}" for least, most in image.stretch)
+        feedback.pushInfo(tr("Stretched to 8 bits from {limits}.").format(limits=limits))
+    for note in model.notes:
+        feedback.pushWarning(note)

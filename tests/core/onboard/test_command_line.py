@@ -6,11 +6,9 @@ import json
 import re
 import shutil
 import socket
-import struct
 import subprocess
 import sys
 import threading
-import zlib
 from dataclasses import replace
 from datetime import datetime, timezone
 from pathlib import Path
@@ -20,11 +18,9 @@ import numpy as np
 import pytest
 
 from semref.core.database.build import BuildSettings, DatabaseBuilder
-from semref.core.errors import ImageError, LabelMapError
 from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.lon_lat import fit_lon_lat
 from semref.core.labels.class_table import ClassTable, LandCoverClass
-from semref.core.labels.image_files import read_label_image, read_photo
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localizer.localizer import AUTOMATIC, Localizer
 from semref.core.localizer.record import gga_sentence
@@ -269,64 +265,3 @@ def test_a_sentence_has_its_checksum_and_never_sixty_minutes():
         total ^= ord(character)
     assert text.endswith(f"*{total:02X}")
     assert gga_sentence(moment, 0.5, -0.25).split(",")[2:6] == ["0015.00000", "S", "00030.00000", "E"]
-
-
-# --- images ---
-
-
-def png_with_palette(labels, bits=8) -> bytes:
-    """A paletted PNG, made by hand: OpenCV writes none."""
-
-    def chunk(name, content):
-        return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
-
-    height, width = labels.shape
-    if bits == 4:
-        packed = labels[:, 0::2] << 4 | labels[:, 1::2]
-    else:
-        packed = labels
-    rows = b"".join(b"\0" + row.tobytes() for row in packed)
-    header = struct.pack(">IIBBBBB", width, height, bits, 3, 0, 0, 0)
-    palette = np.random.default_rng(2).integers(0, 256, (2**bits, 3), np.uint8).tobytes()
-    parts = (b"IHDR", header), (b"PLTE", palette), (b"tRNS", b"\0\1"), (b"IDAT", zlib.compress(rows)), (b"IEND", b"")
-    return b"\x89PNG\r\n\x1a\n" + b"".join(chunk(*part) for part in parts)
-
-
-@pytest.mark.parametrize("bits", [8, 4])
-def test_a_palette_of_a_png_is_not_taken_for_colors(tmp_path, bits):
-    (tmp_path / "paletted.png").write_bytes(png_with_palette(MAP[:100, :100], bits))
-    np.testing.assert_array_equal(read_label_image(str(tmp_path / "paletted.png"), TABLE), MAP[:100, :100])
-
-
-def test_colors_are_decoded_by_the_class_table(image):
-    colors = np.zeros((256, 3), np.uint8)
-    for c in TABLE:
-        colors[c.value] = c.rgb[::-1]
-    np.testing.assert_array_equal(read_label_image(image("colors.png", colors[HERE]), TABLE), HERE)
-
-
-@pytest.mark.parametrize("name", ["gray.png", "gray.tif"])
-def test_gray_values_are_class_values(image, name):
-    np.testing.assert_array_equal(read_label_image(image(name), TABLE), HERE)
-
-
-def test_sixteen_bits_will_do_when_the_values_fit(image):
-    np.testing.assert_array_equal(read_label_image(image("deep.png", HERE.astype(np.uint16)), TABLE), HERE)
-    with pytest.raises(LabelMapError, match="has the value 300"):
-        read_label_image(image("deep.png", np.full((9, 9), 300, np.uint16)), TABLE)
-
-
-@pytest.mark.parametrize("data", [b"", b"GIF89a", b"\x89PNG\r\n\x1a\n", b"II*\0\xff\xff\xff\xff", b"\xff\xd8\xff"])
-def test_what_is_no_image_is_refused(tmp_path, data):
-    (tmp_path / "x.png").write_bytes(data)
-    with pytest.raises(LabelMapError, match=re.escape(str(tmp_path / "x.png"))):
-        read_label_image(str(tmp_path / "x.png"), TABLE)
-    with pytest.raises(ImageError):
-        read_photo(str(tmp_path / "x.png"))
-
-
-def test_a_photo_is_red_first_and_has_no_data_where_it_is_transparent(image):
-    pixels = np.random.default_rng(1).integers(0, 256, (20, 30, 4), np.uint8)
-    photo, has_data = read_photo(image("photo.png", pixels)).read(0, 0, 30, 20)
-    np.testing.assert_array_equal(photo, pixels[..., 2::-1])
-    np.testing.assert_array_equal(has_data, pixels[..., 3] > 0)

@@ -1,0 +1,114 @@
+"""What a TIFF says of itself in its tags, GeoTIFF's included: read without GDAL, for computers that have no QGIS."""
+
+from __future__ import annotations
+
+import struct
+from math import cos, hypot, radians, sin
+from typing import Dict, Optional, Tuple
+
+ORDERS = {b"II*\0": "<", b"MM\0*": ">"}
+"""Byte order of a TIFF by its first four bytes."""
+
+_SIZES_AND_CODES = {1: (1, "B"), 2: (1, "s"), 3: (2, "H"), 4: (4, "I"), 12: (8, "d")}
+"""Bytes and code for ``struct`` of the kinds of values that are read: byte, text, short, long, double."""
+
+PHOTOMETRIC, BITS, EXTRA_SAMPLES, NODATA = 262, 258, 338, 42113
+_PIXEL_SCALE, _TIE_POINT, _TRANSFORMATION, _GEO_KEYS = 33550, 33922, 34264, 34735
+_MODEL_TYPE_KEY, _PROJECTED, _GEOGRAPHIC = 1024, 1, 2
+_LINEAR_UNITS_KEY, _ANGULAR_UNITS_KEY, _DEGREE = 3076, 2054, 9102
+_METERS_PER_UNIT = {9001: 1.0, 9002: 0.3048, 9003: 1200 / 3937}
+"""By the code of a linear unit: meter, foot, US survey foot."""
+
+_EQUATOR_RADIUS_M, _ECCENTRICITY_SQUARED = 6378137.0, 0.0066943799901413165
+"""Of WGS 84's ellipsoid."""
+
+
+class TiffTags:
+    """The tags of the first image in a TIFF.
+
+    Attributes:
+        order: ``struct``'s sign of the byte order.
+        entries: By tag, (kind, number of values, where its value or the place of its values stands).
+    """
+
+    def __init__(self, data: bytes) -> None:
+        """Reads the directory; raises struct.error where the file is cut short and KeyError for no TIFF."""
+        self._data = data
+        self.order = ORDERS[data[:4]]
+        (first,) = struct.unpack_from(self.order + "I", data, 4)
+        (count,) = struct.unpack_from(self.order + "H", data, first)
+        self.entries: Dict[int, Tuple[int, int, int]] = {}
+        for place in range(first + 2, first + 2 + 12 * count, 12):
+            tag, kind, length = struct.unpack_from(self.order + "HHI", data, place)
+            self.entries[tag] = kind, length, place + 8
+
+    def values(self, tag: int) -> tuple:
+        """The values of a tag, a text as one bytes; () where it is missing or of a kind not known here."""
+        kind, length, place = self.entries.get(tag, (0, 0, 0))
+        if kind not in _SIZES_AND_CODES:
+            return ()
+        size, code = _SIZES_AND_CODES[kind]
+        if size * length > 4:
+            (place,) = struct.unpack_from(self.order + "I", self._data, place)
+        if size * length > len(self._data):
+            raise struct.error("longer than the file")
+        return struct.unpack_from(f"{self.order}{length}{code}", self._data, place)
+
+    def nodata(self) -> Optional[float]:
+        """GDAL's nodata value, None without one."""
+        found = self.values(NODATA)
+        try:
+            return float(found[0].rstrip(b"\0 ")) if found else None
+        except (AttributeError, ValueError):
+            return None
+
+
+def pixel_size_m(tags: TiffTags, shape_hw: Tuple[int, int]) -> Optional[Tuple[float, float]]:
+    """Ground meters along a row and along a column of a pixel of a GeoTIFF, as QGIS measures them in its middle.
+
+    Degrees are measured on WGS 84's ellipsoid. None where the file itself has no georeference, does not say what its
+    CRS is, or where that measures in another unit than meters, feet and degrees. Raises struct.error for damaged tags.
+
+    Args:
+        tags: Those of the file.
+        shape_hw: (height, width) of the image.
+    """
+    transform, keys = _geotransform(tags), _geo_keys(tags)
+    if transform is None:
+        return None
+    x_column, x_row, y_column, y_row, top = transform
+    kind = keys.get(_MODEL_TYPE_KEY)
+    if kind == _PROJECTED:
+        unit = _METERS_PER_UNIT.get(keys.get(_LINEAR_UNITS_KEY, 9001))
+        return None if unit is None else (unit * hypot(x_column, y_column), unit * hypot(x_row, y_row))
+    if kind == _GEOGRAPHIC and keys.get(_ANGULAR_UNITS_KEY, _DEGREE) == _DEGREE:
+        latitude = top + y_column * shape_hw[1] / 2 + y_row * shape_hw[0] / 2
+        east, north = _meters_per_degree(latitude)
+        return hypot(east * x_column, north * y_column), hypot(east * x_row, north * y_row)
+    return None
+
+
+def _geotransform(tags: TiffTags) -> Optional[Tuple[float, float, float, float, float]]:
+    """Map units that x and y grow by a column and by a row, and y of the upper left corner; None without any."""
+    matrix = tags.values(_TRANSFORMATION)
+    if len(matrix) == 16:
+        return matrix[0], matrix[1], matrix[4], matrix[5], matrix[7]
+    scale, tie = tags.values(_PIXEL_SCALE), tags.values(_TIE_POINT)
+    if len(scale) < 2 or len(tie) < 6 or not scale[0] or not scale[1]:
+        return None
+    return scale[0], 0.0, 0.0, -scale[1], tie[4] + tie[1] * scale[1]
+
+
+def _geo_keys(tags: TiffTags) -> Dict[int, int]:
+    """GeoTIFF's keys whose value is a single number."""
+    found = tags.values(_GEO_KEYS)
+    keys = (found[place : place + 4] for place in range(4, len(found) - 3, 4))
+    return {key: value for key, where, _, value in keys if where == 0}
+
+
+def _meters_per_degree(latitude_deg: float) -> Tuple[float, float]:
+    """Of longitude and of latitude."""
+    flattened = 1 - _ECCENTRICITY_SQUARED * sin(radians(latitude_deg)) ** 2
+    east = _EQUATOR_RADIUS_M / flattened**0.5 * cos(radians(latitude_deg))
+    north = _EQUATOR_RADIUS_M * (1 - _ECCENTRICITY_SQUARED) / flattened**1.5
+    return radians(east), radians(north)

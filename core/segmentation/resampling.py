@@ -1,0 +1,155 @@
+"""Photos at the resolution that a network was trained on, resampled piece by piece.
+
+The arithmetic is exact: weights are whole numbers, so a pixel comes out the same bit for bit whatever piece it is
+read with and whatever computer reads it, in QGIS as on board. OpenCV and GDAL both resample in floating point, and
+OpenCV only whole images.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import gcd
+from typing import Optional, Tuple, Union
+
+import numpy as np
+
+from ..errors import ImageError
+from ..labels.image_source import ImageSource
+
+SAME_RESOLUTION = 0.05
+"""An image whose resolution is this close to the wanted one is not resampled (a share of the wanted one)."""
+
+
+def at_resolution(
+    image: ImageSource, pixel_size_m: Optional[Tuple[float, float]], resolution_m: Optional[float]
+) -> ImageSource:
+    """Brings a photo to a network's resolution: means where it shrinks, bilinear where it grows.
+
+    Args:
+        image: The photo.
+        pixel_size_m: Ground meters along a row and along a column of one of its pixels; None where unknown.
+        resolution_m: Ground meters a pixel that the network wants; None where it does not say.
+
+    Returns:
+        The photo resampled, or ``image`` itself where a resolution is unknown or both are the same within
+        ``SAME_RESOLUTION``.
+
+    Raises:
+        ImageError: Nothing is left of the image at that resolution.
+    """
+    if pixel_size_m is None or not resolution_m:
+        return image
+    if max(abs(size / resolution_m - 1) for size in pixel_size_m) < SAME_RESOLUTION:
+        return image
+    height, width = image.shape_hw
+    width, height = (round(size * edge / resolution_m) for size, edge in zip(pixel_size_m, (width, height)))
+    if min(width, height) < 1:
+        raise ImageError(f"At {100 * resolution_m:g} cm a pixel nothing is left of the image; give another RESOLUTION.")
+    return ResampledImage(image, (height, width))
+
+
+class ResampledImage:
+    """An ImageSource of another size: means of pixels where it gets narrower, else bilinear.
+
+    Pixels without data don't count; a pixel has data where any of those that make it has.
+    """
+
+    def __init__(self, image: ImageSource, shape_hw: Tuple[int, int]) -> None:
+        """Takes an image and the (height, width) wanted."""
+        self._image = image
+        self._shape_hw = shape_hw
+        shrinks = shape_hw[1] < image.shape_hw[1]
+        self._rows, self._columns = (_Axis(old, new, shrinks) for old, new in zip(image.shape_hw, shape_hw))
+
+    @property
+    def shape_hw(self) -> Tuple[int, int]:
+        """(height, width) in pixels."""
+        return self._shape_hw
+
+    def read(self, column: int, row: int, width: int, height: int) -> Tuple[np.ndarray, Optional[np.ndarray]]:
+        """A piece of the resampled image, as ``ImageSource`` says."""
+        rows, columns = self._rows.taps(row, height), self._columns.taps(column, width)
+        pixels, has_data = self._image.read(columns.first, rows.first, columns.count, rows.count)
+        total = float(self._rows.total * self._columns.total)
+        if has_data is None:
+            return _rounded(_weighted(pixels, rows, columns), total), None
+        with_data = has_data.astype(np.uint8)[..., None]
+        sums = _weighted(np.concatenate([pixels * with_data, with_data], axis=2), rows, columns)
+        weights = sums[..., 3:]
+        found = weights[..., 0] > 0
+        return _rounded(sums[..., :3], np.maximum(weights, 1)), None if found.all() else found
+
+
+@dataclass(frozen=True)
+class _Taps:
+    """Which pixels make a run of new ones.
+
+    Attributes:
+        first: The first pixel that is needed.
+        count: How many pixels are needed from there on.
+        places: (N, K) intp, for each new pixel its K old ones, counted from ``first``.
+        weights: (N, K) float64 whole numbers.
+    """
+
+    first: int
+    count: int
+    places: np.ndarray
+    weights: np.ndarray
+
+
+class _Axis:
+    """Rows or columns: how ``old`` pixels become ``new`` ones, with weights that sum up to ``total``."""
+
+    def __init__(self, old: int, new: int, shrinks: bool) -> None:
+        common = gcd(old, new)
+        self._old = old
+        # A new pixel is numerator / denominator old ones wide.
+        self._numerator, self._denominator = old // common, new // common
+        self._shrinks = shrinks
+        self.total = self._numerator if shrinks else 2 * self._denominator
+
+    def taps(self, first: int, count: int) -> _Taps:
+        """Those of the new pixels from ``first`` on."""
+        wanted = np.arange(first, first + count, dtype=np.int64)
+        places, weights = self._means(wanted) if self._shrinks else self._between(wanted)
+        places = np.clip(places, 0, self._old - 1)
+        start = int(places.min())
+        return _Taps(start, int(places.max()) + 1 - start, places - start, weights.astype(np.float64))
+
+    def _means(self, wanted: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+        """Each old pixel counts by the share that lies in the new one; in units of 1 / denominator of an old one."""
+        begin = wanted * self._numerator
+        end = begin + self._numerator
+        most = 2 + (self._numerator - 1) // self._denominator
+        places = begin[:, None] // self._denominator + np.arange(most)
+        from_, to = places * self._denominator, (places + 1) * self._denominator
+        weights = np.minimum(end[:, None], to) - np.maximum(begin[:, None], from_)
+        return places, np.maximum(weights, 0)
+
+    def _between(self, wanted: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+        """The two old pixels whose centers lie around the new one's; in units of half a new pixel."""
+        center = (2 * wanted + 1) * self._numerator - self._denominator
+        before = center // (2 * self._denominator)
+        beyond = center - before * 2 * self._denominator
+        return np.stack([before, before + 1], axis=1), np.stack([2 * self._denominator - beyond, beyond], axis=1)
+
+
+def _weighted(pixels: np.ndarray, rows: _Taps, columns: _Taps) -> np.ndarray:
+    """(N, M, C) float64 weighted sums, whole numbers below 2⁵³ for images of up to 10¹² pixels, of (H, W, C) uint8."""
+    _, width, bands = pixels.shape
+    by_row = _sums_along(pixels.reshape(len(pixels), -1), rows).reshape(-1, width, bands)
+    by_column = _sums_along(by_row.swapaxes(0, 1).reshape(width, -1), columns)
+    return by_column.reshape(-1, len(by_row), bands).swapaxes(0, 1)
+
+
+def _sums_along(values: np.ndarray, taps: _Taps) -> np.ndarray:
+    """(N, X) float64 sums of the (Y, X) values' rows that make each new one."""
+    sums = np.zeros((len(taps.places), values.shape[1]))
+    for places, weights in zip(taps.places.T, taps.weights.T):
+        sums += np.multiply(values[places], weights[:, None], dtype=np.float64)
+    return sums
+
+
+def _rounded(sums: np.ndarray, totals: Union[float, np.ndarray]) -> np.ndarray:
+    """uint8 of sums / totals, halves rounded up."""
+    return ((sums + totals / 2) / totals).astype(np.uint8)

@@ -1,0 +1,89 @@
+"""Tags of TIFF files: georeference becomes meters a pixel, and what is damaged or foreign becomes None."""
+
+from __future__ import annotations
+
+import struct
+
+import numpy as np
+import pytest
+
+from semref.core.labels.tiff import NODATA, TiffTags, pixel_size_m
+
+CODES = {2: "s", 3: "H", 4: "I", 12: "d"}
+SHAPE_HW = (100, 200)
+METERS = (1024, 0, 1, 1), (3076, 0, 1, 9001)
+DEGREES = (1024, 0, 1, 2), (2054, 0, 1, 9102)
+
+
+def tiff(entries, order="<") -> bytes:
+    """A TIFF that is nothing but a directory of (tag, kind, values)."""
+    place = 8 + 2 + 12 * len(entries) + 4
+    head, content = b"", b""
+    for tag, kind, values in entries:
+        data = values if kind == 2 else struct.pack(f"{order}{len(values)}{CODES[kind]}", *values)
+        head += struct.pack(order + "HHI", tag, kind, len(values))
+        head += data.ljust(4, b"\0") if len(data) <= 4 else struct.pack(order + "I", place + len(content))
+        content += b"" if len(data) <= 4 else data
+    magic = b"II*\0" if order == "<" else b"MM\0*"
+    return magic + struct.pack(order + "IH", 8, len(entries)) + head + bytes(4) + content
+
+
+def georeferenced(keys, *placing, order="<"):
+    directory = (1, 1, 0, len(keys), *(number for key in keys for number in key))
+    return TiffTags(tiff([*placing, (34735, 3, directory)], order))
+
+
+def scaled(x, y=None, top=0.0):
+    return (33550, 12, (x, y or x, 0.0)), (33922, 12, (0.0, 0.0, 0.0, 8.0, top, 0.0))
+
+
+@pytest.mark.parametrize("order", ["<", ">"])
+def test_meters_are_meters(order):
+    assert pixel_size_m(georeferenced(METERS, *scaled(0.25, 0.5), order=order), SHAPE_HW) == (0.25, 0.5)
+
+
+def test_feet_are_turned_into_meters():
+    feet = georeferenced(((1024, 0, 1, 1), (3076, 0, 1, 9002)), *scaled(10.0))
+    assert pixel_size_m(feet, SHAPE_HW) == pytest.approx((3.048, 3.048))
+
+
+def test_a_turned_image_has_the_pixels_of_its_matrix():
+    matrix = (0.3, -0.4, 0, 0, 0.8, 0.6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1)
+    assert pixel_size_m(georeferenced(METERS, (34264, 12, matrix)), SHAPE_HW) == pytest.approx(
+        (np.hypot(0.3, 0.8), np.hypot(0.4, 0.6))
+    )
+
+
+def test_a_degree_of_longitude_is_half_as_long_at_60_north():
+    found = pixel_size_m(georeferenced(DEGREES, *scaled(1e-6, top=60 + 50e-6)), SHAPE_HW)
+    # Lengths of a degree at 60° on WGS 84: National Geospatial-Intelligence Agency's table.
+    assert found == pytest.approx((55_800e-6, 111_412e-6), rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    "tags",
+    [
+        TiffTags(tiff([])),
+        georeferenced(METERS),
+        georeferenced((), *scaled(1.0)),
+        georeferenced(METERS, *scaled(0.0)),
+        georeferenced(((1024, 0, 1, 3),), *scaled(1.0)),
+        georeferenced(((1024, 0, 1, 1), (3076, 0, 1, 9036)), *scaled(1.0)),
+        georeferenced(((1024, 0, 1, 2), (2054, 0, 1, 9105)), *scaled(1.0)),
+        georeferenced(METERS, (33550, 12, (1.0, 1.0, 0.0))),
+    ],
+)
+def test_what_is_not_said_is_not_guessed(tags):
+    assert pixel_size_m(tags, SHAPE_HW) is None
+
+
+@pytest.mark.parametrize(("text", "wanted"), [(b"255\0", 255.0), (b"-9999 \0", -9999.0), (b"none\0", None)])
+def test_nodata_is_a_number_or_nothing(text, wanted):
+    assert TiffTags(tiff([(NODATA, 2, text)])).nodata() == wanted
+
+
+def test_a_file_that_ends_too_early_is_told():
+    data = tiff([(33550, 12, (1.0, 1.0, 0.0))])
+    for length in range(4, len(data)):
+        with pytest.raises(struct.error):
+            TiffTags(data[:length]).values(33550)

@@ -1,0 +1,68 @@
+"""A photo gives the same labels in QGIS, which reads it with GDAL, as on board, where there is none."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from made_inputs import CLASSES_CSV, METRIC_CRS, NORTH, WEST, scattered_objects, spatial_reference, write_raster
+from made_models import brightest_color, metadata, painted, write_model
+from osgeo import gdal
+from qgis.core import QgsProcessingFeedback
+
+from semref.core.labels.class_table import class_table_from_csv
+from semref.core.onboard.command_line import label_reader
+from semref.processing.framework.photo_labels import PhotoLabels
+
+TABLE = class_table_from_csv(CLASSES_CSV)
+NOISE = np.random.default_rng(6).normal(0, 25, (150, 190, 3))
+PHOTO = np.clip(painted(scattered_objects(150, 190, 70, seed=6, background=0)) + NOISE, 0, 255).astype(np.uint8)
+BANDS = np.moveaxis(PHOTO, 2, 0)
+DEGREE_M = 111_320.0
+HOLE = np.full((1, *PHOTO.shape[:2]), 255, np.uint8)
+HOLE[:, 30:90, 50:120] = 0
+
+
+def meters(size, turn=0.0):
+    return WEST, size, turn, NORTH, turn, -size
+
+
+def with_fourth_band(path, band, *options):
+    height, width = PHOTO.shape[:2]
+    raster = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 4, options=list(options))
+    raster.SetGeoTransform(meters(0.31))
+    raster.SetProjection(spatial_reference(METRIC_CRS).ExportToWkt())
+    raster.WriteArray(np.concatenate([BANDS, band]))
+    return path
+
+
+PHOTOS = {
+    "meters, shrunk": lambda path: write_raster(path, BANDS, transform=meters(0.31)),
+    "meters, grown": lambda path: write_raster(path, BANDS, transform=meters(0.8)),
+    "turned": lambda path: write_raster(path, BANDS, transform=meters(0.2, 0.1)),
+    "degrees": lambda path: write_raster(path, BANDS, crs=4326, transform=(8, 3e-6, 0, 60, 0, -2e-6)),
+    "feet": lambda path: write_raster(path, BANDS, crs=2263, transform=(1e6, 1, 0, 2e5, 0, -1)),
+    "the model's resolution": lambda path: write_raster(path, BANDS, transform=meters(0.51)),
+    "no CRS": lambda path: write_raster(path, BANDS, crs=None, transform=meters(0.2)),
+    "no georeference": lambda path: write_raster(path, BANDS, transform=None),
+    "nodata": lambda path: write_raster(path, BANDS * (HOLE > 0), nodata=0, transform=meters(0.31)),
+    "transparent": lambda path: with_fourth_band(path, HOLE, "PHOTOMETRIC=RGB", "ALPHA=YES"),
+    "half transparent": lambda path: with_fourth_band(path, HOLE // 2, "PHOTOMETRIC=RGB", "ALPHA=YES"),
+    "near infrared": lambda path: with_fourth_band(path, HOLE, "PHOTOMETRIC=RGB", "ALPHA=UNSPECIFIED"),
+    "gray": lambda path: write_raster(path, BANDS[0], transform=meters(0.31)),
+    "PNG": lambda path: write_raster(path.with_suffix(".png"), BANDS, transform=None),
+}
+
+
+@pytest.fixture(scope="module")
+def model(tmp_path_factory):
+    path = tmp_path_factory.mktemp("model") / "m.onnx"
+    return str(write_model(path, brightest_color(3), metadata=metadata(resolution=50)))
+
+
+@pytest.mark.parametrize("name", PHOTOS)
+def test_a_photo_has_the_same_labels_in_qgis_and_on_board(qgis_app, model, tmp_path, name):
+    path = str(PHOTOS[name](tmp_path / "photo.tif"))
+    in_qgis = PhotoLabels(model, TABLE, QgsProcessingFeedback(False))(path)
+    on_board = label_reader(model, 1, TABLE)(path)
+    np.testing.assert_array_equal(on_board, in_qgis)
+    assert in_qgis.shape == PHOTO.shape[:2] and len(np.unique(in_qgis)) >= (1 if name == "gray" else 3)
