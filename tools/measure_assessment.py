@@ -84,7 +84,7 @@ def fresh_trials(work: Path, labels: Path, database: Path, count: int, automatic
     from semref.core.assessment.cells import ground_cells
     from semref.core.labels.sources import ArrayLabels
     from semref.core.localizer.localizer import AUTOMATIC, CONSTELLATION, Localizer
-    from semref.storage.geopackage import read_database
+    from semref.storage.database.reader import read_database
 
     path = work / f"fresh_{'automatic' if automatic else 'constellation'}.jsonl"
     done = [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []

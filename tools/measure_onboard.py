@@ -31,7 +31,7 @@ from qgis_session import ROOT, load_plugin_package, qgis_session  # noqa: E402
 load_plugin_package()
 from semref.core.labels.sources import ArrayLabels  # noqa: E402
 from semref.core.landmarks.landmarks import extract_landmarks  # noqa: E402
-from semref.core.onboard.format import read_onboard  # noqa: E402
+from semref.core.onboard.read import read_onboard  # noqa: E402
 from semref.core.simulation import views as trials  # noqa: E402
 
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")

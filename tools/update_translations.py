@@ -20,13 +20,12 @@ STEP_FILES = (
     "core/annotation/repair.py",
     "core/database/build.py",
     "core/database/update.py",
-    "processing/exchange/burning.py",
-    "storage/database_edit.py",
-    "storage/geopackage.py",
-    "processing/exchange/rasters.py",
-    "processing/exchange/region_burning.py",
+    "storage/burning.py",
+    "storage/database/editor.py",
+    "storage/database/writer.py",
+    "storage/rasters.py",
     "storage/sample_files.py",
-    "processing/exchange/training_tiles.py",
+    "storage/training_tiles.py",
 )
 """Where steps are yielded: their texts are translated by whoever shows them."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
@@ -19,9 +19,10 @@ from ..landmarks.landmarks import Landmarks
 from ..landmarks.landmarks import minimum_area_px as area_px
 from ..windows.describe import DescribedWindows, describe_windows
 from ..windows.distinctiveness import distinctiveness
-from ..windows.grid import WindowGrid, whole_pixels, window_name
+from ..windows.grid import WindowGrid, whole_pixels
 from ..windows.topology_vector import MINIMUM_REFERENCES, REFERENCES_PER_VECTOR
-from .model import BuildParameters, MapLandmarks, ReferenceDatabase, Windows
+from .model import MapLandmarks, ReferenceDatabase, Windows
+from .parameters import BuildParameters
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,7 @@ class BuildSettings:
 class DatabaseBuilder:
     """Builds a database step by step: iterate ``steps()`` to the end, then take ``database`` and ``overview``.
 
-    ``compare_windows()`` then adds ``distinctiveness``.
+    ``compare_windows()`` then adds the windows' distinctiveness to it.
     """
 
     def __init__(
@@ -68,7 +69,6 @@ class DatabaseBuilder:
         self.grids = level_grids(source.shape_hw, frame.pixel_size, settings)
         self.overview: Optional[np.ndarray] = None
         self.database: Optional[ReferenceDatabase] = None
-        self.distinctiveness: Optional[np.ndarray] = None
 
     def read_from(self, source: LabelSource) -> None:
         """Takes the same map's labels from another source from now on: from memory, say."""
@@ -99,7 +99,7 @@ class DatabaseBuilder:
         self.database = ReferenceDatabase(windows, references, self._table, self._parameters(hashes), None)
 
     def compare_windows(self) -> Iterator[Tuple[str, float]]:
-        """Yields (what is being done, share done); afterwards ``distinctiveness`` has a distance for every window.
+        """Yields (what is being done, share done); afterwards the windows have their distinctiveness.
 
         NaN for windows without a vector or without another one to compare with.
         """
@@ -110,7 +110,7 @@ class DatabaseBuilder:
         for block, distances in blocks:
             found[index[block]] = np.where(np.isinf(distances), np.nan, distances)
             yield "Comparing windows", block.stop / len(index)
-        self.distinctiveness = found
+        self.database = replace(self.database, windows=replace(windows, distinctiveness=found))
 
     def _scan(self) -> Iterator[Tuple[float, Optional[Tuple[Landmarks, Tuple[str, ...]]]]]:
         """One pass over the map: landmarks, overview and block hashes."""
@@ -158,16 +158,15 @@ class DatabaseBuilder:
         )
 
     def _windows(self, described: Sequence[Tuple[int, WindowGrid, DescribedWindows]]) -> Windows:
-        columns = np.concatenate([w.columns for _, _, w in described])
-        rows = np.concatenate([w.rows for _, _, w in described])
+        first_pixels = np.concatenate([np.column_stack([w.columns, w.rows]) for _, _, w in described])
         counts = np.concatenate([w.counts for _, _, w in described])
         repeats = [len(w.counts) for _, _, w in described]
         sizes_px = np.repeat([grid.size for _, grid, _ in described], repeats)
         return Windows(
-            names=np.array([window_name(c, r) for c, r in zip(columns.tolist(), rows.tolist())]),
+            first_pixels=first_pixels,
             levels=np.repeat([level for level, _, _ in described], repeats),
             sizes=sizes_px * self._frame.pixel_size,
-            centers=self._frame.to_map(np.column_stack([columns, rows]) + sizes_px[:, None] / 2),
+            centers=self._frame.to_map(first_pixels + sizes_px[:, None] / 2),
             counts=counts,
             vectors=np.concatenate([w.vectors for _, _, w in described]),
             described=counts >= MINIMUM_REFERENCES,

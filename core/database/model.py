@@ -1,41 +1,76 @@
-"""A reference database in memory: what a build makes, what localization needs.
-
-Told in docs/file-formats.md#reference-database.
-"""
+"""A reference database in memory: what a build makes, what localization needs (docs/file-formats.md)."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional, Tuple
+from functools import cached_property
+from typing import Optional
 
 import numpy as np
 
-from ..errors import DatabaseError
 from ..geometry.frame import MapFrame
 from ..labels.class_table import ClassTable
+from ..windows.grid import window_name
+from .parameters import BuildParameters
 
-FORMAT_VERSION = 1
+_OFF_PIXELS = 1e-3
+"""Pixels by which rounding of large map coordinates may move a window at most."""
 
 
 @dataclass(frozen=True)
 class Windows:
     """The windows of a database, N of them.
 
-    names: (N,) str ``column_row``; levels: (N,) int; sizes: (N,) float64 map units;
-    centers: (N, 2) float64 map coordinates (x, y); counts: (N,) landmarks;
-    vectors: (N, 3·X) float32; described: (N,) bool, False where there are too few references for a vector.
+    Attributes:
+        first_pixels: (N, 2) int64 first column and row on the label map
+        levels: (N,) int64, counted from 1
+        sizes: (N,) float64 edge, map units
+        centers: (N, 2) float64 map coordinates (x, y)
+        counts: (N,) int64 landmarks
+        vectors: (N, 3·X) float32
+        described: (N,) bool, False where there are too few landmarks for a vector
+        distinctiveness: (N,) float64 distance to the nearest vector elsewhere, NaN for none; None where the windows
+            were not compared, or not read whole
     """
 
-    names: np.ndarray
+    first_pixels: np.ndarray
     levels: np.ndarray
     sizes: np.ndarray
     centers: np.ndarray
     counts: np.ndarray
     vectors: np.ndarray
     described: np.ndarray
+    distinctiveness: Optional[np.ndarray] = None
 
     def __len__(self) -> int:
-        return len(self.names)
+        return len(self.levels)
+
+    def name(self, index: int) -> str:
+        """Name of one window."""
+        return window_name(*self.first_pixels[index].tolist())
+
+    @cached_property
+    def names(self) -> np.ndarray:
+        """(N,) str names of all windows; made at the first use."""
+        return np.array([window_name(*pixel) for pixel in self.first_pixels.tolist()], dtype=str)
+
+
+def first_pixels_of(centers: np.ndarray, sizes: np.ndarray, frame: MapFrame) -> np.ndarray:
+    """(N, 2) int64 first column and row of windows on the label map, from where they lie.
+
+    Args:
+        centers: (N, 2) map coordinates (x, y).
+        sizes: (N,) edges, map units.
+        frame: Of the label map.
+
+    Raises:
+        ValueError: A window does not lie on whole pixels.
+    """
+    first = frame.to_pixels(centers) - np.rint(sizes / frame.pixel_size)[:, None] / 2
+    whole = np.rint(first)
+    if np.abs(first - whole).max(initial=0) > _OFF_PIXELS or whole.min(initial=0) < 0:
+        raise ValueError("a window does not lie on the label map's pixels")
+    return whole.astype(np.int64)
 
 
 @dataclass(frozen=True)
@@ -55,55 +90,6 @@ class MapLandmarks:
 
     def __len__(self) -> int:
         return len(self.classes)
-
-
-@dataclass(frozen=True)
-class BuildParameters:
-    """What a database was built with; kept in it under these names.
-
-    crs: WKT of the metric CRS; geotransform: GDAL's six numbers of the label map; pixel_size, window_size and
-    stride in map units; minimum_area in m²; levels: multipliers of the window size. block_hashes: one a block of the
-    label map (``map_hash``), row by row; none in databases of versions that did not keep them.
-    """
-
-    crs: str
-    geotransform: tuple
-    map_width_px: int
-    map_height_px: int
-    pixel_size: float
-    window_size: float
-    stride: float
-    levels: tuple
-    references_per_vector: int
-    minimum_area: float
-    overview_factor: int
-    map_hash: str
-    class_table_hash: str
-    plugin_version: str
-    format_version: int = FORMAT_VERSION
-    block_hashes: tuple = ()
-
-    def __post_init__(self) -> None:
-        if self.format_version > FORMAT_VERSION:
-            raise DatabaseError(
-                f"The database has format version {self.format_version}, newer than this SemRef reads "
-                f"({FORMAT_VERSION}); update the plugin."
-            )
-
-    @property
-    def extent(self) -> Tuple[float, float, float, float]:
-        """(x_min, y_min, x_max, y_max) of the label map."""
-        return self.frame.extent
-
-    @property
-    def frame(self) -> MapFrame:
-        """Where the pixels of the label map lie."""
-        return MapFrame(self.crs, self.geotransform, (self.map_height_px, self.map_width_px))
-
-    @property
-    def overview_frame(self) -> MapFrame:
-        """Where the pixels of the overview lie."""
-        return self.frame.reduced(self.overview_factor)
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import Iterator, List, Optional, Sequence, Set, Tuple
+from typing import Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -14,31 +14,31 @@ from ..labels.block_hashes import HASHED_BLOCK, BlockHasher, block_hash, blocks_
 from ..labels.counts import count_labels
 from ..labels.overview import most_frequent_labels
 from ..labels.sources import KeptTiles, LabelSource, PartOfMap
-from ..landmarks.catalogue import CatalogueBuilder, measure_region
-from ..landmarks.landmarks import Landmarks, minimum_area_px, objects_from_rows, rows_array
-from ..landmarks.regions import Region, RegionFinder
+from ..landmarks.catalogue import CatalogueBuilder
+from ..landmarks.landmarks import Landmarks, minimum_area_px
 from ..windows.describe import describe_windows
 from ..windows.distinctiveness import nearest_distances
 from ..windows.grid import WindowGrid
 from ..windows.topology_vector import MINIMUM_REFERENCES
-from .build import map_references
-from .model import BuildParameters, MapLandmarks, ReferenceDatabase, Windows
-
-Bounds = Tuple[int, int, int, int]
-"""(left, top, right, bottom) in pixels of the label map, right and bottom beyond the last."""
+from .changed_regions import Bounds, ChangedLandmarks, block_bounds, blocks_of, changed_places
+from .model import MapLandmarks, ReferenceDatabase, Windows
+from .parameters import BuildParameters
 
 
 @dataclass(frozen=True)
 class DatabaseChanges:
     """What an update changes in a database of N windows.
 
-    windows, distinctiveness: all N as they are now, NaN where there is no distinctiveness; touched: indices of the
-    windows that differ from before; removed: indices of the references that are gone; added: the new ones;
-    overview: (first column, first row, (h, w) uint8) pieces of the new overview; parameters: as they are now.
+    Attributes:
+        windows: all N as they are now
+        touched: (T,) int64 indices of the windows that differ from before
+        removed: (K,) int64 indices of the landmarks that are gone
+        added: the new landmarks
+        overview: (first column, first row, (h, w) uint8) pieces of the new overview
+        parameters: as they are now
     """
 
     windows: Windows
-    distinctiveness: np.ndarray
     touched: np.ndarray
     removed: np.ndarray
     added: MapLandmarks
@@ -58,24 +58,30 @@ class DatabaseUpdater:
         source: LabelSource,
         frame: MapFrame,
         database: ReferenceDatabase,
-        distinctiveness: np.ndarray,
         areas: Optional[Sequence[Bounds]],
         plugin_version: str,
         threads: int = 1,
     ) -> None:
-        """``database``: with the references' bounds; ``distinctiveness``: (N,) of its windows, NaN for none.
+        """Makes the updater.
 
-        ``areas``: rectangles that hold every changed pixel, parts beyond the map are ignored; None when they are to be
-        found by comparing block hashes, which reads the whole map. Blocks that no area touches are taken to be as they
-        were and keep their hashes: what changed there is found by the next update without ``areas``. Raises
-        DatabaseError for a database that can't be updated, LabelMapError when the map is not of the same pixel grid.
+        Args:
+            source, frame: The corrected label map.
+            database: With the landmarks' bounds and the windows' distinctiveness.
+            areas: Rectangles that hold every changed pixel, parts beyond the map are ignored; None when they are to be
+                found by comparing block hashes, which reads the whole map. Blocks that no area touches are taken to be
+                as they were and keep their hashes: what changed there is found by the next update without ``areas``.
+            plugin_version: What the updated database says.
+            threads: Rows of windows that are described at once.
+
+        Raises:
+            DatabaseError: The database can't be updated.
+            LabelMapError: The map is not of the same pixel grid.
         """
         require_same_grid(source.shape_hw, frame, database)
         self._whole = source
         self._source = KeptTiles(source)
         self._frame = database.parameters.frame
         self._database = database
-        self._distinctiveness = distinctiveness
         self._areas = areas
         self._plugin_version = plugin_version
         self._threads = threads
@@ -91,28 +97,24 @@ class DatabaseUpdater:
         hashes: List[str] = []
         for share in self._hash(hashes):
             yield "Looking for changes", 0.5 * share
-        places = self._changed_places(hashes)
+        places = changed_places(self._database.parameters.block_hashes, hashes, self._source.shape_hw)
         self._check_values(places)
-        removed: List[int] = []
-        rows: List[tuple] = []
-        values = self._database.class_table.reference_values
-        for n, value in enumerate(values):
-            for share in self._compare_references(value, places, removed, rows):
-                yield "Finding landmarks", 0.5 + 0.1 * (n + share) / len(values)
-        if len(self._database.references) - len(removed) + len(rows) == 0:
+        landmarks = ChangedLandmarks(self._source, self._database, places)
+        for share in landmarks.steps():
+            yield "Finding landmarks", 0.5 + 0.1 * share
+        removed, added = landmarks.removed, landmarks.added
+        if len(self._database.references) - len(removed) + len(added) == 0:
             raise LabelMapError("The corrected map shows no landmark any more; choose another label map.")
         windows = _copied(self._database.windows)
         for share in self._describe(windows, places):
             yield "Describing windows", 0.6 + 0.2 * share
-        distinct = self._distinctiveness.copy()
-        for share in self._compare_windows(windows, distinct):
+        for share in self._compare_windows(windows):
             yield "Comparing windows", 0.8 + 0.2 * share
         self.changes = DatabaseChanges(
             windows,
-            distinct,
-            np.flatnonzero(self._touched(windows, distinct)),
-            np.array(sorted(removed), np.int64),
-            map_references(objects_from_rows(rows_array(rows), self._source.shape_hw), self._frame),
+            np.flatnonzero(_differ(self._database.windows, windows)),
+            removed,
+            added,
             tuple(self._overview_piece(place) for place in places),
             replace(
                 self._database.parameters,
@@ -142,26 +144,12 @@ class DatabaseUpdater:
             hashes += hasher.hashes
             return
         hashes += self._database.parameters.block_hashes
-        blocks = sorted(set().union(*(_blocks_of(area, (height, width)) for area in self._areas)))
+        blocks = sorted(set().union(*(blocks_of(area, (height, width)) for area in self._areas)))
         for n, block in enumerate(blocks, start=1):
-            left, top, right, bottom = _block_bounds(block, (height, width))
+            left, top, right, bottom = block_bounds(block, (height, width))
             labels = self._source.read(left, top, right - left, bottom - top)
             hashes[block[0] * blocks_shape((height, width))[1] + block[1]] = block_hash(labels)
             yield n / len(blocks)
-
-    def _changed_places(self, hashes: Sequence[str]) -> List[Bounds]:
-        """Rectangles apart from each other that hold the changed blocks and, around them, a line of unchanged pixels.
-
-        Whole blocks, also where only a corner of one was said to have changed: its new hash stands for all of it.
-        """
-        height, width = shape_hw = self._source.shape_hw
-        columns = blocks_shape(shape_hw)[1]
-        found = []
-        for i, (before, now) in enumerate(zip(self._database.parameters.block_hashes, hashes)):
-            if before != now:
-                left, top, right, bottom = _block_bounds(divmod(i, columns), shape_hw)
-                found.append(_common((left - 1, top - 1, right + 1, bottom + 1), (0, 0, width, height)))
-        return _joined(found)
 
     def _check_values(self, places: Sequence[Bounds]) -> None:
         known = {0, *(c.value for c in self._database.class_table)}
@@ -172,63 +160,6 @@ class DatabaseUpdater:
                     f"The label map has the value {value}, which the database's classes lack; correct it or build a "
                     "new database."
                 )
-
-    # --- landmarks ---
-
-    def _compare_references(
-        self, value: int, places: Sequence[Bounds], removed: List[int], rows: List[tuple]
-    ) -> Iterator[float]:
-        """Adds the references of a class that are gone (indices) and new objects (region rows); yields the share."""
-        finder = RegionFinder(self._source, value)
-        regions: Set[Region] = set()
-        for n, place in enumerate(places, start=1):
-            regions |= finder.touching(place)
-            yield 0.3 * n / len(places)
-        new = {}
-        for n, region in enumerate(regions, start=1):
-            row = measure_region(self._source, value, region.bounds, region.first_pixel, self._minimum_area_px)
-            if row is not None:
-                new[self._as_stored(row)] = row
-            yield 0.3 + 0.6 * n / len(regions)
-        references = self._database.references
-        reached = (references.classes == value) & _meets_any(references.bounds_px, places)
-        crossing = [region for region in regions if not any(_holds(place, region.bounds) for place in places)]
-        for k in np.flatnonzero(reached).tolist():
-            bounds = tuple(references.bounds_px[k].tolist())
-            same = (bounds, *references.positions[k].tolist(), float(references.areas_m2[k]))
-            # What is as it was, although it lies in a changed place, stays.
-            if new.pop(same, None) is None and not self._stands(bounds, places, crossing, finder, regions):
-                removed.append(k)
-            yield 0.9
-        rows += new.values()
-
-    def _as_stored(self, row: tuple) -> tuple:
-        """Bounds, position and area of a region row as the database has them."""
-        found = map_references(objects_from_rows(rows_array([row]), self._source.shape_hw), self._frame)
-        return tuple(found.bounds_px[0].tolist()), *found.positions[0].tolist(), float(found.areas_m2[0])
-
-    def _stands(
-        self,
-        bounds: Bounds,
-        places: Sequence[Bounds],
-        crossing: Sequence[Region],
-        finder: RegionFinder,
-        regions: Set[Region],
-    ) -> bool:
-        """Whether an old object whose bounds meet a changed place has no pixel in one.
-
-        Its pixels outside the places, and on their outermost lines, are what they were. So an object with pixels
-        both inside and outside shares some with one of the new regions that cross a place's border.
-        """
-        if any(_holds(place, bounds) for place in places):
-            return False
-        if not any(_meet(bounds, region.bounds) for region in crossing):
-            return True
-        left, top, right, _ = bounds
-        # Two regions of one class can't have the same bounds: they would cross, and so be one.
-        return any(
-            region.bounds == bounds and region not in regions for region in finder.starting_in_row(top, left, right)
-        )
 
     # --- windows ---
 
@@ -253,9 +184,9 @@ class DatabaseUpdater:
                 windows.described[index] = found.counts >= MINIMUM_REFERENCES
                 yield n / len(tasks)
 
-    def _compare_windows(self, windows: Windows, distinct: np.ndarray) -> Iterator[float]:
-        """Brings ``distinct`` up to date: distances to changed windows, and all distances where the nearest changed."""
-        old = self._database.windows
+    def _compare_windows(self, windows: Windows) -> Iterator[float]:
+        """Brings distinctiveness up to date: distances to changed windows, and all where the nearest changed."""
+        old, distinct = self._database.windows, windows.distinctiveness
         changed = (old.described != windows.described) | (old.vectors != windows.vectors).any(axis=1)
         if not changed.any():
             return
@@ -272,16 +203,6 @@ class DatabaseUpdater:
         distinct[anew] = _nearest(windows, anew, np.flatnonzero(windows.described))
         distinct[np.isinf(distinct)] = np.nan
         yield 1.0
-
-    def _touched(self, windows: Windows, distinct: np.ndarray) -> np.ndarray:
-        """(N,) bool: which windows differ from what they were."""
-        old, before = self._database.windows, self._distinctiveness
-        return (
-            (old.counts != windows.counts)
-            | (old.described != windows.described)
-            | (old.vectors != windows.vectors).any(axis=1)
-            | ((before != distinct) & ~(np.isnan(before) & np.isnan(distinct)))
-        )
 
     # --- overview ---
 
@@ -326,7 +247,7 @@ class _Level:
         """Raises DatabaseError when windows are missing."""
         windows, parameters = database.windows, database.parameters
         index = np.flatnonzero(windows.levels == level)
-        places = np.array([name.split("_") for name in windows.names[index].tolist()], np.int64)
+        places = windows.first_pixels[index]
         size = int(round(windows.sizes[index[0]] / parameters.pixel_size))
         steps = places[places > 0]
         stride = int(steps.min()) if len(steps) else size
@@ -356,8 +277,19 @@ class _Level:
 
 
 def _copied(windows: Windows) -> Windows:
-    return replace(
-        windows, counts=windows.counts.copy(), vectors=windows.vectors.copy(), described=windows.described.copy()
+    """With arrays of its own for what an update changes."""
+    names = "counts", "vectors", "described", "distinctiveness"
+    return replace(windows, **{name: getattr(windows, name).copy() for name in names})
+
+
+def _differ(old: Windows, new: Windows) -> np.ndarray:
+    """(N,) bool: which windows are not what they were."""
+    before, now = old.distinctiveness, new.distinctiveness
+    return (
+        (old.counts != new.counts)
+        | (old.described != new.described)
+        | (old.vectors != new.vectors).any(axis=1)
+        | ((before != now) & ~(np.isnan(before) & np.isnan(now)))
     )
 
 
@@ -376,57 +308,3 @@ def _objects(labels: LabelSource, values: Sequence[int], minimum_area: float) ->
         for _ in steps:
             pass
     return catalogue.objects
-
-
-# --- rectangles ---
-
-
-def _holds(outer: Bounds, inner: Bounds) -> bool:
-    return outer[0] <= inner[0] and outer[1] <= inner[1] and outer[2] >= inner[2] and outer[3] >= inner[3]
-
-
-def _meet(a: Bounds, b: Bounds) -> bool:
-    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
-
-
-def _meets_any(bounds: np.ndarray, places: Sequence[Bounds]) -> np.ndarray:
-    """(N,) bool: which of the (N, 4) rectangles share a pixel with one of ``places``."""
-    found = np.zeros(len(bounds), bool)
-    for left, top, right, bottom in places:
-        found |= (bounds[:, 0] < right) & (bounds[:, 2] > left) & (bounds[:, 1] < bottom) & (bounds[:, 3] > top)
-    return found
-
-
-def _common(a: Bounds, b: Bounds) -> Bounds:
-    return max(a[0], b[0]), max(a[1], b[1]), min(a[2], b[2]), min(a[3], b[3])
-
-
-def _joined(places: Sequence[Bounds]) -> List[Bounds]:
-    """Rectangles of which no two share a pixel; those that do become the one around both."""
-    joined: List[Bounds] = []
-    waiting = sorted(places)
-    while waiting:
-        place = waiting.pop()
-        meeting = [other for other in joined if _meet(place, other)]
-        if meeting:
-            joined = [other for other in joined if not _meet(place, other)]
-            lefts, tops, rights, bottoms = zip(place, *meeting)
-            waiting.append((min(lefts), min(tops), max(rights), max(bottoms)))
-        else:
-            joined.append(place)
-    return sorted(joined)
-
-
-def _blocks_of(area: Bounds, shape_hw: Tuple[int, int]) -> Set[Tuple[int, int]]:
-    """(row, column) of the hashed blocks that share a pixel with ``area``."""
-    left, top, right, bottom = _common(area, (0, 0, shape_hw[1], shape_hw[0]))
-    if left >= right or top >= bottom:
-        return set()
-    rows = range(top // HASHED_BLOCK, (bottom - 1) // HASHED_BLOCK + 1)
-    columns = range(left // HASHED_BLOCK, (right - 1) // HASHED_BLOCK + 1)
-    return {(row, column) for row in rows for column in columns}
-
-
-def _block_bounds(block: Tuple[int, int], shape_hw: Tuple[int, int]) -> Bounds:
-    top, left = block[0] * HASHED_BLOCK, block[1] * HASHED_BLOCK
-    return left, top, min(left + HASHED_BLOCK, shape_hw[1]), min(top + HASHED_BLOCK, shape_hw[0])

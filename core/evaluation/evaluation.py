@@ -250,7 +250,7 @@ class Evaluation:
         return Query(
             part,
             number,
-            str(windows.names[window]),
+            windows.name(window),
             int(windows.counts[window]),
             (float(x), float(y)),
             heading,
@@ -300,7 +300,7 @@ class Evaluation:
 
     def _nearest_window(self, position: Tuple[float, float]) -> str:
         windows = self._database.windows
-        return str(windows.names[np.hypot(*(windows.centers - position).T).argmin()])
+        return windows.name(np.hypot(*(windows.centers - position).T).argmin())
 
 
 def _offset(limits: Tuple[float, float], rng: np.random.Generator) -> np.ndarray:

@@ -146,7 +146,7 @@ class Localizer:
             position=(float(windows.centers[index, 0]), float(windows.centers[index, 1])),
             confidence=vector_confidence(distance),
             distance=distance,
-            window=str(windows.names[index]),
+            window=windows.name(index),
             window_index=index,
         )
 

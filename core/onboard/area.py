@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Sequence
 
 import cv2
 import numpy as np
 
-from ..database.model import BuildParameters, MapLandmarks, ReferenceDatabase, Windows
+from ..database.model import ReferenceDatabase
+from ..database.parameters import BuildParameters
 from ..errors import DatabaseError
 from ..labels.class_table import UNLABELED
 
@@ -42,8 +43,8 @@ def clipped(database: ReferenceDatabase, mask: np.ndarray) -> ReferenceDatabase:
     overview = database.overview
     return replace(
         database,
-        references=_chosen(references, kept, MapLandmarks),
-        windows=_chosen(windows, centered, Windows),
+        references=_chosen(references, kept),
+        windows=_chosen(windows, centered),
         overview=None if overview is None else np.where(mask, overview, np.uint8(UNLABELED)),
     )
 
@@ -55,5 +56,7 @@ def _in(mask: np.ndarray, points_xy: np.ndarray, parameters: BuildParameters) ->
     return mask[rows, columns]
 
 
-def _chosen(items, chosen: np.ndarray, kind: type):
-    return kind(**{name: None if array is None else array[chosen] for name, array in vars(items).items()})
+def _chosen(items, chosen: np.ndarray):
+    """Those of some windows or landmarks that a mask picks."""
+    arrays = {item.name: getattr(items, item.name) for item in fields(items)}
+    return replace(items, **{name: array[chosen] for name, array in arrays.items() if array is not None})

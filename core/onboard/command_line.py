@@ -22,7 +22,8 @@ from ..labels.image_files import image_files, is_image_name, read_label_image, r
 from ..localizer.localizer import FIX, MAP_CORRELATION, METHODS, Localizer, Prior
 from ..localizer.record import gga_sentence, record
 from ..sentences import english
-from .format import OnboardDatabase, read_onboard
+from .format import OnboardDatabase
+from .read import read_onboard
 
 ALL_FIXED, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED = range(4)
 """Exit codes; argparse ends with 2 by itself."""

@@ -111,7 +111,7 @@ class AssessDatabase(AssessAlgorithm):
         from ...core.assessment.cells import ground_cells
         from ...core.localizer.localizer import Localizer
 
-        database, distinctiveness, crs = self.read_all(parameters, context, feedback)
+        database, crs = self.read_all(parameters, context, feedback)
         text = self.parameterAsString(parameters, self.FOOTPRINT, context)
         footprints = footprint_sizes(text, database.parameters.window_size)
         cells = cancelable(ground_cells, database, self._spacing(parameters, context, footprints), feedback=feedback)
@@ -125,8 +125,8 @@ class AssessDatabase(AssessAlgorithm):
             results.append(self._assessed(parameters, context, database, localizer, footprint, cells, feedback, share))
         check_canceled(feedback)
         threshold = self.threshold(parameters, context)
-        report = self._write_report(parameters, context, database, cells, results, distinctiveness)
-        destination = self._write_cells(parameters, context, database, cells, results, distinctiveness, crs)
+        report = self._write_report(parameters, context, database, cells, results)
+        destination = self._write_cells(parameters, context, database, cells, results, crs)
         self._say(results, threshold, feedback)
         fraction = float((results[0].estimates.success >= threshold).mean())
         return {self.OUTPUT: destination, **report, self.LOCALIZABLE_FRACTION: fraction}
@@ -148,7 +148,7 @@ class AssessDatabase(AssessAlgorithm):
         )
         return AssessedFootprint(footprint, estimates, fixes, correlated, assessment.model)
 
-    def _write_report(self, parameters, context, database, cells, results, distinctiveness):
+    def _write_report(self, parameters, context, database, cells, results):
         from ...storage.files import written_beside
         from ..reports.assessment_report import AssessmentReport
 
@@ -168,14 +168,14 @@ class AssessDatabase(AssessAlgorithm):
             file.write(report.html(os.path.basename(database.source)))
         return {self.REPORT: path}
 
-    def _write_cells(self, parameters, context, database, cells, results, distinctiveness, crs):
+    def _write_cells(self, parameters, context, database, cells, results, crs):
         from ..exchange.assessment_styles import cell_renderer
         from ..exchange.output_style import style_output
 
         sink = Sink(self, parameters, self.OUTPUT, context, FIELDS, POLYGON, crs)
         threshold, half = self.threshold(parameters, context), cells.size / 2
         for result in results:
-            unlike = _nearest_distinctiveness(database, distinctiveness, cells.centers, result.footprint)
+            unlike = _nearest_distinctiveness(database.windows, cells.centers, result.footprint)
             for n, (x, y) in enumerate(cells.centers.tolist()):
                 square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
                 sink.add(square, _values(result, n, unlike[n], threshold))
@@ -222,11 +222,10 @@ def _values(result, n: int, distinctiveness: float, threshold: float) -> dict:
     }
 
 
-def _nearest_distinctiveness(database, distinctiveness, places, footprint: float) -> list:
+def _nearest_distinctiveness(windows, places, footprint: float) -> list:
     """Of the window nearest to each place, of the level whose size is nearest to the footprint; NaN where unknown."""
     from ...core.constellation.neighbors import nearest
 
-    windows = database.windows
     sizes = np.unique(windows.sizes)
     if not len(sizes):
         return [np.nan] * len(places)
@@ -234,6 +233,6 @@ def _nearest_distinctiveness(database, distinctiveness, places, footprint: float
     middle = windows.centers[chosen].mean(axis=0)
     points, queries = ((xy - middle).astype(np.float32) for xy in (windows.centers[chosen], places))
     number, squared = nearest(points, queries, 1)
-    found = distinctiveness[chosen[number[:, 0]]]
+    found = windows.distinctiveness[chosen[number[:, 0]]]
     # A window that doesn't hold the place says nothing about it.
     return np.where(squared[:, 0] <= (footprint / 2) ** 2, found, np.nan).tolist()

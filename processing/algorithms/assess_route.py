@@ -156,7 +156,7 @@ class AssessRoute(AssessAlgorithm):
         from ..exchange.routes import lines_in
         from ..reports.route_report import AssessedRoute
 
-        database, _, crs = self.read_all(parameters, context, feedback)
+        database, crs = self.read_all(parameters, context, feedback)
         footprint = self._number(parameters, context, self.FOOTPRINT, database.parameters.window_size)
         spacing = self._number(parameters, context, self.SPACING, footprint / 4)
         points = route_points(lines_in(self._route, crs, context.transformContext()), spacing)

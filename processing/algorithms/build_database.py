@@ -112,8 +112,8 @@ class BuildDatabase(SemRefAlgorithm):
 
     def work(self, parameters, context, feedback):
         from ...core.database.build import DatabaseBuilder
+        from ...storage.database.writer import DatabaseWriter
         from ...storage.files import written_beside
-        from ...storage.geopackage import DatabaseWriter
         from ...storage.rasters import GdalLabels, HeldLabels
         from ..exchange.layers import map_frame
         from ..exchange.reference_systems import longitudes_latitudes
@@ -135,7 +135,7 @@ class BuildDatabase(SemRefAlgorithm):
             database = builder.database
             degrees = longitudes_latitudes(database.windows.centers, self._layer.crs, context.transformContext())
             styles = database_styles(database.class_table)
-            writer = DatabaseWriter(temporary, database, *degrees, builder.distinctiveness, builder.overview, styles)
+            writer = DatabaseWriter(temporary, database, *degrees, builder.overview, styles)
             follow(writer.steps(), feedback, 85, 100)
         self._say_result(database, feedback)
         return {

@@ -145,7 +145,7 @@ class DescribeImage(SemRefAlgorithm):
 
     def _settings(self, parameters, context, transform):
         """(class table, function square size → area fraction, vector length), from the database or the parameters."""
-        from ...storage.geopackage import read_database
+        from ...storage.database.reader import read_database
         from ...storage.rasters import open_raster, read_class_table, stored_class_table
 
         database_path = self.parameterAsFile(parameters, self.DATABASE, context)

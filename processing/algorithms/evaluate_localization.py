@@ -282,7 +282,7 @@ class EvaluateLocalization(SemRefAlgorithm):
     def _evaluation(self, parameters, context, feedback):
         """(Evaluation, database, its CRS); raises SemRefError when map and database don't belong together."""
         from ...core.evaluation.evaluation import Evaluation
-        from ...storage.geopackage import read_database
+        from ...storage.database.reader import read_database
         from ...storage.rasters import GdalLabels
         from ..exchange.layers import map_frame
 

@@ -79,9 +79,10 @@ class ExportOnboard(SemRefAlgorithm):
         self._area = drawn_area(self.parameterAsSource(parameters, self.CLIP, context))
 
     def work(self, parameters, context, feedback):
-        from ...core.onboard.format import read_onboard, write_onboard
+        from ...core.onboard.read import read_onboard
+        from ...core.onboard.write import write_onboard
+        from ...storage.database.reader import read_database, read_overview
         from ...storage.files import written_beside
-        from ...storage.geopackage import read_database, read_overview
         from ..exchange.reference_systems import fitted_lon_lat
 
         output = self.parameterAsFileOutput(parameters, self.OUTPUT, context)

@@ -236,7 +236,7 @@ class LocalizeImages(SemRefAlgorithm):
     def work(self, parameters, context, feedback):
         from ...core.localizer.localizer import FIX, Localizer
         from ...storage.camera_files import read_cameras
-        from ...storage.geopackage import read_database
+        from ...storage.database.reader import read_database
         from ...storage.rasters import image_files
 
         feedback.setProgressText(tr("Reading the database"))
@@ -372,7 +372,7 @@ def _polygon(corners_xy) -> QgsGeometry:
 
 def _with_overview(database, path, feedback):
     """The database with its overview; without one automatic has the constellation alone, and says so."""
-    from ...storage.geopackage import read_overview
+    from ...storage.database.reader import read_overview
 
     try:
         return replace(database, overview=read_overview(path))

@@ -75,9 +75,9 @@ class UpdateDatabase(SemRefAlgorithm):
 
     def work(self, parameters, context, feedback):
         from ...core.database.update import DatabaseUpdater
-        from ...storage.database_edit import DatabaseEditor
+        from ...storage.database.editor import DatabaseEditor
+        from ...storage.database.reader import read_stored_database
         from ...storage.files import written_beside
-        from ...storage.geopackage import read_stored_database
         from ...storage.rasters import GdalLabels
         from ..exchange.layers import map_frame
 
@@ -91,7 +91,6 @@ class UpdateDatabase(SemRefAlgorithm):
             labels,
             frame,
             stored.database,
-            stored.distinctiveness,
             self._areas(frame, context, feedback),
             plugin_version(),
             worker_threads(),

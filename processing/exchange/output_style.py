@@ -12,7 +12,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
-from ...storage.geopackage import leave_wal
+from ...storage.database.reader import leave_wal
 
 _KEPT: List["_Styler"] = []
 _MOST_KEPT = 20

@@ -25,8 +25,8 @@ from qgis.PyQt.QtXml import QDomDocument
 
 from ...core.annotation.findings import ERROR, INFORMATION, WARNING
 from ...core.labels.class_table import ClassTable
+from ...storage.database.reader import stored_style
 from ...storage.files import written_beside
-from ...storage.geopackage import stored_style
 from ..wording.annotation_messages import severity_title
 
 WINDOW_COLOR = "#1f5fbf"

@@ -88,8 +88,8 @@ class AssessAlgorithm(SemRefAlgorithm):
         return self.parameterAsDouble(parameters, self.THRESHOLD, context) / 100
 
     def read_all(self, parameters, context, feedback):
-        """(database with bounds and, if it has one, overview; distinctiveness of its windows; its CRS)."""
-        from ...storage.geopackage import read_overview, read_stored_database
+        """(database with bounds and, if it has one, overview; its CRS)."""
+        from ...storage.database.reader import read_overview, read_stored_database
 
         feedback.setProgressText(tr("Reading the database"))
         path = self.parameterAsFile(parameters, self.DATABASE, context)
@@ -105,7 +105,7 @@ class AssessAlgorithm(SemRefAlgorithm):
             if self.parameterAsBool(parameters, self.MAP_CORRELATION, context):
                 raise
             feedback.pushWarning(tr("The database has no overview; where its ground ends is taken from its extent."))
-        return database, stored.distinctiveness, crs
+        return database, crs
 
     def assessment(self, parameters, context, database, localizer, footprint: float, feedback):
         """The assessment of a footprint; says when images like that aren't searched for."""

@@ -37,13 +37,13 @@ def export(run_algorithm, database, tmp_path, feedback):
 
 
 def whole(path):
-    from semref.storage.geopackage import read_database
+    from semref.storage.database.reader import read_database
 
     return read_database(path, with_overview=True)
 
 
 def onboard(path):
-    from semref.core.onboard.format import read_onboard
+    from semref.core.onboard.read import read_onboard
 
     return read_onboard(path)
 

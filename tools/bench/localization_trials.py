@@ -76,7 +76,7 @@ class QueryMap:
         from semref.core.labels.sources import ArrayLabels
         from semref.core.landmarks.landmarks import extract_landmarks
         from semref.core.localizer.localizer import Localizer
-        from semref.storage.geopackage import read_database
+        from semref.storage.database.reader import read_database
 
         database = read_database(str(database_path), with_overview=True)
         parameters = database.parameters

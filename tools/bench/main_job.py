@@ -10,7 +10,7 @@ from bench import inputs, page, plugin
 
 
 def measure(run: inputs.Run) -> str:
-    from semref.storage.geopackage import read_database
+    from semref.storage.database.reader import read_database
 
     labels, database = run.work / "main_job.tif", run.work / "main_job.gpkg"
     begin = time.perf_counter()

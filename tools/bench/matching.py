@@ -14,7 +14,7 @@ SEED = 1671
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
-    from semref.storage.geopackage import read_database
+    from semref.storage.database.reader import read_database
 
     rows = []
     for path in _databases(run):

@@ -36,7 +36,7 @@ class Ground:
 
     def __init__(self, labels_hw: np.ndarray, database_path: Path) -> None:
         from semref.core.localizer.localizer import Localizer
-        from semref.storage.geopackage import read_database
+        from semref.storage.database.reader import read_database
 
         self.labels_hw = labels_hw
         self.database = read_database(str(database_path))

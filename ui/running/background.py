@@ -11,7 +11,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...core.database.model import ReferenceDatabase
 from ...core.errors import SemRefError
-from ...storage.geopackage import read_database
+from ...storage.database.reader import read_database
 from .algorithm_run import UNLOAD_WAIT_MS
 
 

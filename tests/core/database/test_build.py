@@ -251,7 +251,7 @@ def test_stopping_half_way_leaves_no_thread_and_no_database(labels, steps_taken,
 def distinctiveness_of(builder):
     for _ in builder.compare_windows():
         pass
-    return builder.distinctiveness
+    return builder.database.windows.distinctiveness
 
 
 def test_distinctiveness_is_the_distance_to_the_nearest_window_elsewhere(labels):

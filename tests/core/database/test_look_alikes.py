@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from semref.core.database.look_alikes import describe_window, vector_rows, window_at
-from semref.core.database.model import BuildParameters, MapLandmarks, ReferenceDatabase, Windows
+from semref.core.database.model import MapLandmarks, ReferenceDatabase, Windows
+from semref.core.database.parameters import BuildParameters
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.windows.topology_vector import topology_vector, vector_objects
 
@@ -16,7 +17,7 @@ def database():
     vectors = np.zeros((5, 30), np.float32)
     vectors[:, 0] = (0.0, 0.1, 0.2, 0.9, 0.4)
     windows = Windows(
-        np.array(["0_0", "50_0", "100_0", "150_0", "200_0"]),
+        np.column_stack([np.arange(5) * 50, np.zeros(5, int)]),
         np.ones(5, int),
         np.full(5, 100.0),
         centers,

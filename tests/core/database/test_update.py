@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 import pytest
 
-from semref.core.database import update as update_module
+from semref.core.database import changed_regions, update
 from semref.core.database.build import BuildSettings, DatabaseBuilder
 from semref.core.database.model import MapLandmarks, Windows
 from semref.core.database.update import DatabaseUpdater
@@ -39,8 +39,9 @@ HEIGHT, WIDTH = 150, 190
 def small_blocks(monkeypatch):
     """So that a small map has many blocks and tiles."""
     monkeypatch.setattr(map_hash_module, "HASHED_BLOCK", 32)
-    monkeypatch.setattr(update_module, "HASHED_BLOCK", 32)
-    monkeypatch.setattr(update_module, "RegionFinder", lambda source, value: RegionFinder(source, value, 24))
+    monkeypatch.setattr(update, "HASHED_BLOCK", 32)
+    monkeypatch.setattr(changed_regions, "HASHED_BLOCK", 32)
+    monkeypatch.setattr(changed_regions, "RegionFinder", lambda source, value: RegionFinder(source, value, 24))
 
 
 def blobs(seed, scale=1.5):
@@ -83,9 +84,9 @@ def built(labels, settings=SETTINGS):
 
 
 def updated(builder, labels, areas=None, frame=FRAME):
-    """(database, distinctiveness, overview, changes) after an update; ``builder``: of the map before."""
+    """(database, overview, changes) after an update; ``builder``: of the map before."""
     database = builder.database
-    updater = DatabaseUpdater(ArrayLabels(labels), frame, database, builder.distinctiveness, areas, "1.2.3")
+    updater = DatabaseUpdater(ArrayLabels(labels), frame, database, areas, "1.2.3")
     for _ in updater.steps():
         pass
     changes, old = updater.changes, database.references
@@ -98,7 +99,7 @@ def updated(builder, labels, areas=None, frame=FRAME):
     database = replace(
         database, windows=changes.windows, references=MapLandmarks(**references), parameters=changes.parameters
     )
-    return database, changes.distinctiveness, overview, changes
+    return database, overview, changes
 
 
 def in_order(references):
@@ -109,13 +110,12 @@ def in_order(references):
 
 def assert_is_the_rebuild(builder, labels, areas=None):
     expected = built(labels)
-    database, distinctiveness, overview, changes = updated(builder, labels, areas)
+    database, overview, changes = updated(builder, labels, areas)
     for item in fields(Windows):
         np.testing.assert_array_equal(
             getattr(database.windows, item.name), getattr(expected.database.windows, item.name), item.name
         )
     np.testing.assert_array_equal(in_order(database.references), in_order(expected.database.references))
-    np.testing.assert_array_equal(distinctiveness, expected.distinctiveness)
     np.testing.assert_array_equal(overview, expected.overview)
     assert database.parameters == expected.database.parameters
     return changes
@@ -216,10 +216,10 @@ def test_windows_away_from_the_change_are_not_touched_unless_their_nearest_one_i
     builder = built(labels)
     changes = assert_is_the_rebuild(builder, edited, [(80, 70, 90, 80)])
     for i in changes.touched:
-        column, row = map(int, builder.database.windows.names[i].split("_"))
+        column, row = builder.database.windows.first_pixels[i]
         size = round(builder.database.windows.sizes[i] / PIXEL)
         reached = column < 90 and column + size > 80 and row < 80 and row + size > 70
-        assert reached or changes.distinctiveness[i] != builder.distinctiveness[i]
+        assert reached or changes.windows.distinctiveness[i] != builder.database.windows.distinctiveness[i]
 
 
 def test_only_the_changed_areas_are_read():
@@ -236,7 +236,7 @@ def test_only_the_changed_areas_are_read():
             return super().read(*place)
 
     source = Watched(edited)
-    updater = DatabaseUpdater(source, FRAME, builder.database, builder.distinctiveness, [(80, 70, 86, 76)], "1.2.3")
+    updater = DatabaseUpdater(source, FRAME, builder.database, [(80, 70, 86, 76)], "1.2.3")
     updater._source = KeptTiles(source, 16)
     for _ in updater.steps():
         pass
@@ -254,9 +254,9 @@ def test_a_change_in_another_block_is_missed_until_the_whole_map_is_compared():
     labels = houses(2)
     edited = labels.copy()
     edited[70:76, 80:86] = edited[10:16, 80:86] = 2
-    database, distinctiveness, overview, _ = updated(built(labels), edited, [(80, 70, 86, 76)])
+    database, overview, _ = updated(built(labels), edited, [(80, 70, 86, 76)])
     assert database.parameters != built(edited).database.parameters
-    half_way = SimpleNamespace(database=database, distinctiveness=distinctiveness, overview=overview)
+    half_way = SimpleNamespace(database=database, overview=overview)
     assert_is_the_rebuild(half_way, edited)
 
 

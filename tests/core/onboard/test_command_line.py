@@ -26,7 +26,8 @@ from semref.core.localizer.localizer import AUTOMATIC, Localizer
 from semref.core.localizer.record import gga_sentence
 from semref.core.onboard import command_line
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, WRONG_USAGE, main
-from semref.core.onboard.format import read_onboard, write_onboard
+from semref.core.onboard.read import read_onboard
+from semref.core.onboard.write import write_onboard
 
 TABLE = ClassTable(
     (

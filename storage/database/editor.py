@@ -10,10 +10,11 @@ from typing import Iterator, Tuple
 import numpy as np
 from osgeo import gdal, ogr
 
-from ..core.database.update import DatabaseChanges
-from ..core.errors import DatabaseError
-from . import geopackage as schema
-from .gdal_errors import gdal_failure
+from ...core.database.update import DatabaseChanges
+from ...core.errors import DatabaseError
+from ..gdal_errors import gdal_failure
+from . import schema
+from .reader import StoredDatabase, copy_database, leave_wal
 
 _FEATURES_A_STEP = 500
 
@@ -27,7 +28,7 @@ class DatabaseEditor:
     Raises DatabaseError when GDAL can't write.
     """
 
-    def __init__(self, path: str, stored: schema.StoredDatabase, changes: DatabaseChanges) -> None:
+    def __init__(self, path: str, stored: StoredDatabase, changes: DatabaseChanges) -> None:
         self._path = path
         self._stored = stored
         self._changes = changes
@@ -35,12 +36,12 @@ class DatabaseEditor:
     def steps(self) -> Iterator[Tuple[str, float]]:
         """Yields (what is being done, share done 0…1)."""
         try:
-            schema.copy_database(self._stored.database.source, self._path)
+            copy_database(self._stored.database.source, self._path)
             yield "Writing the database", 0.2
             for share in self._edit():
                 yield "Writing the database", 0.2 + 0.6 * share
             self._edit_overview()
-            schema.leave_wal(self._path)
+            leave_wal(self._path)
             with open(self._path, "rb+") as file:
                 os.fsync(file.fileno())
             yield "Writing the database", 1.0
@@ -83,7 +84,7 @@ class DatabaseEditor:
         yield
 
     def _set_window(self, feature: ogr.Feature, i: int) -> None:
-        windows, distinctiveness = self._changes.windows, self._changes.distinctiveness[i]
+        windows, distinctiveness = self._changes.windows, self._changes.windows.distinctiveness[i]
         feature.SetField("reference_count", int(windows.counts[i]))
         if windows.described[i]:
             index = feature.GetFieldIndex("vector")

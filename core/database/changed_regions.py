@@ -1,0 +1,181 @@
+"""Where a corrected label map differs from a database's, and which landmarks that concerns."""
+
+from __future__ import annotations
+
+from typing import Iterator, List, Sequence, Set, Tuple
+
+import numpy as np
+
+from ..labels.block_hashes import HASHED_BLOCK, blocks_shape
+from ..labels.sources import LabelSource
+from ..landmarks.catalogue import measure_region
+from ..landmarks.landmarks import minimum_area_px, objects_from_rows, rows_array
+from ..landmarks.regions import Region, RegionFinder
+from .build import map_references
+from .model import MapLandmarks, ReferenceDatabase
+
+Bounds = Tuple[int, int, int, int]
+"""(left, top, right, bottom) in pixels of the label map, right and bottom beyond the last."""
+
+
+class ChangedLandmarks:
+    """Which landmarks are gone and which are new: iterate ``steps()`` to the end, then take ``removed`` and ``added``.
+
+    Landmarks without a changed pixel stay as they are; the others are found in the new map alone.
+    """
+
+    def __init__(self, source: LabelSource, database: ReferenceDatabase, places: Sequence[Bounds]) -> None:
+        """Makes the comparison.
+
+        Args:
+            source: The new label map.
+            database: Built from the old one; with the landmarks' bounds.
+            places: Of ``changed_places``.
+        """
+        self._source = source
+        self._database = database
+        self._places = places
+        self._frame = database.parameters.frame
+        self._minimum_area_px = minimum_area_px(database.parameters.minimum_area, self._frame.pixel_size)
+        self._removed: List[int] = []
+        self._rows: List[tuple] = []
+
+    @property
+    def removed(self) -> np.ndarray:
+        """(K,) int64 indices of the database's landmarks that are gone, in order."""
+        return np.array(sorted(self._removed), np.int64)
+
+    @property
+    def added(self) -> MapLandmarks:
+        """The landmarks that are new, or not as they were."""
+        return self._landmarks(self._rows)
+
+    def steps(self) -> Iterator[float]:
+        """Yields the share done 0…1."""
+        values = self._database.class_table.reference_values
+        for n, value in enumerate(values):
+            for share in self._compare(value):
+                yield (n + share) / len(values)
+
+    def _landmarks(self, rows: List[tuple]) -> MapLandmarks:
+        return map_references(objects_from_rows(rows_array(rows), self._source.shape_hw), self._frame)
+
+    def _compare(self, value: int) -> Iterator[float]:
+        """Compares the landmarks of one class; yields the share done."""
+        finder = RegionFinder(self._source, value)
+        regions: Set[Region] = set()
+        for n, place in enumerate(self._places, start=1):
+            regions |= finder.touching(place)
+            yield 0.3 * n / len(self._places)
+        new = {}
+        for n, region in enumerate(regions, start=1):
+            row = measure_region(self._source, value, region.bounds, region.first_pixel, self._minimum_area_px)
+            if row is not None:
+                new[_key(self._landmarks([row]), 0)] = row
+            yield 0.3 + 0.6 * n / len(regions)
+        references = self._database.references
+        reached = (references.classes == value) & _meets_any(references.bounds_px, self._places)
+        crossing = [region for region in regions if not any(_holds(place, region.bounds) for place in self._places)]
+        for k in np.flatnonzero(reached).tolist():
+            # What is as it was, although it lies in a changed place, stays.
+            if new.pop(_key(references, k), None) is None:
+                bounds = tuple(references.bounds_px[k].tolist())
+                if not self._stands(bounds, crossing, finder, regions):
+                    self._removed.append(k)
+            yield 0.9
+        self._rows += new.values()
+
+    def _stands(self, bounds: Bounds, crossing: Sequence[Region], finder: RegionFinder, regions: Set[Region]) -> bool:
+        """Whether an old object whose bounds meet a changed place has no pixel in one.
+
+        Its pixels outside the places, and on their outermost lines, are what they were. So an object with pixels
+        both inside and outside shares some with one of the new regions that cross a place's border.
+        """
+        if any(_holds(place, bounds) for place in self._places):
+            return False
+        if not any(_meet(bounds, region.bounds) for region in crossing):
+            return True
+        left, top, right, _ = bounds
+        # Two regions of one class can't have the same bounds: they would cross, and so be one.
+        return any(
+            region.bounds == bounds and region not in regions for region in finder.starting_in_row(top, left, right)
+        )
+
+
+def _key(landmarks: MapLandmarks, k: int) -> tuple:
+    """What one landmark is known by: bounds, position and area."""
+    return (*landmarks.bounds_px[k].tolist(), *landmarks.positions[k].tolist(), float(landmarks.areas_m2[k]))
+
+
+# --- places ---
+
+
+def changed_places(before: Sequence[str], now: Sequence[str], shape_hw: Tuple[int, int]) -> List[Bounds]:
+    """Rectangles apart from each other that hold the changed blocks and, around them, a line of unchanged pixels.
+
+    Whole blocks, also where only a corner of one was said to have changed: its new hash stands for all of it.
+
+    Args:
+        before, now: Block hashes of the old and the new map, row by row.
+        shape_hw: (height, width) of the maps.
+    """
+    height, width = shape_hw
+    columns = blocks_shape(shape_hw)[1]
+    found = []
+    for i, (old, new) in enumerate(zip(before, now)):
+        if old != new:
+            left, top, right, bottom = block_bounds(divmod(i, columns), shape_hw)
+            found.append(_common((left - 1, top - 1, right + 1, bottom + 1), (0, 0, width, height)))
+    return _joined(found)
+
+
+def blocks_of(area: Bounds, shape_hw: Tuple[int, int]) -> Set[Tuple[int, int]]:
+    """(row, column) of the hashed blocks that share a pixel with ``area``."""
+    left, top, right, bottom = _common(area, (0, 0, shape_hw[1], shape_hw[0]))
+    if left >= right or top >= bottom:
+        return set()
+    rows = range(top // HASHED_BLOCK, (bottom - 1) // HASHED_BLOCK + 1)
+    columns = range(left // HASHED_BLOCK, (right - 1) // HASHED_BLOCK + 1)
+    return {(row, column) for row in rows for column in columns}
+
+
+def block_bounds(block: Tuple[int, int], shape_hw: Tuple[int, int]) -> Bounds:
+    """Where a hashed block (row, column) lies on a map of ``shape_hw`` pixels."""
+    top, left = block[0] * HASHED_BLOCK, block[1] * HASHED_BLOCK
+    return left, top, min(left + HASHED_BLOCK, shape_hw[1]), min(top + HASHED_BLOCK, shape_hw[0])
+
+
+def _holds(outer: Bounds, inner: Bounds) -> bool:
+    return outer[0] <= inner[0] and outer[1] <= inner[1] and outer[2] >= inner[2] and outer[3] >= inner[3]
+
+
+def _meet(a: Bounds, b: Bounds) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+def _meets_any(bounds: np.ndarray, places: Sequence[Bounds]) -> np.ndarray:
+    """(N,) bool: which of the (N, 4) rectangles share a pixel with one of ``places``."""
+    found = np.zeros(len(bounds), bool)
+    for left, top, right, bottom in places:
+        found |= (bounds[:, 0] < right) & (bounds[:, 2] > left) & (bounds[:, 1] < bottom) & (bounds[:, 3] > top)
+    return found
+
+
+def _common(a: Bounds, b: Bounds) -> Bounds:
+    return max(a[0], b[0]), max(a[1], b[1]), min(a[2], b[2]), min(a[3], b[3])
+
+
+def _joined(places: Sequence[Bounds]) -> List[Bounds]:
+    """Rectangles of which no two share a pixel; those that do become the one around both."""
+    joined: List[Bounds] = []
+    waiting = sorted(places)
+    while waiting:
+        place = waiting.pop()
+        meeting = [other for other in joined if _meet(place, other)]
+        if meeting:
+            joined = [other for other in joined if not _meet(place, other)]
+            lefts, tops, rights, bottoms = zip(place, *meeting)
+            waiting.append((min(lefts), min(tops), max(rights), max(bottoms)))
+        else:
+            joined.append(place)
+    return sorted(joined)

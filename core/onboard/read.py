@@ -1,0 +1,268 @@
+"""Reading an onboard file, whoever wrote it.
+
+A reader never executes what a file holds and never allocates more than its size justifies: sizes are checked in the
+zip's directory, shapes and types in the arrays' headers, before anything is unpacked.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+import os
+import struct
+import zipfile
+import zlib
+from typing import Any, Dict, Mapping, Optional, Tuple
+
+import numpy as np
+from numpy.lib import format as npy_format
+
+from ..database.model import MapLandmarks, ReferenceDatabase, Windows
+from ..database.parameters import BuildParameters, build_parameters, checked, number
+from ..errors import ClassTableError, DatabaseError
+from ..geometry.lon_lat import HIGHEST_DEGREE, LonLatPolynomial, term_count
+from ..labels.class_table import ClassTable, class_table_from_csv
+from .format import (
+    FORMAT,
+    HASH,
+    HEADER,
+    KINDS,
+    MAXIMUM_HEADER_BYTES,
+    ONBOARD_VERSION,
+    VECTOR_STEPS,
+    OnboardDatabase,
+    digest,
+)
+
+MAXIMUM_WINDOWS = 10_000_000
+MAXIMUM_REFERENCES = 50_000_000
+LONGEST_VECTOR = 1000
+MAXIMUM_OVERVIEW_PIXELS = 1 << 30
+"""Beyond these a file is refused: the whole of a country fits."""
+
+_DEFLATE_RATIO = 1032
+"""What deflate makes of one byte at most; a member that claims more is damaged or hostile."""
+
+_ALWAYS_ALLOWED_BYTES, _BYTES_A_FILE_BYTE = 1 << 26, 200
+"""All members together may take so much memory, and so much more for each byte of the file."""
+
+_LONGEST_NPY_HEADER = 1024
+
+
+def read_onboard(path: str, with_overview: bool = True) -> OnboardDatabase:
+    """Reads an onboard file. Raises DatabaseError for files that are missing, foreign, damaged, too new or too large.
+
+    Its database has what localization needs; vectors, positions and areas are as exact as the result says.
+    """
+    if not os.path.isfile(path):
+        raise DatabaseError(f"There is no file {path}; export one with “Export for onboard use” or choose another.")
+    try:
+        with zipfile.ZipFile(path) as archive:
+            files = _unpacked(archive, path)
+    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError, struct.error) as error:
+        if isinstance(error, OSError) and error.errno is not None:
+            raise DatabaseError(f"{path} can't be read: {error.strerror}.") from None
+        raise DatabaseError(_damaged(path, error)) from None
+    try:
+        members = {name: _array(name, data) for name, data in files.items()}
+        if members[HASH].tobytes() != digest(files):
+            raise ValueError("its content hash is another")
+        header = json.loads(members[HEADER].tobytes().decode("utf-8"))
+        _check_version(header, path)
+        return _onboard(members, header, path, with_overview)
+    except ClassTableError as error:
+        raise DatabaseError(_damaged(path, error)) from None
+    except (KeyError, TypeError, ValueError, OverflowError, RecursionError, AttributeError) as error:
+        raise DatabaseError(_damaged(path, error)) from None
+
+
+def _damaged(path: str, reason: object) -> str:
+    text = str(reason).rstrip(".")
+    if isinstance(reason, KeyError):
+        text = f"{text} is missing"
+    return f"{path} is damaged, cut short or no onboard file of SemRef ({text}); fetch another copy or export it again."
+
+
+def _unpacked(archive: zipfile.ZipFile, path: str) -> Dict[str, bytes]:
+    """The .npy files by name, each unpacked only when its stated size is one it may have."""
+    found: Dict[str, bytes] = {}
+    infos = {info.filename: info for info in archive.infolist()}
+    names = {f"{name}.npy" for name in KINDS}
+    if f"{HASH}.npy" not in infos or f"{HEADER}.npy" not in infos:
+        raise DatabaseError(f"{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.")
+    if len(archive.infolist()) != len(infos) or not set(infos) <= names:
+        raise zipfile.BadZipFile("it holds something that does not belong there")
+    total = sum(info.file_size for info in infos.values())
+    if total > _ALWAYS_ALLOWED_BYTES + _BYTES_A_FILE_BYTE * os.path.getsize(path):
+        raise zipfile.BadZipFile(f"it claims {total} bytes, more than a file of its size may hold")
+    for filename, info in infos.items():
+        name = filename[: -len(".npy")]
+        if info.flag_bits & 1 or info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+            raise zipfile.BadZipFile(f"{name} is encrypted or packed in an unknown way")
+        if info.file_size > _largest_bytes(name) or info.file_size > _DEFLATE_RATIO * info.compress_size + 64:
+            raise zipfile.BadZipFile(f"{name} claims {info.file_size} bytes, more than it can have")
+        with archive.open(info) as file:
+            # The header first: what it says must be the size that the directory states, before the rest is unpacked.
+            start = file.read(min(info.file_size, _LONGEST_NPY_HEADER))
+            shape, first = _npy_header(name, start)
+            if first + math.prod(shape) * _item_bytes(name) != info.file_size:
+                raise zipfile.BadZipFile(f"{name} has not the size that its shape {shape} says")
+            found[name] = start + file.read(info.file_size - len(start))
+        if len(found[name]) != info.file_size:
+            raise zipfile.BadZipFile(f"{name} ends early")
+    return found
+
+
+def _largest_bytes(name: str) -> int:
+    if name in (HEADER, HASH):
+        return MAXIMUM_HEADER_BYTES + _LONGEST_NPY_HEADER
+    if name == "overview_labels":
+        return MAXIMUM_OVERVIEW_PIXELS
+    count = MAXIMUM_WINDOWS if name.startswith("windows") else MAXIMUM_REFERENCES
+    return count * _item_bytes(name) * (3 * LONGEST_VECTOR if name == "windows_vectors" else 2)
+
+
+def _item_bytes(name: str) -> int:
+    return int(KINDS[name][0][-1])
+
+
+def _npy_header(name: str, start: bytes) -> Tuple[Tuple[int, ...], int]:
+    """(shape, first byte of the data) of a .npy file. Raises BadZipFile unless it is such an array."""
+    file = io.BytesIO(start)
+    try:
+        version = npy_format.read_magic(file)
+        shape, is_fortran, dtype = npy_format.read_array_header_1_0(file)
+    # numpy evaluates the header as a Python literal: what it stumbles over there depends on its version.
+    except Exception:
+        raise zipfile.BadZipFile(f"{name} is no plain array of whole numbers") from None
+    kind, axes = KINDS[name]
+    if version != (1, 0) or is_fortran or dtype.hasobject:
+        raise zipfile.BadZipFile(f"{name} is no plain array of whole numbers")
+    if dtype.str != kind or len(shape) != axes or min(shape) < 0:
+        raise zipfile.BadZipFile(f"{name} has the type {dtype.str} and the shape {shape}")
+    return shape, file.tell()
+
+
+def _array(name: str, data: bytes) -> np.ndarray:
+    shape, first = _npy_header(name, data[:_LONGEST_NPY_HEADER])
+    return np.frombuffer(data, np.dtype(KINDS[name][0]), offset=first).reshape(shape)
+
+
+def _check_version(header: Any, path: str) -> None:
+    if header["format"] != FORMAT:
+        raise ValueError(f"its format is {header['format']!r}")
+    version = checked(header["version"], int, "its version")
+    if version < 1:
+        raise ValueError(f"its version is {version}")
+    if version > ONBOARD_VERSION:
+        raise DatabaseError(
+            f"{path} has onboard format version {version}, newer than this SemRef reads ({ONBOARD_VERSION}); "
+            "update SemRef's core folder on this computer."
+        )
+
+
+def _onboard(members: Mapping[str, np.ndarray], header: dict, path: str, with_overview: bool) -> OnboardDatabase:
+    parameters = build_parameters(header["parameters"], path)
+    table = class_table_from_csv(header["class_table"], "its class table")
+    if table.digest() != parameters.class_table_hash:
+        raise ValueError("its class table is not the one that its hash names")
+    overview = _overview(members, parameters) if with_overview else None
+    if tuple(header["reference_classes"]) != table.require_references().reference_values:
+        raise ValueError("its reference_classes are not those of its class table")
+    database = ReferenceDatabase(
+        _windows(members, header, parameters, len(table.references)),
+        _references(members, header, table),
+        table,
+        parameters,
+        path,
+        overview,
+    )
+    return OnboardDatabase(
+        database,
+        _lon_lat(header["lon_lat"]),
+        number(header["position_step"], "position_step", 0.0) / 2,
+        math.expm1(number(header["log_area_step"], "log_area_step", 0.0) / 2),
+        0.5 / VECTOR_STEPS,
+        members[HASH].tobytes().hex(),
+        os.path.getsize(path),
+    )
+
+
+def _windows(members: Mapping[str, np.ndarray], header: dict, parameters: BuildParameters, class_count: int) -> Windows:
+    columns, rows, levels, counts, steps = (
+        members[f"windows_{name}"] for name in ("columns", "rows", "levels", "counts", "vectors")
+    )
+    sizes_px = [number(size, "window_sizes_px", -1) for size in header["window_sizes_px"]]
+    if not len(columns) == len(rows) == len(levels) == len(counts) == len(steps):
+        raise ValueError("its windows_ arrays differ in length")
+    if steps.shape[1] != 3 * parameters.references_per_vector:
+        raise ValueError(f"windows_vectors has {steps.shape[1]} columns")
+    if len(levels) and not 1 <= levels.min() <= levels.max() <= len(sizes_px):
+        raise ValueError("windows_levels has levels that are not there")
+    ranks = steps[:, 2 * parameters.references_per_vector :]
+    if ranks.max(initial=0) > class_count:
+        raise ValueError("windows_vectors has class ranks that are not there")
+    sizes = np.array(sizes_px)[levels.astype(np.intp) - 1] * parameters.pixel_size
+    vectors = np.empty(steps.shape, np.float32)
+    for n, most in enumerate((VECTOR_STEPS, VECTOR_STEPS, class_count)):
+        columns_of = slice(n * parameters.references_per_vector, (n + 1) * parameters.references_per_vector)
+        vectors[:, columns_of] = (np.arange(256) / most).astype(np.float32)[steps[:, columns_of]]
+    first_pixels = np.column_stack([columns, rows]).astype(np.int64)
+    return Windows(
+        first_pixels,
+        levels.astype(np.int64),
+        sizes,
+        parameters.frame.to_map(first_pixels + np.rint(sizes / parameters.pixel_size)[:, None] / 2),
+        counts.astype(np.int64),
+        vectors,
+        # A vector has a rank for each of its objects, so one without ranks is none.
+        described=ranks.any(axis=1),
+    )
+
+
+def _references(members: Mapping[str, np.ndarray], header: dict, table: ClassTable) -> MapLandmarks:
+    steps, areas, classes, touches = (
+        members[f"references_{name}"] for name in ("positions", "areas", "classes", "touches_edge")
+    )
+    if not len(steps) == len(areas) == len(classes) == len(touches) or steps.shape[1] != 2:
+        raise ValueError("its references_ arrays differ in length")
+    if not np.isin(classes, table.reference_values).all():
+        raise ValueError("references_classes has classes that are no reference classes")
+    origin = [number(value, "position_origin") for value in header["position_origin"]]
+    if len(origin) != 2:
+        raise ValueError(f"position_origin is {origin}")
+    logs = number(header["log_area_lowest"], "log_area_lowest") + areas * number(
+        header["log_area_step"], "log_area_step", 0.0
+    )
+    if not (np.abs(logs) < 50).all():
+        raise ValueError("its areas are none")
+    return MapLandmarks(
+        positions=np.array(origin) + steps * number(header["position_step"], "position_step", 0.0),
+        classes=classes.copy(),
+        areas_m2=np.exp(logs),
+        touches_edge=touches > 0,
+    )
+
+
+def _overview(members: Mapping[str, np.ndarray], parameters: BuildParameters) -> Optional[np.ndarray]:
+    labels = members.get("overview_labels")
+    if labels is None:
+        return None
+    expected = parameters.overview_frame.shape_hw
+    if labels.shape != expected:
+        raise ValueError(f"overview_labels has the shape {labels.shape} instead of {expected}")
+    return labels.copy()
+
+
+def _lon_lat(values: Optional[dict]) -> Optional[LonLatPolynomial]:
+    if values is None:
+        return None
+    degree = checked(values["degree"], int, "the degree of lon_lat")
+    if not 0 <= degree <= HIGHEST_DEGREE:
+        raise ValueError(f"the degree of lon_lat is {degree}")
+    wanted = {"center": 2, "half_size": 2, "longitude": term_count(degree), "latitude": term_count(degree)}
+    numbers = {name: tuple(number(value, name) for value in values[name]) for name in wanted}
+    if any(len(numbers[name]) != count for name, count in wanted.items()) or 0 in numbers["half_size"]:
+        raise ValueError("lon_lat has not the numbers of its degree")
+    return LonLatPolynomial(degree, **numbers, error_m=number(values["error_m"], "error_m", -1))

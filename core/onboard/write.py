@@ -1,0 +1,126 @@
+"""Writing an onboard file: what is rounded, and by how much."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+from dataclasses import asdict
+from typing import Any, Dict, Optional, Tuple
+
+import numpy as np
+
+from ..database.model import ReferenceDatabase, Windows
+from ..errors import DatabaseError
+from ..geometry.lon_lat import LonLatPolynomial
+from .format import (
+    AREA_STEPS,
+    FORMAT,
+    HASH,
+    HEADER,
+    KINDS,
+    MAXIMUM_HEADER_BYTES,
+    NOT_ON_BOARD,
+    ONBOARD_VERSION,
+    PRECISION_PX,
+    VECTOR_STEPS,
+    digest,
+)
+
+
+def write_onboard(
+    path: str,
+    database: ReferenceDatabase,
+    lon_lat: Optional[LonLatPolynomial],
+    precision: Optional[float] = None,
+) -> None:
+    """Writes ``database`` to ``path``, with its overview where it has one. Same database, same bytes.
+
+    ``precision``: largest rounding error of a landmark's x and y, in map units; PRECISION_PX pixels without it.
+    Raises DatabaseError for a database that the format can't hold.
+    """
+    parameters = database.parameters
+    precision = PRECISION_PX * parameters.pixel_size if precision is None else precision
+    if not (math.isfinite(precision) and precision > 0):
+        raise DatabaseError(f"The precision is {precision:g}; it must be more than 0 map units.")
+    if parameters.class_table_hash != database.class_table.digest():
+        raise DatabaseError(
+            f"The class table of {database.source or 'the database'} was changed after it was built; build it again."
+        )
+    members, quantization = _quantized(database, precision)
+    header = {
+        "format": FORMAT,
+        "version": ONBOARD_VERSION,
+        "parameters": {name: value for name, value in asdict(parameters).items() if name != NOT_ON_BOARD},
+        "class_table": database.class_table.to_csv(),
+        "reference_classes": list(database.class_table.reference_values),
+        "window_sizes_px": _window_sizes_px(database),
+        **quantization,
+        "lon_lat": None if lon_lat is None else asdict(lon_lat),
+    }
+    text = json.dumps(header, ensure_ascii=False, separators=(",", ":"), sort_keys=True)
+    members[HEADER] = np.frombuffer(text.encode("utf-8"), np.uint8)
+    if len(members[HEADER]) > MAXIMUM_HEADER_BYTES:
+        raise DatabaseError(f"The header would have {len(members[HEADER])} bytes, more than {MAXIMUM_HEADER_BYTES}.")
+    members[HASH] = np.frombuffer(digest({name: _npy(array) for name, array in members.items()}), np.uint8)
+    with open(path, "wb") as file:
+        np.savez_compressed(file, **{name: members[name] for name in KINDS if name in members})
+
+
+def _quantized(database: ReferenceDatabase, precision: float) -> Tuple[Dict[str, np.ndarray], Dict[str, Any]]:
+    """Arrays by name, and the numbers that the header needs to undo them."""
+    windows, references = database.windows, database.references
+    if not len(references):
+        raise DatabaseError("There is no landmark to export; choose another database or a larger area.")
+    columns, rows = windows.first_pixels.T
+    origin = references.positions.min(axis=0)
+    step = 2 * precision
+    steps = np.rint((references.positions - origin) / step)
+    if steps.max() > np.iinfo(np.uint32).max:
+        raise DatabaseError(f"The precision of {precision:g} map units is too fine for the map; choose a larger one.")
+    if not (references.areas_m2 > 0).all():
+        raise DatabaseError("A landmark has no area; build the database again.")
+    logs = np.log(references.areas_m2)
+    area_step = max(float(logs.max() - logs.min()), 1e-9) / AREA_STEPS
+    members = {
+        "windows_columns": columns.astype(np.uint32),
+        "windows_rows": rows.astype(np.uint32),
+        "windows_levels": windows.levels.astype(np.uint8),
+        "windows_counts": windows.counts.astype(np.uint32),
+        "windows_vectors": _vector_steps(windows, len(database.class_table.references)),
+        "references_positions": steps.astype(np.uint32),
+        "references_areas": np.rint((logs - logs.min()) / area_step).astype(np.uint16),
+        "references_classes": references.classes.astype(np.uint8),
+        "references_touches_edge": references.touches_edge.astype(np.uint8),
+    }
+    if database.overview is not None:
+        members["overview_labels"] = np.ascontiguousarray(database.overview, np.uint8)
+    numbers = {
+        "position_origin": origin.tolist(),
+        "position_step": step,
+        "log_area_lowest": float(logs.min()),
+        "log_area_step": area_step,
+    }
+    return members, numbers
+
+
+def _window_sizes_px(database: ReferenceDatabase) -> list:
+    """Edge of the windows of each level, in pixels of the label map."""
+    windows, parameters = database.windows, database.parameters
+    sizes = [windows.sizes[windows.levels == n + 1] for n in range(len(parameters.levels))]
+    whole = [np.unique(np.rint(s / parameters.pixel_size)).astype(int).tolist() for s in sizes]
+    if any(len(s) > 1 for s in whole) or not np.isin(windows.levels, np.arange(1, len(whole) + 1)).all():
+        raise DatabaseError("The windows' sizes are not those of their levels; build the database again.")
+    return [s[0] if s else 0 for s in whole]
+
+
+def _vector_steps(windows: Windows, class_count: int) -> np.ndarray:
+    """(N, 3·X) uint8: ratios and differences in 255 steps, then whole ranks; zeros without a vector."""
+    scale = np.repeat([VECTOR_STEPS, VECTOR_STEPS, class_count], windows.vectors.shape[1] // 3)
+    return np.where(windows.described[:, None], np.rint(windows.vectors * scale), 0).astype(np.uint8)
+
+
+def _npy(array: np.ndarray) -> bytes:
+    file = io.BytesIO()
+    np.lib.format.write_array(file, array, version=(1, 0), allow_pickle=False)
+    return file.getvalue()

@@ -1,0 +1,133 @@
+"""THE database schema: layers and columns of a reference database (docs/file-formats.md), and how a row is put in."""
+
+from __future__ import annotations
+
+import json
+import struct
+from typing import Iterator, Optional, Sequence, Tuple
+
+import numpy as np
+from osgeo import gdal, ogr
+
+from ...core.database.model import MapLandmarks
+from ...core.database.parameters import BuildParameters
+from ...core.errors import DatabaseError
+from ...core.labels.class_table import ClassTable
+from ..gdal_errors import gdal_failure
+
+WINDOWS, REFERENCES, BOUNDS, OVERVIEW, CLASSES, PARAMETERS, STYLES = (
+    "windows",
+    "references",
+    "reference_bounds",
+    "overview",
+    "classes",
+    "parameters",
+    "layer_styles",
+)
+
+CLASS_COLUMNS = ("value", "name", "color", "role", "draw_order", "hsv_min", "hsv_max")
+
+_INTEGER, _REAL, _TEXT, _BLOB, _BOOLEAN, _MOMENT = "integer", "real", "text", "blob", "boolean", "datetime"
+_OGR_TYPES = {
+    _INTEGER: ogr.OFTInteger,
+    _REAL: ogr.OFTReal,
+    _TEXT: ogr.OFTString,
+    _BLOB: ogr.OFTBinary,
+    _BOOLEAN: ogr.OFTInteger,
+    _MOMENT: ogr.OFTDateTime,
+}
+
+WINDOW_FIELDS = (
+    ("name", _TEXT),
+    ("level", _INTEGER),
+    ("size", _REAL),
+    ("center_x", _REAL),
+    ("center_y", _REAL),
+    ("longitude", _REAL),
+    ("latitude", _REAL),
+    ("reference_count", _INTEGER),
+    ("vector", _BLOB),
+    ("distinctiveness", _REAL),
+)
+REFERENCE_FIELDS = (("class", _INTEGER), ("class_name", _TEXT), ("area", _REAL), ("touches_edge", _BOOLEAN))
+BOUNDS_FIELDS = (
+    ("first_column", _INTEGER),
+    ("first_row", _INTEGER),
+    ("end_column", _INTEGER),
+    ("end_row", _INTEGER),
+)
+CLASS_FIELDS = tuple((name, {"value": _INTEGER, "draw_order": _REAL}.get(name, _TEXT)) for name in CLASS_COLUMNS)
+PARAMETER_FIELDS = (("key", _TEXT), ("value", _TEXT))
+STYLE_FIELDS = (
+    ("f_table_catalog", _TEXT),
+    ("f_table_schema", _TEXT),
+    ("f_table_name", _TEXT),
+    ("f_geometry_column", _TEXT),
+    ("styleName", _TEXT),
+    ("styleQML", _TEXT),
+    ("styleSLD", _TEXT),
+    ("useAsDefault", _BOOLEAN),
+    ("description", _TEXT),
+    ("owner", _TEXT),
+    ("ui", _TEXT),
+    ("update_time", _MOMENT),
+)
+
+
+def reference_rows(references: MapLandmarks, table: ClassTable) -> Iterator[Tuple[bytes, tuple]]:
+    """Geometry (WKB) and column values of each reference."""
+    names = {c.value: c.name for c in table}
+    for i in range(len(references)):
+        x, y = references.positions[i].tolist()
+        value = int(references.classes[i])
+        values = value, names[value], float(references.areas_m2[i]), int(references.touches_edge[i])
+        yield struct.pack("<BIdd", 1, ogr.wkbPoint, x, y), values
+
+
+def parameter_text(parameters: BuildParameters, name: str) -> str:
+    """A build parameter as it stands in the table ``parameters``."""
+    return json.dumps(getattr(parameters, name))
+
+
+def field_definition(name: str, kind: str) -> ogr.FieldDefn:
+    """A column of a layer; ``kind``: one of the kinds of the schema."""
+    definition = ogr.FieldDefn(name, _OGR_TYPES[kind])
+    if kind == _BOOLEAN:
+        definition.SetSubType(ogr.OFSTBoolean)
+    return definition
+
+
+def write_feature(
+    layer: ogr.Layer,
+    fields: Sequence[Tuple[str, str]],
+    wkb: Optional[bytes],
+    values: Sequence,
+    fid: Optional[int] = None,
+) -> int:
+    """Adds a feature and gives its fid."""
+    feature = ogr.Feature(layer.GetLayerDefn())
+    if fid is not None:
+        feature.SetFID(fid)
+    for index, ((_, kind), value) in enumerate(zip(fields, values)):
+        if value is None or (kind == _REAL and not np.isfinite(value)):
+            continue
+        if kind == _BLOB:
+            feature.SetFieldBinaryFromHexString(index, value.hex())
+        elif kind == _MOMENT:
+            now = np.datetime64("now").astype(object)
+            feature.SetField(index, now.year, now.month, now.day, now.hour, now.minute, float(now.second), 100)
+        else:
+            feature.SetField(index, value)
+    if wkb is not None:
+        feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(wkb))
+    if layer.CreateFeature(feature) != ogr.OGRERR_NONE:
+        raise DatabaseError(f"The database can't be written: {gdal_failure()}.")
+    return feature.GetFID()
+
+
+def close(dataset: gdal.Dataset) -> None:
+    """Writes what waits; raises DatabaseError when that fails."""
+    gdal.ErrorReset()
+    dataset.FlushCache()
+    if gdal.GetLastErrorType() >= gdal.CE_Failure:
+        raise DatabaseError(f"The database can't be written: {gdal_failure()}.")

@@ -1,0 +1,154 @@
+"""Writing a whole reference database."""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import fields
+from typing import Dict, Iterator, Tuple
+
+import numpy as np
+from osgeo import gdal, gdal_array, ogr, osr
+
+from ...core.database.model import ReferenceDatabase
+from ...core.errors import DatabaseError
+from ..gdal_errors import gdal_failure
+from ..label_map_file import set_class_colors
+from . import schema
+from .reader import leave_wal
+
+_FEATURES_A_STEP = 2000
+
+
+class DatabaseWriter:
+    """Writes a database to ``path`` (a temporary one); iterate ``steps()`` to the end."""
+
+    def __init__(
+        self,
+        path: str,
+        database: ReferenceDatabase,
+        longitudes: np.ndarray,
+        latitudes: np.ndarray,
+        overview: np.ndarray,
+        styles: Dict[str, str],
+    ) -> None:
+        """Makes the writer.
+
+        Args:
+            path: The new file.
+            database: With the windows' distinctiveness, NaN is written as NULL.
+            longitudes, latitudes: (N,) degrees, of the windows' centers, NaN as well.
+            overview: (h, w) uint8.
+            styles: QML by table.
+        """
+        self._path = path
+        self._database = database
+        self._longitudes = longitudes
+        self._latitudes = latitudes
+        self._overview = overview
+        self._styles = styles
+
+    def steps(self) -> Iterator[Tuple[str, float]]:
+        """Yields (what is being done, share done 0…1). Raises DatabaseError when GDAL can't write."""
+        try:
+            for share in self._write():
+                yield "Writing the database", share
+        except RuntimeError as error:
+            raise DatabaseError(f"The database can't be written: {gdal_failure(error)}.") from None
+
+    def _write(self) -> Iterator[float]:
+        database, srs = self._database, osr.SpatialReference()
+        srs.ImportFromWkt(database.parameters.crs)
+        dataset = ogr.GetDriverByName("GPKG").CreateDataSource(self._path)
+        if dataset is None:
+            raise DatabaseError(f"The database can't be written: {gdal_failure()}.")
+        total = len(database.windows) + len(database.references)
+        for n, done in enumerate(self._write_layers(dataset, srs)):
+            if n % _FEATURES_A_STEP == 0:
+                yield 0.9 * done / total
+        schema.close(dataset)
+        yield 0.9
+        self._write_overview(srs)
+        leave_wal(self._path)
+        yield 1.0
+
+    def _write_layers(self, dataset: ogr.DataSource, srs: osr.SpatialReference) -> Iterator[int]:
+        done = 0
+        for name, srs_or_none, geometry, columns, rows in (
+            (schema.WINDOWS, srs, ogr.wkbPolygon, schema.WINDOW_FIELDS, self._window_rows()),
+            (schema.REFERENCES, srs, ogr.wkbPoint, schema.REFERENCE_FIELDS, self._reference_rows()),
+            (schema.BOUNDS, None, ogr.wkbNone, schema.BOUNDS_FIELDS, self._bounds_rows()),
+            (schema.CLASSES, None, ogr.wkbNone, schema.CLASS_FIELDS, self._class_rows()),
+            (schema.PARAMETERS, None, ogr.wkbNone, schema.PARAMETER_FIELDS, self._parameter_rows()),
+            (schema.STYLES, None, ogr.wkbNone, schema.STYLE_FIELDS, self._style_rows()),
+        ):
+            fid = "FID=id" if name == schema.STYLES else "FID=fid"
+            layer = dataset.CreateLayer(name, srs_or_none, geometry, [fid])
+            if layer is None:
+                raise DatabaseError(f"The layer {name} can't be written: {gdal_failure()}.")
+            for column in columns:
+                layer.CreateField(schema.field_definition(*column))
+            dataset.StartTransaction()
+            for wkb, values in rows:
+                schema.write_feature(layer, columns, wkb, values)
+                done += 1
+                yield done
+            dataset.CommitTransaction()
+
+    def _window_rows(self) -> Iterator[Tuple[bytes, tuple]]:
+        windows = self._database.windows
+        for i in range(len(windows)):
+            (x, y), half = windows.centers[i].tolist(), float(windows.sizes[i]) / 2
+            vector = windows.vectors[i].astype("<f4").tobytes() if windows.described[i] else None
+            values = (
+                windows.name(i),
+                int(windows.levels[i]),
+                float(windows.sizes[i]),
+                x,
+                y,
+                float(self._longitudes[i]),
+                float(self._latitudes[i]),
+                int(windows.counts[i]),
+                vector,
+                float(windows.distinctiveness[i]),
+            )
+            yield _square_wkb(x - half, y - half, x + half, y + half), values
+
+    def _reference_rows(self) -> Iterator[Tuple[bytes, tuple]]:
+        return schema.reference_rows(self._database.references, self._database.class_table)
+
+    def _bounds_rows(self) -> Iterator[Tuple[None, tuple]]:
+        # In the references' order, and so with their fids.
+        for bounds in self._database.references.bounds_px.tolist():
+            yield None, tuple(bounds)
+
+    def _class_rows(self) -> Iterator[Tuple[None, tuple]]:
+        for c in self._database.class_table:
+            hsv = (None if limit is None else " ".join(map(str, limit)) for limit in (c.hsv_min, c.hsv_max))
+            yield None, (c.value, c.name, c.color, c.role, c.draw_order, *hsv)
+
+    def _parameter_rows(self) -> Iterator[Tuple[None, tuple]]:
+        parameters = self._database.parameters
+        for item in fields(parameters):
+            yield None, (item.name, schema.parameter_text(parameters, item.name))
+
+    def _style_rows(self) -> Iterator[Tuple[None, tuple]]:
+        for table, qml in self._styles.items():
+            yield None, ("", "", table, "geom", table, qml, None, 1, "SemRef", "", None, "now")
+
+    def _write_overview(self, srs: osr.SpatialReference) -> None:
+        # Shares the array's memory, as GDAL's drivers copy from datasets only.
+        memory = gdal_array.OpenArray(self._overview)
+        memory.SetGeoTransform(self._database.parameters.overview_frame.geotransform)
+        memory.SetProjection(srs.ExportToWkt())
+        band = memory.GetRasterBand(1)
+        set_class_colors(band, self._database.class_table)
+        options = ["APPEND_SUBDATASET=YES", f"RASTER_TABLE={schema.OVERVIEW}", "TILE_FORMAT=PNG"]
+        written = gdal.GetDriverByName("GPKG").CreateCopy(self._path, memory, options=options)
+        if written is None:
+            raise DatabaseError(f"The overview can't be written: {gdal_failure()}.")
+        schema.close(written)
+
+
+def _square_wkb(left: float, bottom: float, right: float, top: float) -> bytes:
+    ring = (left, bottom, right, bottom, right, top, left, top, left, bottom)
+    return struct.pack("<BIII10d", 1, ogr.wkbPolygon, 1, 5, *ring)
