@@ -1,0 +1,84 @@
+"""Records all sections of a checkout; a section that fails is recorded as failed and does not stop the others."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import time
+import traceback
+from pathlib import Path
+from typing import Dict, List, Optional
+
+from . import annotation, areas, assessment, fixes, interface, labels, models, onboard
+from .recorder import Recorder
+from .session import qgis_with_plugin
+from .store import MANIFEST, RecordingError, empty_folder, write_json
+
+SECTIONS = {
+    "interface": interface.record,
+    "labels": labels.record,
+    "onboard": onboard.record,
+    "annotation": annotation.record,
+    "models": models.record,
+    "assessment": assessment.record,
+    "fixes": fixes.record,
+}
+"""What is recorded after the areas, by name."""
+
+
+def record(
+    target: Path, work: Path, repository: Path, data: Path, quick: bool, only: Optional[List[str]] = None
+) -> int:
+    """Writes a recording into ``target``; gives the exit status: 1 when a section failed."""
+    unknown = set(only or ()) - set(SECTIONS)
+    if unknown:
+        raise RecordingError(f"There is no section {', '.join(sorted(unknown))}; there are {', '.join(SECTIONS)}.")
+    empty_folder(target)
+    write_json(target / MANIFEST, {"complete": False})
+    recorder = Recorder(target, work, repository, data, quick)
+    seconds: Dict[str, float] = {}
+    failed = []
+    with qgis_with_plugin(repository):
+        versions = _versions()
+        started = time.perf_counter()
+        places = areas.make(recorder)
+        recorder.write("areas")
+        seconds["areas"] = time.perf_counter() - started
+        for name, section in SECTIONS.items():
+            if only and name not in only:
+                continue
+            started = time.perf_counter()
+            try:
+                section(recorder, places)
+            except Exception:
+                failed.append(name)
+                recorder.put("failed", traceback.format_exc().splitlines())
+                traceback.print_exc()
+            count = recorder.write(name)
+            seconds[name] = time.perf_counter() - started
+            print(f"{name}: {count} things, {seconds[name]:.0f} s", flush=True)
+        manifest = {"quick": quick, "only": only, "seconds": seconds, "failed": failed, "versions": versions}
+        write_json(target / MANIFEST, {**manifest, "complete": True, "commit": _commit(repository)})
+    total, processor = sum(seconds.values()), sum(os.times()[:4])
+    print(f"Recorded {repository} in {total:.0f} s ({processor:.0f} s of processor time) into {target}")
+    if failed:
+        print(f"FAILED: {', '.join(failed)}; what was raised stands in the recording.")
+    return 1 if failed else 0
+
+
+def _versions() -> str:
+    import cv2
+    import numpy as np
+    from osgeo import gdal
+    from qgis.core import Qgis
+
+    return f"QGIS {Qgis.QGIS_VERSION}, GDAL {gdal.__version__}, OpenCV {cv2.__version__}, numpy {np.__version__}"
+
+
+def _commit(repository: Path) -> str:
+    def git(*arguments: str) -> str:
+        done = subprocess.run(["git", "-C", str(repository), *arguments], capture_output=True, text=True, check=False)
+        return done.stdout.strip()
+
+    changed = " with changes" if git("status", "--porcelain", "--untracked-files=no") else ""
+    return (git("rev-parse", "--short", "HEAD") or "no commit") + changed
