@@ -44,7 +44,7 @@ from semref.core.localizer.localizer import (  # noqa: E402
     Prior,
 )
 from semref.core.segmentation.model import SegmentationModel  # noqa: E402
-from semref.core.segmentation.tiling import segment  # noqa: E402
+from semref.core.segmentation.photo_labels import PhotoLabels  # noqa: E402
 
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 METHODS = (CONSTELLATION, MAP_CORRELATION, AUTOMATIC)
@@ -183,9 +183,7 @@ class OnceLocalizer(Localizer):
 
 def segmented(photo: np.ndarray) -> np.ndarray:
     """(H, W) uint8 labels of a photo (H, W, 3), as semref:segmentimage makes them."""
-    model = STATE["model"]
-    found = [rows for _, rows in segment(model, ArrayImage(photo), STATE["values"], model.settings.overlap)]
-    return np.concatenate([rows.labels_hw for rows in found if rows is not None])
+    return PhotoLabels(STATE["model"], ArrayImage(photo), STATE["values"]).found()
 
 
 # --- one trial ---

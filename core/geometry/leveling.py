@@ -143,9 +143,11 @@ def _ground_matrix(down: np.ndarray, focal_length_px: float) -> np.ndarray:
     low that a pixel at the center covers a ground of area 1: at height h it covers h² / (f² cos³ tilt).
     """
     cosine = down[2]
-    # Rodrigues' formula for the shortest rotation that takes the axis to ``down``.
-    cross = np.array([[0, 0, down[0]], [0, 0, down[1]], [-down[0], -down[1], 0]])
-    frame = (np.eye(3) + cross + cross @ cross / (1 + cosine)).T
+    # The axis, (0, 0, 1), turns about what is at right angles to it and to ``down``.
+    across = np.array([-down[1], down[0], 0.0])
+    sine = np.hypot(*down[:2])
+    turn = across * (np.arctan2(sine, cosine) / sine if sine else 0.0)
+    frame = cv2.Rodrigues(turn)[0].T
     height = focal_length_px * cosine**1.5
     right, top = (height * (frame[k] - frame[k, 2] / cosine * down) for k in (0, 1))
     return np.array([right, top, down])
