@@ -128,14 +128,14 @@ def settle(seconds: float = 0.2) -> None:
 
 
 def localize(dock) -> None:
-    dock.localize_button.click()
-    turn_events(lambda: not dock.run.running)
+    dock.content.localize.localize_button.click()
+    turn_events(lambda: not dock.content.localize.run.running)
 
 
 def show(dock, row: int) -> None:
     """Selects a result and waits for its picture."""
-    dock.results.table.selectRow(row)
-    canvas = dock.results.image.canvas
+    dock.content.localize.results.table.selectRow(row)
+    canvas = dock.content.localize.results.image.canvas
     turn_events(lambda: bool(canvas.scene().items()))
 
 
@@ -236,22 +236,22 @@ def stall_round(interface, folder: Path, photos: list, told_s: float):
     settle(1.0)
     yield f"show {len(photos)} results one after the other", heart.take()
     for _ in range(2 * len(photos)):
-        dock.results.after.click()
+        dock.content.localize.results.after.click()
         settle(0.03)
-    turn_events(lambda: bool(dock.results.image.canvas.scene().items()))
+    turn_events(lambda: bool(dock.content.localize.results.image.canvas.scene().items()))
     yield "go through them with the key held down", heart.take()
     layers = len(QgsProject.instance().mapLayers())
-    dock.results.drape.click()
+    dock.content.localize.results.drape.click()
     turn_events(lambda: len(QgsProject.instance().mapLayers()) > layers)
     settle()
     yield "lay an image on the map", heart.take()
-    dock.results.keep.click()
+    dock.content.localize.results.keep.click()
     settle()
     yield "keep the results as a layer", heart.take()
     dock.inspect_window("1440_1120")
-    turn_events(lambda: dock.inspect.numbers.rowCount() > 0)
+    turn_events(lambda: dock.content.inspect.numbers.rowCount() > 0)
     for _ in range(10):
-        dock.inspect.after.click()
+        dock.content.inspect.after.click()
         settle(0.05)
     yield "inspect eleven windows", heart.take()
     plugin.unload()
@@ -290,7 +290,7 @@ def measure_growth(folder: Path, count: int, rounds: int) -> None:
         localize(dock)
         show(dock, 0)
         dock.inspect_window("1440_1120")
-        turn_events(lambda: dock.inspect.numbers.rowCount() > 0)
+        turn_events(lambda: dock.content.inspect.numbers.rowCount() > 0)
         plugin.unload()
         del plugin, dock
         settle()

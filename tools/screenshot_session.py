@@ -80,7 +80,7 @@ class Session:
 
     def is_open(self) -> bool:
         """As the sample project leaves it: with the images in the dock."""
-        return bool(QgsProject.instance().fileName()) and bool(self.dock.images.paths())
+        return bool(QgsProject.instance().fileName()) and bool(self.dock.content.localize.images.paths())
 
     def resize(self, width: int, height: int, dock_width: int = DOCK_WIDTH) -> None:
         self.window.setGeometry(0, 0, width, height)
@@ -93,13 +93,13 @@ class Session:
     def show_tab(self, tab: int) -> None:
         self.toolbox.hide()
         self.dock.setUserVisible(True)
-        self.dock.tabs.setCurrentIndex(tab)
+        self.dock.content.tabs.setCurrentIndex(tab)
         settle(0.2)
 
     def show_everything(self) -> None:
         """The whole sample, nothing marked on it."""
-        self.dock.results.table.clearSelection()
-        self.dock.inspect.use(None)
+        self.dock.content.localize.results.table.clearSelection()
+        self.dock.content.inspect.use(None)
         self.iface.mapCanvas().setReferencedExtent(QgsProject.instance().viewSettings().defaultViewExtent())
         self.iface.mapCanvas().refresh()
 
@@ -134,15 +134,15 @@ def localized(session: Session) -> None:
     session.show_tab(LOCALIZE)
     dock = session.dock
     if not session.localized:
-        dock.localize_button.click()
-        wait_until(lambda: not dock.run.running, "the localization")
+        dock.content.localize.localize_button.click()
+        wait_until(lambda: not dock.content.localize.run.running, "the localization")
         session.localized = True
-    table = dock.results.table
+    table = dock.content.localize.results.table
     for row in range(table.model().rowCount()):
         index = table.model().index(row, 0)
         if index.data() == SHOWN_PHOTO:
             table.selectRow(row)
-    wait_until(lambda: dock.results.image.canvas.scene().items(), "the selected image")
+    wait_until(lambda: dock.content.localize.results.image.canvas.scene().items(), "the selected image")
 
 
 def first_fix(session: Session) -> None:
@@ -153,7 +153,7 @@ def first_fix(session: Session) -> None:
 def with_results_in_view(session: Session, name: str) -> None:
     """The whole window; what was chosen is folded away, as who looks at results does."""
     localized(session)
-    boxes = session.dock.database, session.dock.images
+    boxes = session.dock.content.database, session.dock.content.localize.images
     for box in boxes:
         box.setCollapsed(True)
     session.take(name)
@@ -181,7 +181,7 @@ def inspect(session: Session) -> None:
     """A window of the database, with what looks like it."""
     session.show_everything()
     session.dock.inspect_window(INSPECTED_WINDOW)
-    wait_until(lambda: session.dock.inspect._window is not None, "the inspected window")
+    wait_until(lambda: session.dock.content.inspect._window is not None, "the inspected window")
     session.show_tab(INSPECT)
     session.take("inspect")
 
@@ -194,7 +194,7 @@ def correct(session: Session) -> None:
     QgsProject.instance().layerTreeRoot().insertLayer(0, issues)
     session.show_everything()
     session.show_tab(CORRECT)
-    tab = session.dock.correct
+    tab = session.dock.content.correct
     tab.layer.setLayer(issues)
     # What the priority decides is information, and there is much of it.
     tab.mend.setChecked(True)
@@ -216,9 +216,9 @@ def prior(session: Session) -> None:
     session.show_everything()
     extent = session.iface.mapCanvas().extent()
     middle = QgsPointXY(extent.center().x() + 0.1 * extent.width(), extent.center().y())
-    session.dock.prior.set_circle(middle, QgsPointXY(middle.x() + 0.2 * extent.width(), middle.y()))
+    session.dock.content.localize.prior.set_circle(middle, QgsPointXY(middle.x() + 0.2 * extent.width(), middle.y()))
     session.take("prior")
-    session.dock.prior.forget()
+    session.dock.content.localize.prior.forget()
 
 
 def toolbox(session: Session) -> None:
@@ -304,7 +304,7 @@ def all_tabs(session: Session) -> None:
         localized(session)
         session.take(f"{kind}_localize", session.dock)
         session.dock.inspect_window(INSPECTED_WINDOW)
-        wait_until(lambda: session.dock.inspect._window is not None, "the inspected window")
+        wait_until(lambda: session.dock.content.inspect._window is not None, "the inspected window")
         session.take(f"{kind}_inspect", session.dock)
         session.show_tab(CORRECT)
         session.take(f"{kind}_correct", session.dock)

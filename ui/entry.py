@@ -12,10 +12,10 @@ from ..processing.packages.components import OPENCV, SHAPELY, how_to_install, mi
 from ..processing.translation import tr
 from ..processing.version import guide_url
 from .dock.dock import SemRefDock
-from .dock.messages import Messages
 from .options import OptionsFactory
 from .packages.component_installer import ComponentInstaller
 from .packages.components_page import PAGE
+from .widgets.messages import Messages
 from .window_locator import WindowLocator
 
 MENU = "SemRef"
@@ -36,6 +36,7 @@ class DockEntry:
         iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
         self._dock.setUserVisible(False)
         self._dock.setToggleVisibilityAction(self._action)
+        self._dock.let_open()
         self._locator = WindowLocator(self._dock.read_database, self._dock.inspect_window)
         iface.registerLocatorFilter(self._locator)
         self._sample = None
@@ -52,10 +53,10 @@ class DockEntry:
         self._options = OptionsFactory(self._installer)
         iface.registerOptionsWidgetFactory(self._options)
         self._dock.helpAsked.connect(_open_user_guide)
-        self._dock.notice.installAsked.connect(self._show_options)
-        self._options.changed.connect(self._dock.notice.refresh)
+        self._dock.installAsked.connect(self._show_options)
+        self._options.changed.connect(self._dock.refresh_notice)
         for signal in (self._installer.installed, self._installer.failed, self._installer.canceled):
-            signal.connect(self._dock.notice.refresh)
+            signal.connect(self._dock.refresh_notice)
         self._installer.failed.connect(self._dock.messages.error)
         self._installer.broke.connect(self._dock.messages.bug)
 

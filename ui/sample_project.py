@@ -25,8 +25,8 @@ from ..storage.sample_files import (
     PRIORITY_FIELD,
 )
 from .canvas.database_layers import add_database_to_map
-from .dock.messages import TAG, Messages
 from .running.algorithm_run import AlgorithmRun
+from .widgets.messages import TAG, Messages
 
 FOLDER = "semref_sample"
 """Made in the folder that the user picks, unless that one is empty."""

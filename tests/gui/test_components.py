@@ -77,10 +77,10 @@ def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lack
 
     iface.tool_bar_actions[0].trigger()
     dock = iface.docks[0]
-    assert dock.notice.isVisible() and "OpenCV is missing" in dock.notice.sentence.text()
+    assert dock.content.notice.isVisible() and "OpenCV is missing" in dock.content.notice.sentence.text()
     keep_picture(dock, "dock_notice")
-    dock.notice.install.click()
+    dock.content.notice.install.click()
     assert iface.options_pages_shown == [PAGE]
     lacking.clear()
     plugin._entry._installer.installed.emit()
-    assert not dock.notice.isVisible()
+    assert not dock.content.notice.isVisible()

@@ -12,7 +12,7 @@ SPECK_M = 0.1
 def tab(iface):
     from qgis.core import QgsCoordinateReferenceSystem, QgsProject
 
-    from semref.ui.tabs.correct_tab import CorrectTab
+    from semref.ui.tabs.correct.tab import CorrectTab
 
     iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem(CRS))
     tab = CorrectTab(iface.canvas)

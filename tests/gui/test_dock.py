@@ -142,22 +142,22 @@ AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION = range(3)
 
 
 def choose_method(dock, method: int) -> None:
-    dock.method.choice.setCurrentIndex(dock.method.choice.findData(method))
+    dock.content.localize.method.choice.setCurrentIndex(dock.content.localize.method.choice.findData(method))
 
 
 def start(dock, database: str, images: list[str]) -> None:
-    dock.database.file.setFilePath(database)
-    dock.images.list.add(images)
-    dock.localize_button.click()
+    dock.content.database.file.setFilePath(database)
+    dock.content.localize.images.list.add(images)
+    dock.content.localize.localize_button.click()
 
 
 def localize(dock, database: str, images: list[str]) -> None:
     start(dock, database, images)
-    wait_until(lambda: not dock.run.running, "the end of the run")
+    wait_until(lambda: not dock.content.localize.run.running, "the end of the run")
 
 
 def table(dock) -> list[list[str]]:
-    model = dock.results.table.model()
+    model = dock.content.localize.results.table.model()
     return [
         [model.index(row, column).data() for column in range(model.columnCount())] for row in range(model.rowCount())
     ]
@@ -206,20 +206,20 @@ def test_the_button_shows_and_hides_the_dock(plugin, iface):
 
 
 def test_an_empty_dock_says_what_to_do(dock, area):
-    assert dock.state.text() == "Choose a database and add images."
-    dock.database.file.setFilePath(area.database)
-    assert dock.state.text() == "Add images."
-    assert not dock.localize_button.isEnabled()
-    dock.images.list.add([area.image])
-    assert dock.state.text() == "Ready to localize."
-    assert dock.localize_button.isEnabled()
+    assert dock.content.localize.state.text() == "Choose a database and add images."
+    dock.content.database.file.setFilePath(area.database)
+    assert dock.content.localize.state.text() == "Add images."
+    assert not dock.content.localize.localize_button.isEnabled()
+    dock.content.localize.images.list.add([area.image])
+    assert dock.content.localize.state.text() == "Ready to localize."
+    assert dock.content.localize.localize_button.isEnabled()
 
 
 def test_an_image_cut_from_a_window_is_found_there(dock, area):
     localize(dock, area.database, [area.image])
     assert table(dock) == [["on_window.tif", "1.00", "", "", "Unverified match", "150_250", "0.000"]]
-    assert dock.state.text() == "1 of 1 images have a fix."
-    details = dock.results.details.toPlainText()
+    assert dock.content.localize.state.text() == "1 of 1 images have a fix."
+    details = dock.content.localize.results.details.toPlainText()
     assert "x, y: 400250.00, 5399650.00 (EPSG:25832)" in details
     assert "lon, lat: 7.6" in details
 
@@ -230,13 +230,13 @@ def test_the_automatic_method_tells_heading_pixel_size_and_error(dock, iface, ar
     ((image, confidence, error, heading, status, window, distance),) = table(dock)
     assert (image, confidence, status, window, distance) == ("on_window.tif", "1.00", "Fix", "", "")
     assert 0 <= float(error) < 0.5 and heading in ("0.0", "360.0")
-    details = dock.results.details.toPlainText()
+    details = dock.content.localize.results.details.toPlainText()
     assert "heading" in details and "pixel size 1 m" in details and "(95 %)" in details
     assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=0.5)
 
 
 def test_the_method_is_remembered(dock, qgis_app):
-    from semref.ui.tabs.inputs import MethodRow
+    from semref.ui.tabs.localize.inputs import MethodRow
 
     choose_method(dock, TOPOLOGY_VECTOR)
     assert MethodRow().method() == TOPOLOGY_VECTOR
@@ -269,7 +269,7 @@ def test_the_canvas_moves_to_the_selected_hit(dock, iface, area):
 
 def test_the_canvas_stays_when_zooming_is_switched_off(dock, iface, area):
     before = corners(iface.canvas.extent())
-    dock.results.zoom.setChecked(False)
+    dock.content.localize.results.zoom.setChecked(False)
     localize(dock, area.database, [area.image])
     assert shown_outline(iface) is not None
     assert corners(iface.canvas.extent()) == before
@@ -277,11 +277,11 @@ def test_the_canvas_stays_when_zooming_is_switched_off(dock, iface, area):
 
 def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, iface, area):
     localize(dock, area.database, [area.image, area.unreadable])
-    dock.results.table.selectRow(1)
+    dock.content.localize.results.table.selectRow(1)
     assert table(dock)[1] == ["broken.tif", "", "", "", "Unreadable", "", ""]
-    assert "broken.tif can't be read" in dock.results.details.toPlainText()
+    assert "broken.tif can't be read" in dock.content.localize.results.details.toPlainText()
     assert (shown_outline(iface), shown_center(iface)) == (None, None)
-    assert not dock.results.copy.isEnabled()
+    assert not dock.content.localize.results.copy.isEnabled()
     assert messages(iface) == []
 
 
@@ -289,10 +289,10 @@ def test_a_click_on_a_header_sorts_and_the_selection_stays_true(dock, iface, are
     from qgis.PyQt.QtCore import Qt
 
     localize(dock, area.database, [area.image, area.unreadable])
-    dock.results.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+    dock.content.localize.results.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
     assert [row[0] for row in table(dock)] == ["broken.tif", "on_window.tif"]
-    dock.results.table.selectRow(1)
-    assert "on_window.tif" in dock.results.details.toPlainText()
+    dock.content.localize.results.table.selectRow(1)
+    assert "on_window.tif" in dock.content.localize.results.details.toPlainText()
     assert shown_outline(iface) is not None
 
 
@@ -301,11 +301,11 @@ def test_the_position_can_be_copied_in_several_ways(dock, area):
 
     QgsProject.instance().setCrs(QgsCoordinateReferenceSystem("EPSG:3857"))
     localize(dock, area.database, [area.image])
-    dock.results.copy.click()
+    dock.content.localize.results.copy.click()
     assert QgsApplication.clipboard().text().startswith("7.6")
-    dock.results.formats.aboutToShow.emit()
+    dock.content.localize.results.formats.aboutToShow.emit()
     copied = []
-    for action in dock.results.formats.actions():
+    for action in dock.content.localize.results.formats.actions():
         action.trigger()
         copied.append(QgsApplication.clipboard().text())
         assert action.text().endswith(copied[-1])
@@ -313,19 +313,19 @@ def test_the_position_can_be_copied_in_several_ways(dock, area):
     assert copied[3].startswith("8") and copied[4] == "400250.00, 5399650.00"
     assert copied[5] == f"POINT ({copied[3].replace(',', '')})"
     # The way chosen last is the button's.
-    dock.results.formats.actions()[4].trigger()
+    dock.content.localize.results.formats.actions()[4].trigger()
     QgsApplication.clipboard().clear()
-    dock.results.copy.click()
+    dock.content.localize.results.copy.click()
     assert QgsApplication.clipboard().text() == "400250.00, 5399650.00"
-    assert "400250.00" in dock.state.text_shown
+    assert "400250.00" in dock.content.localize.state.text_shown
 
 
 def test_a_file_that_is_no_database_gives_one_sentence(dock, iface, area):
     localize(dock, area.unreadable, [area.image])
     assert len(messages(iface)) == 1
     assert "broken.tif is not a GeoPackage; choose a database" in messages(iface)[0]
-    assert dock.localize_button.text() == "Localize"
-    assert dock.localize_button.isEnabled()
+    assert dock.content.localize.localize_button.text() == "Localize"
+    assert dock.content.localize.localize_button.isEnabled()
 
 
 def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeypatch):
@@ -358,26 +358,26 @@ def test_a_missing_package_is_named(dock, iface, area, monkeypatch):
 
     monkeypatch.setattr(base, "missing", lambda _packages: [OPENCV])
     start(dock, area.database, [area.image])
-    assert not dock.run.running
+    assert not dock.content.localize.run.running
     assert "OpenCV" in messages(iface)[0] or "opencv" in messages(iface)[0]
 
 
 def test_cancel_ends_the_run_without_results(dock, iface, area, slow):
     start(dock, area.database, [area.image])
-    assert dock.localize_button.text() == "Cancel"
-    wait_until(lambda: dock.progress.value() > 0, "progress")
-    dock.localize_button.click()
-    wait_until(lambda: not dock.run.running, "the end of the run")
-    assert dock.state.text() == "Canceled."
-    assert dock.localize_button.text() == "Localize"
+    assert dock.content.localize.localize_button.text() == "Cancel"
+    wait_until(lambda: dock.content.localize.progress.value() > 0, "progress")
+    dock.content.localize.localize_button.click()
+    wait_until(lambda: not dock.content.localize.run.running, "the end of the run")
+    assert dock.content.localize.state.text() == "Canceled."
+    assert dock.content.localize.localize_button.text() == "Localize"
     assert (table(dock), messages(iface)) == ([], [])
 
 
 def test_a_cancel_before_the_run_has_begun_ends_it_too(dock, area, slow):
     start(dock, area.database, [area.image])
-    dock.localize_button.click()
-    wait_until(lambda: not dock.run.running, "the end of the run")
-    assert dock.state.text() == "Canceled."
+    dock.content.localize.localize_button.click()
+    wait_until(lambda: not dock.content.localize.run.running, "the end of the run")
+    assert dock.content.localize.state.text() == "Canceled."
 
 
 @pytest.mark.parametrize("begun", [False, True])
@@ -386,7 +386,7 @@ def test_unloading_while_a_run_works_leaves_nothing(plugin, dock, iface, area, s
 
     start(dock, area.database, [area.image])
     if begun:
-        wait_until(lambda: dock.progress.value() > 0, "progress")
+        wait_until(lambda: dock.content.localize.progress.value() > 0, "progress")
     plugin.unload()
     wait_until(lambda: QgsApplication.taskManager().countActiveTasks() == 0, "the end of the task")
     settle()
@@ -398,7 +398,7 @@ def test_a_project_closed_while_a_run_works_does_not_disturb_it(dock, area):
 
     start(dock, area.database, [area.image])
     QgsProject.instance().clear()
-    wait_until(lambda: not dock.run.running, "the end of the run")
+    wait_until(lambda: not dock.content.localize.run.running, "the end of the run")
     assert len(table(dock)) == 1
 
 
@@ -432,8 +432,8 @@ def test_closing_the_dock_takes_the_hit_off_the_map_until_it_is_opened_again(doc
 def test_the_database_goes_to_the_map_as_a_group_with_the_overview_below(dock, area):
     from qgis.core import QgsProject
 
-    dock.database.file.setFilePath(area.database)
-    dock.database.add_to_map.click()
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.database.add_to_map.click()
     (group,) = QgsProject.instance().layerTreeRoot().children()
     assert group.name() == "area"
     layers = [node.layer() for node in group.children()]
@@ -444,8 +444,8 @@ def test_the_database_goes_to_the_map_as_a_group_with_the_overview_below(dock, a
 def test_a_file_that_is_no_database_does_not_go_to_the_map(dock, iface, area):
     from qgis.core import QgsProject
 
-    dock.database.file.setFilePath(area.image)
-    dock.database.add_to_map.click()
+    dock.content.database.file.setFilePath(area.image)
+    dock.content.database.add_to_map.click()
     assert QgsProject.instance().mapLayers() == {}
     assert len(messages(iface)) == 1
     assert "is not a SemRef reference database" in messages(iface)[0]
@@ -454,13 +454,13 @@ def test_a_file_that_is_no_database_does_not_go_to_the_map(dock, iface, area):
 def test_results_can_be_kept_as_a_layer(dock, area):
     from qgis.core import QgsProject
 
-    assert not dock.results.keep.isEnabled()
+    assert not dock.content.localize.results.keep.isEnabled()
     localize(dock, area.database, [area.image, area.unreadable])
-    dock.results.keep.click()
+    dock.content.localize.results.keep.click()
     (layer,) = QgsProject.instance().mapLayers().values()
     assert [feature["status"] for feature in layer.getFeatures()] == ["fix", "error"]
     QgsProject.instance().removeAllMapLayers()
-    dock.results.keep.click()
+    dock.content.localize.results.keep.click()
     assert len(QgsProject.instance().mapLayers()) == 1
 
 
@@ -478,28 +478,28 @@ def test_dropped_files_are_added_once(dock, area):
             Qt.MouseButton.LeftButton,
             Qt.KeyboardModifier.NoModifier,
         )
-        dock.images.list.dropEvent(event)
-    assert dock.images.paths() == [area.image]
+        dock.content.localize.images.list.dropEvent(event)
+    assert dock.content.localize.images.paths() == [area.image]
 
 
 def test_selected_images_can_be_removed(dock, area):
-    dock.images.list.add([area.image, area.unreadable])
-    dock.images.list.setCurrentRow(0)
-    dock.images.remove.click()
-    assert dock.images.paths() == [area.unreadable]
+    dock.content.localize.images.list.add([area.image, area.unreadable])
+    dock.content.localize.images.list.setCurrentRow(0)
+    dock.content.localize.images.remove.click()
+    assert dock.content.localize.images.paths() == [area.unreadable]
 
 
 def test_the_database_is_remembered(plugin, dock, iface, area):
-    dock.database.file.setFilePath(area.database)
+    dock.content.database.file.setFilePath(area.database)
     plugin.unload()
     plugin.initGui()
-    assert iface.docks[0].database.path() == area.database
+    assert iface.docks[0].content.database.path() == area.database
 
 
 def test_every_status_has_words(qgis_app):
-    from semref.core.localizer.localizer import localizer
+    from semref.core import localization as localizer
     from semref.processing.framework.localized_image import ERROR
-    from semref.ui.tabs.findings import FIX, TOPOLOGY_VECTOR, status_text
+    from semref.ui.findings import FIX, TOPOLOGY_VECTOR, status_text
 
     assert localizer.FIX == FIX
     assert localizer.TOPOLOGY_VECTOR == TOPOLOGY_VECTOR
@@ -529,30 +529,30 @@ def test_the_heading_arrow_points_where_the_top_of_the_image_is(dock, iface, are
 
 def test_the_selected_image_is_shown_with_its_landmarks_and_its_vector(dock, area):
     localize(dock, area.database, [area.image])
-    canvas = dock.results.image.canvas
+    canvas = dock.content.localize.results.image.canvas
     wait_until(lambda: canvas.scene().items(), "the image")
     assert (canvas.sceneRect().width(), canvas.sceneRect().height()) == (WINDOW, WINDOW)
-    dock.results.image.opacity.setValue(30)
-    dock.results.image.star.setChecked(True)
+    dock.content.localize.results.image.opacity.setValue(30)
+    dock.content.localize.results.image.star.setChecked(True)
     assert canvas._labels.opacity() == pytest.approx(0.3)
     assert canvas._star.isVisible() and len(canvas._star._ends) == 10
-    dock.results.image.landmarks.setChecked(False)
+    dock.content.localize.results.image.landmarks.setChecked(False)
     assert not canvas._landmarks.isVisible()
 
 
 def test_an_image_that_cannot_be_shown_says_why(dock, area):
     localize(dock, area.database, [area.unreadable])
-    wait_until(lambda: "can't be read" in dock.results.image.canvas._text, "the reason")
+    wait_until(lambda: "can't be read" in dock.content.localize.results.image.canvas._text, "the reason")
 
 
 def test_a_window_is_inspected_by_name_with_its_vector_and_its_look_alikes(dock, iface, area):
-    dock.database.file.setFilePath(area.database)
-    dock.inspect.name.setText("150_250")
-    dock.inspect.name.returnPressed.emit()
-    wait_until(lambda: dock.inspect.numbers.rowCount(), "the window")
-    assert dock.inspect.numbers.rowCount() == 10
-    assert dock.inspect.numbers.item(0, 1).text() == "1.000"
-    assert dock.inspect.look_alikes.rowCount() > 0
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.inspect.name.setText("150_250")
+    dock.content.inspect.name.returnPressed.emit()
+    wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
+    assert dock.content.inspect.numbers.rowCount() == 10
+    assert dock.content.inspect.numbers.item(0, 1).text() == "1.000"
+    assert dock.content.inspect.look_alikes.rowCount() > 0
     extents = [corners(band.boundingBox()) for band in rubber_bands(iface, "Polygon")]
     assert any(extent == pytest.approx(corners(cut_extent())) for extent in extents)
     assert iface.canvas.extent().contains(cut_extent())
@@ -561,30 +561,30 @@ def test_a_window_is_inspected_by_name_with_its_vector_and_its_look_alikes(dock,
 def test_a_click_on_the_map_inspects_the_window_whose_middle_is_nearest(dock, iface, area):
     from qgis.core import QgsPointXY
 
-    dock.database.file.setFilePath(area.database)
-    dock.inspect.pick.click()
-    assert iface.canvas.mapTool() is dock.inspect.tool
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.inspect.pick.click()
+    assert iface.canvas.mapTool() is dock.content.inspect.tool
     middle = cut_extent().center()
-    dock.inspect.tool.picked.emit(QgsPointXY(middle.x() + 9, middle.y() - 9))
-    wait_until(lambda: dock.inspect.name.text(), "the window")
-    assert dock.inspect.name.text() == "150_250"
+    dock.content.inspect.tool.picked.emit(QgsPointXY(middle.x() + 9, middle.y() - 9))
+    wait_until(lambda: dock.content.inspect.name.text(), "the window")
+    assert dock.content.inspect.name.text() == "150_250"
 
 
 def test_an_unknown_window_name_is_said(dock, iface, area):
-    dock.database.file.setFilePath(area.database)
-    dock.inspect.show_window("1_2")
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.inspect.show_window("1_2")
     wait_until(lambda: messages(iface), "a message")
     assert "no window “1_2”" in messages(iface)[0]
 
 
 def test_an_image_is_compared_with_the_window_element_by_element(dock, area):
     localize(dock, area.database, [area.image])
-    wait_until(dock.inspect.compare.isEnabled, "the image's vector")
-    dock.inspect.show_window("150_250")
-    wait_until(lambda: dock.inspect.numbers.rowCount(), "the window")
-    dock.inspect.compare.click()
-    assert "distance 0.000, confidence 1.00" in dock.inspect.title.text()
-    assert {dock.inspect.numbers.item(row, 3).text() for row in range(10)} == {"0.000"}
+    wait_until(dock.content.inspect.compare.isEnabled, "the image's vector")
+    dock.content.inspect.show_window("150_250")
+    wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
+    dock.content.inspect.compare.click()
+    assert "distance 0.000, confidence 1.00" in dock.content.inspect.title.text()
+    assert {dock.content.inspect.numbers.item(row, 3).text() for row in range(10)} == {"0.000"}
 
 
 @pytest.mark.parametrize(("away_m", "fixes"), [(0, 1), (250, 0)])
@@ -594,12 +594,12 @@ def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes)
     choose_method(dock, CONSTELLATION)
     middle = cut_extent().center()
     middle = QgsPointXY(middle.x() + away_m, middle.y())
-    dock.prior.set_circle(middle, QgsPointXY(middle.x() + 60, middle.y()))
-    assert dock.prior.text.text() == "Search: within 60 m"
+    dock.content.localize.prior.set_circle(middle, QgsPointXY(middle.x() + 60, middle.y()))
+    assert dock.content.localize.prior.text.text() == "Search: within 60 m"
     localize(dock, area.database, [area.image])
-    assert dock.state.text().startswith(f"{fixes} of 1")
-    dock.prior.clear.click()
-    assert dock.prior.parameters() == {}
+    assert dock.content.localize.state.text().startswith(f"{fixes} of 1")
+    dock.content.localize.prior.clear.click()
+    assert dock.content.localize.prior.parameters() == {}
 
 
 def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area):
@@ -607,7 +607,7 @@ def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area):
 
     choose_method(dock, AUTOMATIC)
     localize(dock, area.database, [area.image])
-    dock.results.drape.click()
+    dock.content.localize.results.drape.click()
     wait_until(QgsProject.instance().mapLayers, "the layer")
     (layer,) = QgsProject.instance().mapLayers().values()
     assert corners(layer.extent()) == pytest.approx(corners(cut_extent()), abs=1.0)
@@ -623,13 +623,13 @@ def test_the_locator_bar_finds_windows_by_name(dock, iface, area):
     searching.resultFetched.connect(found.append)
     searching.fetchResults("150", QgsLocatorContext(), QgsFeedback())
     assert found == []
-    dock.database.file.setFilePath(area.database)
+    dock.content.database.file.setFilePath(area.database)
     searching.fetchResults("150_2", QgsLocatorContext(), QgsFeedback())
     assert [result.displayString for result in found] == ["150_200", "150_250"]
     locator.triggerResult(found[1])
-    wait_until(lambda: dock.inspect.numbers.rowCount(), "the window")
-    assert dock.inspect.isVisible()
-    assert dock.inspect.name.text() == "150_250"
+    wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
+    assert dock.content.inspect.isVisible()
+    assert dock.content.inspect.name.text() == "150_250"
 
 
 def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path):
@@ -644,9 +644,9 @@ def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path):
     photo.WriteArray(np.moveaxis(painted(labels), 2, 0))
     # Written when it is closed.
     del photo
-    dock.images.model.setFilePath(str(model))
+    dock.content.localize.images.model.setFilePath(str(model))
     localize(dock, area.database, [str(tmp_path / "photo.tif")])
-    canvas = dock.results.image.canvas
+    canvas = dock.content.localize.results.image.canvas
     wait_until(lambda: canvas.scene().items(), "the photo")
     pictures = [item for item in canvas.scene().items() if isinstance(item, QGraphicsPixmapItem)]
     shown_labels, shown_photo = (item.pixmap().toImage() for item in pictures)
@@ -693,7 +693,7 @@ def issues(qgis_app, dock):
         layer.dataProvider().addFeature(feature)
     layer.updateExtents()
     QgsProject.instance().addMapLayer(layer)
-    dock.correct.layer.setLayer(layer)
+    dock.content.correct.layer.setLayer(layer)
     return layer
 
 
@@ -702,7 +702,7 @@ def listed(tab) -> list[str]:
 
 
 def test_an_annotator_goes_through_the_places_and_marks_what_is_done(dock, iface, issues):
-    tab = dock.correct
+    tab = dock.content.correct
     assert listed(tab) == ["overlap", "gap", "sliver"]
     tab.after.click()
     assert "Here is a overlap." in tab.text.text()
@@ -718,22 +718,22 @@ def test_an_annotator_goes_through_the_places_and_marks_what_is_done(dock, iface
 
 def test_what_is_done_is_remembered_in_the_project_and_not_in_the_table(dock, issues):
     fields = issues.fields().names()
-    dock.correct.places.selectRow(2)
-    dock.correct.done.click()
-    dock.correct.layer.setLayer(None)
-    dock.correct.layer.setLayer(issues)
-    assert dock.correct.progress.value() == 1
+    dock.content.correct.places.selectRow(2)
+    dock.content.correct.done.click()
+    dock.content.correct.layer.setLayer(None)
+    dock.content.correct.layer.setLayer(issues)
+    assert dock.content.correct.progress.value() == 1
     assert issues.fields().names() == fields
 
 
 def test_the_done_places_go_to_the_update_of_the_database(dock, issues):
     asked = []
-    dock.correct.updateAsked.disconnect()
-    dock.correct.updateAsked.connect(asked.append)
-    assert not dock.correct.update_button.isEnabled()
-    dock.correct.places.selectRow(1)
-    dock.correct.done.click()
-    dock.correct.update_button.click()
+    dock.content.correct.updateAsked.disconnect()
+    dock.content.correct.updateAsked.connect(asked.append)
+    assert not dock.content.correct.update_button.isEnabled()
+    dock.content.correct.places.selectRow(1)
+    dock.content.correct.done.click()
+    dock.content.correct.update_button.click()
     (places,) = asked
     assert [feature["kind"] for feature in places.getFeatures()] == ["gap"]
 
@@ -741,10 +741,10 @@ def test_the_done_places_go_to_the_update_of_the_database(dock, issues):
 def test_a_layer_that_is_removed_while_it_is_corrected_leaves_an_empty_list(dock, iface, issues):
     from qgis.core import QgsProject
 
-    dock.correct.places.selectRow(1)
+    dock.content.correct.places.selectRow(1)
     QgsProject.instance().removeMapLayer(issues.id())
     settle()
-    assert dock.correct.places.rowCount() == 0
+    assert dock.content.correct.places.rowCount() == 0
     assert rubber_bands(iface, "Polygon") == []
 
 
@@ -752,24 +752,30 @@ def test_a_layer_that_is_removed_while_it_is_corrected_leaves_an_empty_list(dock
 
 
 def pointed_numbers(dock) -> tuple:
-    return dock.results.image.canvas._landmarks._pointed, dock._matches._item._pointed
+    return (
+        dock.content.localize.results.image.canvas._landmarks._pointed,
+        dock.content.localize.hit.matches._item._pointed,
+    )
 
 
 def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, iface, area):
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
-    wait_until(lambda: dock._matches.pairs, "the matches")
-    pairs, marks = dock._matches.pairs, dock.results.image.canvas._landmarks.matched
-    assert f"{len(pairs)} agree with the map" in dock.results.details.toPlainText()
+    wait_until(lambda: dock.content.localize.hit.matches.pairs, "the matches")
+    pairs, marks = (
+        dock.content.localize.hit.matches.pairs,
+        dock.content.localize.results.image.canvas._landmarks.matched,
+    )
+    assert f"{len(pairs)} agree with the map" in dock.content.localize.results.details.toPlainText()
     assert len(pairs) == len(marks) > 20
     for (seen, on_map), (_, pixel) in zip(pairs, marks):
         truth = ORIGIN[0] + CUT[0] + pixel.x(), ORIGIN[1] - CUT[1] - pixel.y()
         assert (on_map.x(), on_map.y()) == pytest.approx(truth, abs=0.01)
         assert (seen.x(), seen.y()) == pytest.approx(truth, abs=0.5)
     dock.close()
-    assert dock._matches.pairs == []
+    assert dock.content.localize.hit.matches.pairs == []
     iface.tool_bar_actions[0].trigger()
-    assert len(dock._matches.pairs) == len(marks)
+    assert len(dock.content.localize.hit.matches.pairs) == len(marks)
 
 
 def test_the_landmark_under_the_mouse_is_stressed_on_both_sides(dock, iface, area):
@@ -778,24 +784,24 @@ def test_the_landmark_under_the_mouse_is_stressed_on_both_sides(dock, iface, are
 
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
-    wait_until(lambda: dock._matches.pairs, "the matches")
+    wait_until(lambda: dock.content.localize.hit.matches.pairs, "the matches")
     settle()
-    view = dock.results.image.canvas
+    view = dock.content.localize.results.image.canvas
     number, pixel = view._landmarks.matched[2]
     QTest.mouseMove(view.viewport(), view.mapFromScene(pixel))
     wait_until(lambda: pointed_numbers(dock) == (number, number), "the stressed landmark")
-    place = iface.canvas.getCoordinateTransform().transform(dock._matches.pairs[4][1])
+    place = iface.canvas.getCoordinateTransform().transform(dock.content.localize.hit.matches.pairs[4][1])
     QTest.mouseMove(iface.canvas.viewport(), QPoint(round(place.x()), round(place.y())))
     wait_until(lambda: pointed_numbers(dock) == (5, 5), "the other stressed landmark")
     # Drawn without an error, which pytest would see.
-    dock.results.image.grab()
+    dock.content.localize.results.image.grab()
     iface.canvas.grab()
 
 
 def test_the_published_methods_runners_up_are_outlined_paler(dock, iface, area):
     localize(dock, area.database, [area.image])
-    wait_until(lambda: "next best" in dock.results.details.toPlainText(), "the runners-up")
-    bands = dock._highlight._runners_up
+    wait_until(lambda: "next best" in dock.content.localize.results.details.toPlainText(), "the runners-up")
+    bands = [band for name, band in dock.content.localize.hit.highlight._bands.items() if "runner" in name]
     extents = [band.asGeometry().boundingBox() for band in bands]
     assert len(extents) == 4
     assert all(extent.width() == pytest.approx(WINDOW) for extent in extents)
@@ -804,8 +810,8 @@ def test_the_published_methods_runners_up_are_outlined_paler(dock, iface, area):
     opacities = [band.strokeColor().alpha() for band in bands]
     assert opacities == sorted(opacities, reverse=True) and opacities[0] < 255
     choose_method(dock, CONSTELLATION)
-    dock.localize_button.click()
-    wait_until(lambda: not dock.run.running, "the end of the run")
+    dock.content.localize.localize_button.click()
+    wait_until(lambda: not dock.content.localize.run.running, "the end of the run")
     assert all(not band.numberOfVertices() for band in bands)
 
 
@@ -815,21 +821,21 @@ def test_a_key_goes_from_image_to_image(dock, iface, area):
 
     localize(dock, area.database, [area.image, area.unreadable])
     iface.window.activateWindow()
-    dock.results.table.setFocus()
-    wait_until(dock.results.table.hasFocus, "the focus")
+    dock.content.localize.results.table.setFocus()
+    wait_until(dock.content.localize.results.table.hasFocus, "the focus")
     names = []
     for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Up):
-        QTest.keyClick(dock.results.table, key, Qt.KeyboardModifier.AltModifier)
-        names.append(dock.results.table.selected().name)
+        QTest.keyClick(dock.content.localize.results.table, key, Qt.KeyboardModifier.AltModifier)
+        names.append(dock.content.localize.results.table.selected().name)
     assert names == ["broken.tif", "on_window.tif", "broken.tif"]
-    dock.results.after.click()
-    assert dock.results.table.selected().name == "on_window.tif"
+    dock.content.localize.results.after.click()
+    assert dock.content.localize.results.table.selected().name == "on_window.tif"
 
 
 def test_going_through_many_images_quickly_reads_the_first_and_the_last(dock, area, monkeypatch, tmp_path):
     import shutil
 
-    from semref.ui.tabs import image_picture
+    from semref.ui.tabs.localize import picture as image_picture
 
     images = [str(shutil.copy(area.image, tmp_path / f"{number:02d}.tif")) for number in range(30)]
     read, read_picture, go_on = [], image_picture.read_picture, threading.Event()
@@ -843,9 +849,9 @@ def test_going_through_many_images_quickly_reads_the_first_and_the_last(dock, ar
     localize(dock, area.database, images)
     for _ in range(29):
         wait_until(lambda: read, "the first reading")
-        dock.results.after.click()
+        dock.content.localize.results.after.click()
     go_on.set()
-    wait_until(lambda: dock.results.image.canvas.scene().items(), "the picture")
+    wait_until(lambda: dock.content.localize.results.image.canvas.scene().items(), "the picture")
     assert read == ["00.tif", "29.tif"]
 
 
@@ -884,23 +890,23 @@ def from_the_layer_tree(*layers):
 def test_a_raster_layer_of_the_project_is_an_image(dock, area):
     from qgis.core import QgsProject
 
-    dock.images.layers.aboutToShow.emit()
-    assert not dock.images.layers.actions()[0].isEnabled()
+    dock.content.localize.images.layers.aboutToShow.emit()
+    assert not dock.content.localize.images.layers.actions()[0].isEnabled()
     add_raster_layer(area.image, "aerial image")
-    dock.database.file.setFilePath(area.database)
-    dock.database.add_to_map.click()
-    dock.images.layers.aboutToShow.emit()
-    (action,) = dock.images.layers.actions()
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.database.add_to_map.click()
+    dock.content.localize.images.layers.aboutToShow.emit()
+    (action,) = dock.content.localize.images.layers.actions()
     assert action.text() == "aerial image"
     QgsProject.instance().clear()
     action.trigger()
-    assert dock.images.paths() == [area.image]
+    assert dock.content.localize.images.paths() == [area.image]
 
 
 def test_layers_dropped_on_the_list_are_images_and_others_are_said(dock, iface, area, issues):
     layer = add_raster_layer(area.image, "aerial image")
-    assert dropped(dock.images.list, from_the_layer_tree(layer, issues))
-    assert dock.images.paths() == [area.image]
+    assert dropped(dock.content.localize.images.list, from_the_layer_tree(layer, issues))
+    assert dock.content.localize.images.paths() == [area.image]
     assert "issues: not added" in messages(iface)[0]
 
 
@@ -909,30 +915,30 @@ def test_a_dropped_folder_is_an_entry(dock, area, tmp_path):
 
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(tmp_path))])
-    assert dropped(dock.images.list, data)
-    assert dock.images.paths() == [str(tmp_path)]
+    assert dropped(dock.content.localize.images.list, data)
+    assert dock.content.localize.images.paths() == [str(tmp_path)]
 
 
 def test_a_database_of_the_project_can_be_chosen_or_dropped(dock, area):
     from qgis.core import QgsProject
 
-    dock.database.file.setFilePath(area.database)
-    assert not dock.database.in_project.isVisibleTo(dock)
-    dock.database.add_to_map.click()
+    dock.content.database.file.setFilePath(area.database)
+    assert not dock.content.database.in_project.isVisibleTo(dock)
+    dock.content.database.add_to_map.click()
     settle()
-    box = dock.database.in_project
+    box = dock.content.database.in_project
     assert box.isVisibleTo(dock)
     assert [box.itemText(row) for row in range(1, box.count())] == ["area"]
     assert box.currentText() == "area"
-    dock.database.file.setFilePath("")
+    dock.content.database.file.setFilePath("")
     assert box.currentIndex() == 0
     box.setCurrentIndex(1)
     box.activated.emit(1)
-    assert dock.database.path() == area.database
-    dock.database.file.setFilePath("")
+    assert dock.content.database.path() == area.database
+    dock.content.database.file.setFilePath("")
     windows = QgsProject.instance().mapLayersByName("Windows")[0]
-    assert dropped(dock.database, from_the_layer_tree(windows))
-    assert dock.database.path() == area.database
+    assert dropped(dock.content.database, from_the_layer_tree(windows))
+    assert dock.content.database.path() == area.database
     QgsProject.instance().clear()
     settle()
     assert not box.isVisibleTo(dock)
@@ -945,25 +951,25 @@ def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp
     saved = str(tmp_path / "results.gpkg")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (saved, ""))
     localize(dock, area.database, [area.image, area.unreadable])
-    dock.results.save.trigger()
-    dock.results.image.opacity.setValue(35)
-    dock.images.model.setFilePath("")
-    dock.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
-    shown, before = table(dock), dock._state_now()
+    dock.content.localize.results.save.trigger()
+    dock.content.localize.results.image.opacity.setValue(35)
+    dock.content.localize.images.model.setFilePath("")
+    dock.content.localize.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
+    shown, before = table(dock), dock.content.localize.state_now()
     project = QgsProject.instance()
     assert project.write(str(tmp_path / "project.qgs"))
     assert "/" + Path(area.database).name in (tmp_path / "project.qgs").read_text(encoding="utf-8")
 
     dock.prepare("", "", [])
     project.clear()
-    assert (table(dock), dock.prior.circle()) == ([], None)
+    assert (table(dock), dock.content.localize.prior.circle()) == ([], None)
     assert project.read(str(tmp_path / "project.qgs"))
     assert not project.isDirty()
-    assert dock._state_now() == before
+    assert dock.content.localize.state_now() == before
     assert before.opacity == 35 and before.prior[:2] == (400_100, 5_399_900) and before.results == saved
     assert table(dock) == shown
     assert corners(shown_outline(iface)) is not None
-    assert dock.prior.text.text() == "Search: within 60 m"
+    assert dock.content.localize.prior.text.text() == "Search: within 60 m"
 
 
 def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface, area, tmp_path, monkeypatch):
@@ -973,7 +979,7 @@ def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface,
     saved = tmp_path / "results.gpkg"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(saved), ""))
     localize(dock, area.database, [area.image])
-    dock.results.save.trigger()
+    dock.content.localize.results.save.trigger()
     QgsProject.instance().write(str(tmp_path / "project.qgs"))
     QgsProject.instance().clear()
     saved.unlink()
@@ -990,18 +996,18 @@ def test_a_project_without_the_dock_leaves_it_as_it_is(dock, area, tmp_path):
     localize(dock, area.database, [area.image])
     QgsProject.instance().read(str(tmp_path / "other.qgs"))
     assert len(table(dock)) == 1
-    assert dock.database.path() == area.database
+    assert dock.content.database.path() == area.database
 
 
 def test_the_search_circle_follows_the_canvas_into_another_crs(dock, iface, area):
     from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
 
-    dock.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
-    before = dock.prior.parameters()
+    dock.content.localize.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
+    before = dock.content.localize.prior.parameters()
     iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem("EPSG:3857"))
     (circle,) = rubber_bands(iface, "Polygon")
     assert abs(circle.boundingBox().center().x() - 400_100) > 100_000
-    assert dock.prior.parameters() == before
+    assert dock.content.localize.prior.parameters() == before
 
 
 def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area):
@@ -1011,8 +1017,10 @@ def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area
     left, bottom, right, top = corners(cut_extent())
     trapezoid = [(left, top), (right, top), (right - 40, bottom), (left + 40, bottom)]
     outline = QgsGeometry.fromPolygonXY([[QgsPointXY(*corner) for corner in trapezoid]])
-    finding = dock.results.table.selected()
-    dock._drape(replace(finding, method="constellation", heading=0.0, pixel_size=1.0, outline=outline))
+    finding = dock.content.localize.results.table.selected()
+    dock.content.localize.hit.drape(
+        replace(finding, method="constellation", heading=0.0, pixel_size=1.0, outline=outline)
+    )
     wait_until(QgsProject.instance().mapLayers, "the layer")
     (layer,) = QgsProject.instance().mapLayers().values()
     known = {True: 0, False: 0}
@@ -1027,25 +1035,25 @@ def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area
 def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_nothing(dock, iface, area, issues):
     from qgis.core import QgsProject
 
-    dock.database.file.setFilePath(area.database)
-    dock.database.add_to_map.click()
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.database.add_to_map.click()
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
-    dock.results.keep.click()
-    dock.results.drape.click()
-    dock.inspect.show_window("150_250")
+    dock.content.localize.results.keep.click()
+    dock.content.localize.results.drape.click()
+    dock.content.inspect.show_window("150_250")
     QgsProject.instance().removeAllMapLayers()
     settle()
-    dock.results.after.click()
+    dock.content.localize.results.after.click()
     QgsProject.instance().clear()
-    wait_until(lambda: dock.results.image.canvas.scene().items(), "the picture")
+    wait_until(lambda: dock.content.localize.results.image.canvas.scene().items(), "the picture")
     settle()
     assert len(table(dock)) == 1
     assert [text for text in messages(iface) if "error in SemRef" in text] == []
 
 
 def test_unloading_while_pictures_are_read_leaves_nothing(plugin, dock, iface, area, monkeypatch):
-    from semref.ui.tabs import image_picture
+    from semref.ui.tabs.localize import picture as image_picture
 
     read_picture = image_picture.read_picture
 
@@ -1055,7 +1063,7 @@ def test_unloading_while_pictures_are_read_leaves_nothing(plugin, dock, iface, a
 
     monkeypatch.setattr(image_picture, "read_picture", read_slowly)
     localize(dock, area.database, [area.image])
-    dock.inspect.show_window("150_250")
+    dock.content.inspect.show_window("150_250")
     bare = len(iface.canvas.scene().items())
     plugin.unload()
     settle()
@@ -1071,15 +1079,15 @@ def test_photos_without_onnx_runtime_point_to_the_installer(plugin, dock, iface,
 
     for module in (photo_labels, missing_notice):
         monkeypatch.setattr(module, "missing", lambda packages: [p for p in packages if p is ONNXRUNTIME])
-    assert not dock.notice.isVisible()
-    dock.images.model.setFilePath(str(tmp_path / "model.onnx"))
-    assert dock.notice.isVisible() and "ONNX Runtime is missing" in dock.notice.sentence.text()
-    dock.notice.install.click()
+    assert not dock.content.notice.isVisible()
+    dock.content.localize.images.model.setFilePath(str(tmp_path / "model.onnx"))
+    assert dock.content.notice.isVisible() and "ONNX Runtime is missing" in dock.content.notice.sentence.text()
+    dock.content.notice.install.click()
     assert iface.options_pages_shown == [PAGE]
     localize(dock, area.database, [area.image])
     assert "Settings ▸ Options ▸ SemRef" in messages(iface)[0]
-    dock.images.model.setFilePath("")
-    assert not dock.notice.isVisible()
+    dock.content.localize.images.model.setFilePath("")
+    assert not dock.content.notice.isVisible()
 
 
 def test_what_a_run_says_is_in_the_log_panel_and_a_hidden_dock_tells_the_outcome(dock, iface, area):
@@ -1094,30 +1102,30 @@ def test_what_a_run_says_is_in_the_log_panel_and_a_hidden_dock_tells_the_outcome
     log.messageReceived[str, str, "Qgis::MessageLevel"].connect(note)
     start(dock, area.database, [area.image])
     dock.close()
-    wait_until(lambda: not dock.run.running, "the end of the run")
+    wait_until(lambda: not dock.content.localize.run.running, "the end of the run")
     log.messageReceived[str, str, "Qgis::MessageLevel"].disconnect(note)
     assert any("on_window.tif: 400250.0" in text for text, tag, *_ in logged if tag == "SemRef")
     assert messages(iface) == ["1 of 1 images have a fix."]
 
 
 def test_tab_and_sizes_are_remembered(plugin, dock, iface, area):
-    from semref.ui.dock.dock import INSPECT, LOCALIZE
+    from semref.ui.dock.content import INSPECT, LOCALIZE
 
-    parts = dock.results.parts
+    parts = dock.content.localize.results.parts
     parts.setSizes([300, 200, 100])
     parts.splitterMoved.emit(300, 1)
     sizes = parts.sizes()
-    dock.tabs.setCurrentIndex(INSPECT)
+    dock.content.tabs.setCurrentIndex(INSPECT)
     plugin.unload()
     settle()
     plugin.initGui()
     iface.tool_bar_actions[0].trigger()
     settle()
     again = iface.docks[0]
-    assert again.tabs.currentIndex() == INSPECT
-    again.tabs.setCurrentIndex(LOCALIZE)
+    assert again.content.tabs.currentIndex() == INSPECT
+    again.content.tabs.setCurrentIndex(LOCALIZE)
     settle()
-    assert again.results.parts.sizes() == sizes
+    assert again.content.localize.results.parts.sizes() == sizes
 
 
 def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, issues):
@@ -1130,17 +1138,17 @@ def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, is
         feature.setAttributes(["gap", "warning", "A gap.", 1.0])
         features.append(feature)
     issues.dataProvider().addFeatures(features)
-    dock.correct.layer.setLayer(None)
-    dock.correct.layer.setLayer(issues)
-    places = dock.correct.places
+    dock.content.correct.layer.setLayer(None)
+    dock.content.correct.layer.setLayer(issues)
+    places = dock.content.correct.places
     assert 0 < places.rowCount() < 20_003
     places.selectRow(1)
-    dock.correct.done.click()
+    dock.content.correct.done.click()
     wait_until(lambda: places.rowCount() == 20_003, "the whole list")
-    assert (dock.correct.progress.value(), dock.correct.progress.maximum()) == (1, 20_003)
+    assert (dock.content.correct.progress.value(), dock.content.correct.progress.maximum()) == (1, 20_003)
     assert places.selectionModel().selectedRows()[0].row() == 2
     # Removed halfway.
-    dock.correct.open.setChecked(True)
+    dock.content.correct.open.setChecked(True)
     assert 0 < places.rowCount() < 20_003
     QgsProject.instance().removeMapLayer(issues.id())
     settle()
@@ -1152,7 +1160,7 @@ def test_pictures_need_no_conversion_to_be_shown(qgis_app):
     import numpy as np
     from qgis.PyQt.QtGui import QColor, QImage
 
-    from semref.ui.tabs.image_picture import label_picture
+    from semref.ui.tabs.localize.picture import label_picture
 
     image = label_picture(np.array([[0, 1], [2, 1]], np.uint8), {1: (250, 20, 30), 2: (1, 2, 200)})
     assert image.format() == QImage.Format.Format_ARGB32_Premultiplied

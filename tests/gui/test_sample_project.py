@@ -108,20 +108,22 @@ def test_the_sample_project_opens_styled_with_the_dock_ready_on_the_first_photo(
     assert {c.value(): c.symbol().color().name() for c in cover.renderer().categories()}["building"] == "#e3211c"
     assert cover.renderer().orderByEnabled()
     assert dock.isVisible()
-    assert dock.database.path() == str(folder / "reference_database.gpkg")
-    assert Path(dock.images.model_path()).name == "sample_area.onnx"
-    assert [Path(path).name for path in dock.images.paths()] == [f"photo_{n:02d}.jpg" for n in range(1, 13)]
-    assert dock.images.list.currentRow() == 0
-    assert dock.localize_button.isEnabled()
+    assert dock.content.database.path() == str(folder / "reference_database.gpkg")
+    assert Path(dock.content.localize.images.model_path()).name == "sample_area.onnx"
+    assert [Path(path).name for path in dock.content.localize.images.paths()] == [
+        f"photo_{n:02d}.jpg" for n in range(1, 13)
+    ]
+    assert dock.content.localize.images.list.currentRow() == 0
+    assert dock.content.localize.localize_button.isEnabled()
     assert "Press “Localize”" in messages(iface)[0][1] and len(messages(iface)) == 1
     assert (tmp_path / "letter.txt").exists()
 
     pytest.importorskip("onnxruntime")
-    dock.images.list.show_only(dock.images.paths()[:2])
-    dock.localize_button.click()
-    wait_until(lambda: not dock.run.running, "the localization")
+    dock.content.localize.images.list.show_only(dock.content.localize.images.paths()[:2])
+    dock.content.localize.localize_button.click()
+    wait_until(lambda: not dock.content.localize.run.running, "the localization")
     settle()
-    assert dock.state.text() == "2 of 2 images have a fix."
+    assert dock.content.localize.state.text() == "2 of 2 images have a fix."
 
     # Once more: what is there is opened, not made again.
     made = (folder / "sample.json").stat().st_mtime_ns, (folder / "reference_database.gpkg").stat().st_ino
@@ -129,7 +131,7 @@ def test_the_sample_project_opens_styled_with_the_dock_ready_on_the_first_photo(
     open_sample(folder)
     wait_until_open(iface)
     assert made == ((folder / "sample.json").stat().st_mtime_ns, (folder / "reference_database.gpkg").stat().st_ino)
-    assert len(dock.images.paths()) == 12
+    assert len(dock.content.localize.images.paths()) == 12
 
 
 def test_an_empty_folder_is_used_itself(tmp_path):

@@ -3,172 +3,117 @@
 from __future__ import annotations
 
 from math import cos, radians, sin, sqrt
-from typing import List, Optional
+from typing import Dict, Optional
 
-from qgis.core import QgsCoordinateTransform, QgsCsException, QgsGeometry, QgsPointXY, QgsProject, QgsRectangle
-from qgis.gui import QgsMapCanvas, QgsRubberBand, QgsVertexMarker
-from qgis.PyQt.QtGui import QColor
+from qgis.core import QgsCsException, QgsGeometry, QgsPointXY
+from qgis.gui import QgsMapCanvas, QgsVertexMarker
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
-from ..tabs.findings import Finding
-from ..tabs.image_picture import RUNNERS_UP, RunnersUp
+from ..findings import RUNNERS_UP, Finding, RunnersUp
+from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, square, to_canvas, with_opacity
 
-# Red with a white rim stands out on land-cover colors, aerial images, white and black alike.
-_LINE = QColor("#e8344e")
-_POSSIBLE = QColor("#e69f00")
-_RIM = QColor("#ffffff")
 _PALEST, _PALE = 90, 180
 """Opacity of the last and the first runner-up's outline, of 255."""
 
 _ZOOM_MARGIN = 2.0
 """The canvas shows this many times the window's size, so that its surroundings can be seen."""
 
-_POINTS_A_SIDE = 16
-"""A window's straight sides are curves in another CRS."""
-
 _ARROW_HEAD = 0.12
 """Length of the heading arrow's barbs, as a share of its shaft."""
 
 
-class HitHighlight:
-    """Follows the canvas's CRS. ``remove`` takes it off the canvas for good."""
+class HitHighlight(Marks):
+    """Outline, heading arrow, 95 % circle and center of a fix; where there is none, the places it may be at."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
-        self._canvas = canvas
+        super().__init__(
+            canvas,
+            {
+                "outline": band(canvas, POLYGON_GEOMETRY, RED),
+                "heading": band(canvas, LINE_GEOMETRY, RED),
+                "error": band(canvas, POLYGON_GEOMETRY, RED),
+                "possible": band(canvas, POLYGON_GEOMETRY, ORANGE),
+                **{_runner_up(rank): _pale_band(canvas, rank) for rank in range(RUNNERS_UP)},
+            },
+        )
         self._hit: Optional[Finding] = None
-        self._outline = _band(canvas, POLYGON_GEOMETRY)
-        self._heading = _band(canvas, LINE_GEOMETRY)
-        self._error = _band(canvas, POLYGON_GEOMETRY)
-        self._possible = _band(canvas, POLYGON_GEOMETRY, _POSSIBLE)
-        self._runners_up = [_pale_band(canvas, rank) for rank in range(RUNNERS_UP)]
-        self._runners_up_shown: Optional[RunnersUp] = None
-        self._center = QgsVertexMarker(canvas)
-        self._center.setIconType(QgsVertexMarker.IconType.ICON_CIRCLE)
-        self._center.setIconSize(11)
-        self._center.setPenWidth(2)
-        self._center.setColor(_RIM)
-        self._center.setFillColor(_LINE)
-        self._visible = True
-        self._center.hide()
-        canvas.destinationCrsChanged.connect(self._place)
+        self._center: Optional[QgsVertexMarker] = _center_marker(canvas)
 
     def show(self, finding: Optional[Finding]) -> bool:
         """Shows the finding's hit, or the places it may be at; nothing for None. False where the CRS can't show it."""
         shown = finding is not None and (finding.center is not None or finding.possible)
         self._hit = finding if shown else None
-        self._runners_up_shown = None
-        return self._place()
+        if self._hit is None:
+            self.clear()
+            return True
+        return self.draw(_shapes(self._hit), self._hit.crs)
 
-    def show_runners_up(self, windows: Optional[RunnersUp]) -> None:
+    def show_runners_up(self, windows: RunnersUp) -> None:
         """Outlines the windows that come after the shown one, the paler the farther behind."""
-        self._runners_up_shown = windows
-        self._place()
-
-    def set_visible(self, visible: bool) -> None:
-        self._visible = visible
-        self._place()
+        if self._hit is not None:
+            places = zip(windows.centers.tolist(), windows.sizes.tolist())
+            squares = {_runner_up(rank): square(x, y, size) for rank, ((x, y), size) in enumerate(places)}
+            self.draw({**self._shapes, **squares}, self._hit.crs)
 
     def zoom(self) -> None:
         """Moves the canvas to the hit, if one is shown."""
         # An image has a fix or possible places, never both.
-        extents = [band.asGeometry().boundingBox() for band in (self._outline, self._possible)]
-        extent = next((extent for extent in extents if not extent.isEmpty()), QgsRectangle())
-        if self._hit is None or extent.isEmpty():
-            return
-        extent.scale(_ZOOM_MARGIN)
-        self._canvas.setExtent(extent)
-        self._canvas.refresh()
+        self.zoom_to("possible" if self.drawn("outline").isEmpty() else "outline", _ZOOM_MARGIN)
 
     def remove(self) -> None:
-        self._canvas.destinationCrsChanged.disconnect(self._place)
-        for item in (self._outline, self._heading, self._error, self._possible, *self._runners_up, self._center):
-            self._canvas.scene().removeItem(item)
-        self._runners_up = []
-        self._outline = self._heading = self._error = self._possible = self._center = None
+        super().remove()
+        self._canvas.scene().removeItem(self._center)
+        self._center = None
 
     def _place(self) -> bool:
-        placed = self._on_canvas() if self._hit is not None and self._visible else None
-        self._outline.reset(POLYGON_GEOMETRY)
-        self._heading.reset(LINE_GEOMETRY)
-        self._error.reset(POLYGON_GEOMETRY)
-        for band in (self._possible, *self._runners_up):
-            band.reset(POLYGON_GEOMETRY)
-        self._center.setVisible(placed is not None and self._hit.center is not None)
-        if placed is None:
-            return self._hit is None or not self._visible
-        *shapes, center = placed
-        for band, shape in zip((self._outline, self._heading, self._error, self._possible), shapes):
-            if not shape.isEmpty():
-                band.setToGeometry(shape)
+        fits = super()._place()
+        center = self._center_on_canvas() if fits and self._visible else None
+        self._center.setVisible(center is not None)
         if center is not None:
             self._center.setCenter(center)
-        for band, square in zip(self._runners_up, self._squares()):
-            band.setToGeometry(square)
-        return True
+        return fits
 
-    def _squares(self) -> List[QgsGeometry]:
-        """The runners-up in the canvas's CRS; none where it can't show one of them."""
-        windows = self._runners_up_shown
-        if windows is None:
-            return []
-        target = self._canvas.mapSettings().destinationCrs()
-        transform = QgsCoordinateTransform(self._hit.crs, target, QgsProject.instance())
-        squares = []
-        for (x, y), size in zip(windows.centers.tolist(), windows.sizes.tolist()):
-            half = size / 2
-            square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
-            squares.append(square.densifyByCount(_POINTS_A_SIDE))
+    def _center_on_canvas(self) -> Optional[QgsPointXY]:
+        if self._hit is None or self._hit.center is None:
+            return None
         try:
-            for square in squares:
-                square.transform(transform)
-        except QgsCsException:
-            return []
-        return squares
-
-    def _on_canvas(self):
-        """(outline, heading arrow, error circle, possible places, center) in the canvas's CRS; None where that has no
-        such place."""
-        hit = self._hit
-        outline = QgsGeometry() if hit.outline is None else hit.outline.densifyByCount(_POINTS_A_SIDE)
-        possible = [geometry.densifyByCount(_POINTS_A_SIDE) for geometry in hit.possible]
-        shapes = [outline, _arrow(hit), _error_circle(hit), QgsGeometry.collectGeometry(possible)]
-        target = self._canvas.mapSettings().destinationCrs()
-        if not target.isValid() or target == hit.crs:
-            return (*shapes, hit.center)
-        transform = QgsCoordinateTransform(hit.crs, target, QgsProject.instance())
-        try:
-            center = None if hit.center is None else QgsPointXY(transform.transform(hit.center))
-            for shape in shapes:
-                if not shape.isEmpty():
-                    shape.transform(transform)
+            return QgsPointXY(to_canvas(self._canvas, self._hit.crs).transform(self._hit.center))
         except QgsCsException:
             return None
-        return (*shapes, center)
 
 
-def _band(canvas: QgsMapCanvas, kind, color: QColor = _LINE) -> QgsRubberBand:
-    band = QgsRubberBand(canvas, kind)
-    band.setStrokeColor(color)
-    band.setSecondaryStrokeColor(_RIM)
-    # Unfilled: the map's colors inside the window stay what they are.
-    band.setFillColor(QColor(0, 0, 0, 0))
-    band.setWidth(2)
-    return band
+def _runner_up(rank: int) -> str:
+    return f"runner-up {rank}"
 
 
-def _pale_band(canvas: QgsMapCanvas, rank: int) -> QgsRubberBand:
-    color = QColor(_LINE)
-    color.setAlpha(_PALE - (_PALE - _PALEST) * rank // max(RUNNERS_UP - 1, 1))
-    band = QgsRubberBand(canvas, POLYGON_GEOMETRY)
-    rim = QColor(_RIM)
-    rim.setAlpha(color.alpha())
-    band.setStrokeColor(color)
-    band.setSecondaryStrokeColor(rim)
-    band.setFillColor(QColor(0, 0, 0, 0))
-    band.setWidth(2)
+def _center_marker(canvas: QgsMapCanvas) -> QgsVertexMarker:
+    marker = QgsVertexMarker(canvas)
+    marker.setIconType(QgsVertexMarker.IconType.ICON_CIRCLE)
+    marker.setIconSize(11)
+    marker.setPenWidth(2)
+    marker.setColor(RIM)
+    marker.setFillColor(RED)
+    marker.hide()
+    return marker
+
+
+def _pale_band(canvas: QgsMapCanvas, rank: int):
+    pale = band(canvas, POLYGON_GEOMETRY, with_opacity(RED, _PALE - (_PALE - _PALEST) * rank // max(RUNNERS_UP - 1, 1)))
     # Below the winning window.
-    band.setZValue(band.zValue() - 1)
-    return band
+    pale.setZValue(pale.zValue() - 1)
+    return pale
+
+
+def _shapes(hit: Finding) -> Dict[str, QgsGeometry]:
+    """What is drawn of a hit, in its own CRS, by the names of the bands."""
+    outline = QgsGeometry() if hit.outline is None else hit.outline.densifyByCount(POINTS_A_SIDE)
+    possible = [geometry.densifyByCount(POINTS_A_SIDE) for geometry in hit.possible]
+    return {
+        "outline": outline,
+        "heading": _arrow(hit),
+        "error": _error_circle(hit),
+        "possible": QgsGeometry.collectGeometry(possible),
+    }
 
 
 def _arrow(hit: Finding) -> QgsGeometry:
@@ -190,4 +135,4 @@ def _error_circle(hit: Finding) -> QgsGeometry:
     """Holds the position in 95 % of fixes; empty where the method tells no error."""
     if hit.error_95 is None:
         return QgsGeometry()
-    return QgsGeometry.fromPointXY(hit.center).buffer(hit.error_95, _POINTS_A_SIDE)
+    return QgsGeometry.fromPointXY(hit.center).buffer(hit.error_95, POINTS_A_SIDE)

@@ -5,29 +5,22 @@ from __future__ import annotations
 
 from typing import List, Optional, Tuple
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
-    QgsCsException,
-    QgsPointXY,
-    QgsProject,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsCsException, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
-from qgis.PyQt.QtCore import QObject, QPointF, QRectF, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QPainter, QPen
+from qgis.PyQt.QtCore import QPointF, QRectF, pyqtSignal
+from qgis.PyQt.QtGui import QPainter, QPen
 
-from ..tabs.image_picture import Matches
+from ..findings import Matches
+from .marks import RED, RIM, Marks, to_canvas
 from .numbers import nearest_number, paint_numbers, paint_ring
 
-_LINE = QColor("#e8344e")
-_RIM = QColor("#ffffff")
 _RING_PX = 6.0
 _POINTED_RING_PX = 11.0
 _REACH_PX = 12.0
 
 
-class MatchMarks(QObject):
-    """Follows the canvas's CRS. ``remove`` takes it off the canvas for good.
+class MatchMarks(Marks):
+    """The pairs of landmarks that agree.
 
     pointed: the number of the landmark under the mouse, 0 for none.
     """
@@ -35,12 +28,9 @@ class MatchMarks(QObject):
     pointed = pyqtSignal(int)
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
-        super().__init__()
-        self._canvas = canvas
-        self._item = _Item(canvas)
-        self._shown: Optional[Tuple[Matches, QgsCoordinateReferenceSystem]] = None
-        self._visible = True
-        canvas.destinationCrsChanged.connect(self._place)
+        super().__init__(canvas, {})
+        self._item: Optional[_Item] = _Item(canvas)
+        self._matches: Optional[Matches] = None
         canvas.xyCoordinates.connect(self._look)
 
     @property
@@ -48,12 +38,13 @@ class MatchMarks(QObject):
         """(where the fix puts it, the map's landmark) of each match in the canvas's CRS, as drawn."""
         return self._item.pairs
 
-    def show(self, matches: Optional[Matches], crs: QgsCoordinateReferenceSystem) -> None:
-        self._shown = None if matches is None else (matches, crs)
+    def show(self, matches: Matches, crs: QgsCoordinateReferenceSystem) -> None:
+        """Draws matches whose map coordinates are in ``crs``."""
+        self._matches, self._crs = matches, crs
         self._place()
 
-    def set_visible(self, visible: bool) -> None:
-        self._visible = visible
+    def clear(self) -> None:
+        self._matches = None
         self._place()
 
     def point_at(self, number: int) -> None:
@@ -61,7 +52,7 @@ class MatchMarks(QObject):
         self._item.point_at(number)
 
     def remove(self) -> None:
-        self._canvas.destinationCrsChanged.disconnect(self._place)
+        super().remove()
         self._canvas.xyCoordinates.disconnect(self._look)
         self._canvas.scene().removeItem(self._item)
         self._item = None
@@ -71,29 +62,32 @@ class MatchMarks(QObject):
             position = self._item.toCanvasCoordinates(place)
             self.pointed.emit(nearest_number(self._item.places(), QPointF(position), _REACH_PX) or 0)
 
-    def _place(self) -> None:
-        self._item.show_pairs(self._on_canvas() if self._shown is not None and self._visible else [])
+    def _place(self) -> bool:
+        pairs = self._pairs_on_canvas() if self._matches is not None and self._visible else []
+        self._item.show_pairs(pairs or [])
+        return pairs is not None
 
-    def _on_canvas(self) -> list:
-        matches, crs = self._shown
-        transform = QgsCoordinateTransform(crs, self._canvas.mapSettings().destinationCrs(), QgsProject.instance())
+    def _pairs_on_canvas(self) -> Optional[List[Tuple[QgsPointXY, QgsPointXY]]]:
+        transform = to_canvas(self._canvas, self._crs)
         try:
             return [
                 (transform.transform(QgsPointXY(*seen)), transform.transform(QgsPointXY(*on_map)))
-                for seen, on_map in zip(matches.seen.tolist(), matches.on_map.tolist())
+                for seen, on_map in zip(self._matches.seen.tolist(), self._matches.on_map.tolist())
             ]
         except QgsCsException:
-            return []
+            return None
 
 
 class _Item(QgsMapCanvasItem):
+    """Paints the pairs that ``MatchMarks`` gives it."""
+
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)
         self._canvas = canvas
         self.pairs: List[Tuple[QgsPointXY, QgsPointXY]] = []
         self._pointed = 0
 
-    def show_pairs(self, pairs: list) -> None:
+    def show_pairs(self, pairs: List[Tuple[QgsPointXY, QgsPointXY]]) -> None:
         self.pairs, self._pointed = pairs, 0
         self.setVisible(bool(pairs))
         self.updatePosition()
@@ -109,21 +103,21 @@ class _Item(QgsMapCanvasItem):
 
     # --- QgsMapCanvasItem ---
 
-    def updatePosition(self):
+    def updatePosition(self) -> None:
         self.prepareGeometryChange()
         self.update()
 
-    def boundingRect(self):
+    def boundingRect(self) -> QRectF:
         return QRectF(0, 0, self._canvas.width(), self._canvas.height())
 
-    def paint(self, painter, *_):
+    def paint(self, painter: Optional[QPainter], *_) -> None:
         if painter is None:
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         places = self.places()
         for (seen, _), (number, place) in zip(self.pairs, places):
-            for color, width in ((_RIM, 4), (_LINE, 2)):
+            for color, width in ((RIM, 4), (RED, 2)):
                 painter.setPen(QPen(color, width))
                 painter.drawLine(self.toCanvasCoordinates(seen), place)
-            paint_ring(painter, place, _POINTED_RING_PX if number == self._pointed else _RING_PX, _LINE)
+            paint_ring(painter, place, _POINTED_RING_PX if number == self._pointed else _RING_PX, RED)
         paint_numbers(painter, self._canvas.font(), places, self._pointed)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Iterable, Optional, Tuple
+from typing import Iterable, Optional, Set, Tuple
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen
 
-_RIM = QColor("#ffffff")
+from .marks import RIM
+
 _INK = QColor("#000000")
 _POINTED = QColor("#ffd400")
 _AWAY_PX = 6.0
@@ -20,26 +21,29 @@ def paint_numbers(painter: QPainter, font: QFont, places: Iterable[Tuple[int, QP
     small = QFont(font)
     small.setPointSizeF(max(font.pointSizeF() * 0.85, 6.0))
     metrics = QFontMetricsF(small)
-    taken = set()
+    taken: Set[Tuple[int, int]] = set()
     # The pointed one first, so that it finds room.
     for number, place in sorted(places, key=lambda entry: entry[0] != pointed):
         text = str(number)
-        box = QRectF(place.x() + _AWAY_PX, place.y() - metrics.height(), metrics.width(text), metrics.height())
+        box = QRectF(
+            place.x() + _AWAY_PX, place.y() - metrics.height(), metrics.horizontalAdvance(text), metrics.height()
+        )
         cells = _cells(box)
         if number != pointed and not taken.isdisjoint(cells):
             continue
         taken.update(cells)
         path = QPainterPath()
         path.addText(QPointF(box.left(), box.bottom() - metrics.descent()), small, text)
-        painter.setPen(QPen(_POINTED if number == pointed else _RIM, 3))
+        painter.setPen(QPen(_POINTED if number == pointed else RIM, 3))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawPath(path)
         painter.fillPath(path, _INK)
 
 
 def paint_ring(painter: QPainter, place: QPointF, radius: float, color: QColor) -> None:
+    """A ring with a rim, in the painter's pixels."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    for pen_color, width in ((_RIM, 3.5), (color, 1.5)):
+    for pen_color, width in ((RIM, 3.5), (color, 1.5)):
         painter.setPen(QPen(pen_color, width))
         painter.drawEllipse(place, radius, radius)
 
@@ -51,7 +55,7 @@ def nearest_number(places: Iterable[Tuple[int, QPointF]], position: QPointF, rea
     return number if squared <= reach**2 else None
 
 
-def _cells(box: QRectF) -> set:
+def _cells(box: QRectF) -> Set[Tuple[int, int]]:
     """Of a grid, those that a box touches."""
     columns = range(int(box.left() // _CELL_PX), int(box.right() // _CELL_PX) + 1)
     rows = range(int(box.top() // _CELL_PX), int(box.bottom() // _CELL_PX) + 1)

@@ -4,15 +4,40 @@ from __future__ import annotations
 
 from typing import Optional
 
-from qgis.core import QgsGeometry, QgsPointXY
-from qgis.gui import QgsMapCanvas, QgsMapTool, QgsRubberBand
+from qgis.core import QgsCoordinateReferenceSystem, QgsCsException, QgsGeometry, QgsPointXY
+from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapTool
 from qgis.PyQt.QtCore import Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtGui import QKeyEvent
 
 from ...processing.compat import POLYGON_GEOMETRY
+from .marks import BLUE, POINTS_A_SIDE, Marks, band, to_canvas
 
-_LINE = QColor("#1f6fd6")
-_POINTS_A_QUARTER = 16
+
+class CircleMark(Marks):
+    """A circle on the canvas, round in whatever CRS the canvas has."""
+
+    def __init__(self, canvas: QgsMapCanvas) -> None:
+        super().__init__(canvas, {"circle": band(canvas, POLYGON_GEOMETRY, BLUE, filled=30, rim=False)})
+        self._ends: Optional[tuple] = None
+
+    def show(self, middle: QgsPointXY, edge: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> None:
+        """Draws a circle around ``middle`` through ``edge``, both in ``crs``."""
+        self._ends, self._crs = (middle, edge), crs
+        self._place()
+
+    def clear(self) -> None:
+        self._ends = None
+        self._place()
+
+    def _on_canvas(self) -> Optional[dict]:
+        if self._ends is None:
+            return {}
+        transform = to_canvas(self._canvas, self._crs)
+        try:
+            middle, edge = (QgsPointXY(transform.transform(end)) for end in self._ends)
+        except QgsCsException:
+            return None
+        return {"circle": QgsGeometry.fromPointXY(middle).buffer(middle.distance(edge), POINTS_A_SIDE)}
 
 
 class PriorTool(QgsMapTool):
@@ -24,36 +49,29 @@ class PriorTool(QgsMapTool):
         super().__init__(canvas)
         self.setCursor(Qt.CursorShape.CrossCursor)
         self._middle: Optional[QgsPointXY] = None
-        self._band = QgsRubberBand(canvas, POLYGON_GEOMETRY)
-        self._band.setStrokeColor(_LINE)
-        self._band.setFillColor(QColor(_LINE.red(), _LINE.green(), _LINE.blue(), 30))
-        self._band.setWidth(2)
-
-    def show_circle(self, middle: Optional[QgsPointXY], edge: Optional[QgsPointXY]) -> None:
-        """Keeps a circle on the canvas, or none."""
-        self._band.reset(POLYGON_GEOMETRY)
-        if middle is not None:
-            circle = QgsGeometry.fromPointXY(middle).buffer(middle.distance(edge), _POINTS_A_QUARTER)
-            self._band.setToGeometry(circle)
+        self.circle = CircleMark(canvas)
 
     def remove(self) -> None:
-        self.canvas().scene().removeItem(self._band)
-        self._band = None
+        """Takes the circle off the canvas for good."""
+        self.circle.remove()
 
-    def canvasPressEvent(self, event):
+    # --- QgsMapTool ---
+
+    def canvasPressEvent(self, event: QgsMapMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self._middle = event.mapPoint()
 
-    def canvasMoveEvent(self, event):
+    def canvasMoveEvent(self, event: QgsMapMouseEvent) -> None:
         if self._middle is not None:
-            self.show_circle(self._middle, event.mapPoint())
+            crs = self.canvas().mapSettings().destinationCrs()
+            self.circle.show(self._middle, event.mapPoint(), crs)
 
-    def canvasReleaseEvent(self, event):
+    def canvasReleaseEvent(self, event: QgsMapMouseEvent) -> None:
         middle, self._middle = self._middle, None
         if middle is not None and middle.distance(event.mapPoint()) > 0:
             self.drawn.emit(middle, event.mapPoint())
 
-    def keyPressEvent(self, event):
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
             self.canvas().unsetMapTool(self)
         else:

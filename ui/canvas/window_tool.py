@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from qgis.core import QgsPointXY
-from qgis.gui import QgsMapCanvas, QgsMapToolEmitPoint
+from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapToolEmitPoint
 from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtGui import QKeyEvent
 
 
 class WindowTool(QgsMapToolEmitPoint):
@@ -16,11 +17,11 @@ class WindowTool(QgsMapToolEmitPoint):
         super().__init__(canvas)
         self.setCursor(Qt.CursorShape.WhatsThisCursor)
 
-    def canvasReleaseEvent(self, event):
+    def canvasReleaseEvent(self, event: QgsMapMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self.picked.emit(event.mapPoint())
 
-    def keyPressEvent(self, event):
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
             self.canvas().unsetMapTool(self)
         else:

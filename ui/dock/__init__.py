@@ -1,1 +1,1 @@
-"""The dock's shell: its window, messages and what it keeps in the project."""
+"""The dock: a shell that is there from the start, and its content, made when it is opened."""

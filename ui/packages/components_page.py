@@ -36,6 +36,7 @@ from ...processing.packages.components import (
     remove_components,
 )
 from ...processing.translation import tr
+from ...processing.wording.sentences import worded
 from .component_installer import ComponentInstaller
 
 PAGE = "SemRefOptions"
@@ -186,7 +187,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         try:
             remove_components()
         except ComponentError as error:
-            self._show_end(str(error))
+            self._show_end(worded(error))
         else:
             self._show_end(tr("Removed; what is in use stays in memory until QGIS is closed."))
         self.removed.emit()

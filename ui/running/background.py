@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import os
 import traceback
-from typing import Callable, Optional
+from typing import TYPE_CHECKING, Callable, Optional
 
 from qgis.core import QgsApplication, QgsTask
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ...core.database.model import ReferenceDatabase
 from ...core.errors import SemRefError
-from ...storage.database.reader import read_database
+from ...processing.wording.sentences import worded
 from .algorithm_run import UNLOAD_WAIT_MS
+
+if TYPE_CHECKING:
+    from ...core.database.model import ReferenceDatabase
 
 
 class Reader(QObject):
@@ -90,7 +92,7 @@ class _Task(QgsTask):
         try:
             self.answer = self._function(*self._arguments)
         except SemRefError as error:
-            self.sentence = str(error)
+            self.sentence = worded(error)
         except Exception:
             self.report = traceback.format_exc()
         return True
@@ -116,6 +118,9 @@ class DatabaseShelf:
         key = (path, os.path.getmtime(path) if os.path.exists(path) else None)
         known, database = self._held
         if key != known:
+            # Not at the top: reading brings numpy and GDAL, and QGIS shall start at once.
+            from ...storage.database.reader import read_database
+
             database = read_database(path)
             # One assignment: another thread sees the old pair or the new one.
             self._held = key, database

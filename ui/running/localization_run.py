@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import List
 
+from qgis.core import QgsProcessingContext
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...processing.translation import tr
+from ..findings import ResultLayers
 from .algorithm_run import AlgorithmRun
 
 ALGORITHM = "semref:localizeimages"
@@ -15,11 +17,10 @@ ALGORITHM = "semref:localizeimages"
 class LocalizationRun(AlgorithmRun):
     """An AlgorithmRun that says ``found`` when it is done.
 
-    found: positions, footprints and possible places (QgsVectorLayer in memory, the receiver's; the last two may be
-    None).
+    found: the ResultLayers, in memory, the receiver's.
     """
 
-    found = pyqtSignal(object, object, object)
+    found = pyqtSignal(object)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -41,6 +42,6 @@ class LocalizationRun(AlgorithmRun):
         }
         return self.start_algorithm(ALGORITHM, parameters, tr("Localizing images"))
 
-    def _take_layers(self, results: dict, context) -> None:
+    def _take_layers(self, results: dict, context: QgsProcessingContext) -> None:
         layers = [context.takeResultLayer(results.get(key, "")) for key in ("OUTPUT", "FOOTPRINTS", "ALTERNATIVES")]
-        self.found.emit(*layers)
+        self.found.emit(ResultLayers(*layers))

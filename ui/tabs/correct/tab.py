@@ -7,36 +7,33 @@ import time
 from typing import Dict, Iterator, List, Optional, Set
 
 from qgis.core import (
-    QgsCoordinateTransform,
-    QgsCsException,
     QgsFeature,
     QgsFeatureRequest,
     QgsMapLayerProxyModel,
     QgsProject,
     QgsVectorLayer,
 )
-from qgis.gui import QgsMapCanvas, QgsMapLayerComboBox, QgsRubberBand
+from qgis.gui import QgsMapCanvas, QgsMapLayerComboBox
 from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QKeySequence
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QCheckBox,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QProgressBar,
     QPushButton,
-    QShortcut,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
     QWidget,
 )
 
-from ...core.annotation.findings import INFORMATION
-from ...processing.compat import POLYGON_GEOMETRY, is_null
-from ...processing.translation import tr
-from ..dock.buttons import tool_button
+from ....core.annotation.findings import INFORMATION
+from ....processing.compat import is_null
+from ....processing.translation import tr
+from ...canvas.place_mark import PlaceMark
+from ...widgets.buttons import shortcut, tool_button
+from ...widgets.layouts import narrow, row_of
 
 DONE_PROPERTY = "semref/done"
 """Custom property of the layer, so that the project remembers what is done and the layer's own table stays as it is."""
@@ -47,16 +44,11 @@ _COLUMNS = (("kind", "annotated_class"), ("message", "predicted_class"), ("area"
 _SEVERITY = "severity"
 """Field of *Check annotation*'s issues."""
 
-_LINE = QColor("#e8344e")
-_ZOOM_MARGIN = 3.0
 _LEAST_EXTENT_SHARE = 1e-4
 """Points and lines have no extent: this share of the layer's is added."""
 
 _FILL_S = 0.03
 """The list is filled for so long at a time."""
-
-_CLOSEST_SCALE = 500
-"""Specks are shown with some ground around them: not nearer than 1:500."""
 
 
 class CorrectTab(QWidget):
@@ -64,7 +56,7 @@ class CorrectTab(QWidget):
 
     updateAsked = pyqtSignal(object)
 
-    def __init__(self, canvas: QgsMapCanvas, parent=None) -> None:
+    def __init__(self, canvas: QgsMapCanvas, parent: Optional[QWidget] = None) -> None:
         super().__init__(parent)
         self._canvas = canvas
         self._done: Set[int] = set()
@@ -75,10 +67,7 @@ class CorrectTab(QWidget):
         self._soon.setSingleShot(True)
         self._soon.timeout.connect(self._fill_on)
         self._layer: Optional[QgsVectorLayer] = None
-        self._mark = QgsRubberBand(canvas, POLYGON_GEOMETRY)
-        self._mark.setStrokeColor(_LINE)
-        self._mark.setFillColor(QColor(_LINE.red(), _LINE.green(), _LINE.blue(), 40))
-        self._mark.setWidth(2)
+        self._mark = PlaceMark(canvas)
         self._lay_out()
         self._connect()
         self._use_layer()
@@ -111,21 +100,13 @@ class CorrectTab(QWidget):
         self.progress.setFormat(tr("%v of %m done"))
         self.update_button = QPushButton(tr("Update the database…"))
         self.update_button.setToolTip(tr("Opens “Update reference database” with the places that are done"))
-        self._shortcut = QShortcut(QKeySequence("Ctrl+D"), self)
-        self._shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        row = QHBoxLayout()
-        for widget, stretch in ((self.before, 0), (self.after, 0), (self.done, 1)):
-            row.addWidget(widget, stretch)
-        chosen = QHBoxLayout()
-        for widget in (self.open, self.mend):
-            chosen.addWidget(widget)
+        chosen = row_of(self.open, self.mend)
         chosen.addStretch()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
+        layout = narrow(QVBoxLayout(self), 0)
         layout.addWidget(self.layer)
         layout.addWidget(self.places, 1)
         layout.addWidget(self.text)
-        layout.addLayout(row)
+        layout.addLayout(row_of(self.before, self.after, (self.done, 1)))
         layout.addLayout(chosen)
         layout.addWidget(self.progress)
         layout.addWidget(self.update_button)
@@ -136,21 +117,19 @@ class CorrectTab(QWidget):
         self.before.clicked.connect(lambda: self._step(-1))
         self.after.clicked.connect(lambda: self._step(1))
         self.done.clicked.connect(self._mark_done)
-        self._shortcut.activated.connect(self._mark_done)
+        shortcut("Ctrl+D", self).activated.connect(self._mark_done)
         self.open.toggled.connect(self._fill)
         self.mend.toggled.connect(self._fill)
         self.update_button.clicked.connect(self._ask_update)
-        self._canvas.destinationCrsChanged.connect(self._show_place)
         QgsProject.instance().layersWillBeRemoved.connect(self._leave_removed)
 
     def shut_down(self) -> None:
+        """Stops filling the list and takes the mark off the canvas."""
         self._soon.stop()
         self._rows = iter(())
         QgsProject.instance().layersWillBeRemoved.disconnect(self._leave_removed)
-        self._canvas.destinationCrsChanged.disconnect(self._show_place)
         self.layer.layerChanged.disconnect(self._use_layer)
-        self._canvas.scene().removeItem(self._mark)
-        self._mark = None
+        self._mark.remove()
 
     # --- the layer ---
 
@@ -265,28 +244,14 @@ class CorrectTab(QWidget):
     def _show_place(self) -> None:
         feature = self._selected()
         self._enable()
-        self._mark.reset(POLYGON_GEOMETRY)
+        self._mark.clear()
         if feature is None:
             self.text.setText("" if self.places.rowCount() else tr("No place to look at."))
             return
         self.text.setText(" · ".join(filter(None, _texts(feature, _fields(self._layer)))))
-        geometry = feature.geometry()
-        transform = QgsCoordinateTransform(
-            self._layer.crs(), self._canvas.mapSettings().destinationCrs(), QgsProject.instance()
-        )
-        try:
-            geometry.transform(transform)
-        except QgsCsException:
-            return
-        self._mark.setToGeometry(geometry)
-        extent = geometry.boundingBox()
+        self._mark.show(feature.geometry(), self._layer.crs())
         whole = self._layer.extent()
-        extent.grow(_LEAST_EXTENT_SHARE * max(whole.width(), whole.height()))
-        extent.scale(_ZOOM_MARGIN)
-        self._canvas.setExtent(extent)
-        if self._canvas.scale() < _CLOSEST_SCALE:
-            self._canvas.zoomScale(_CLOSEST_SCALE)
-        self._canvas.refresh()
+        self._mark.zoom(_LEAST_EXTENT_SHARE * max(whole.width(), whole.height()))
 
     def _ask_update(self) -> None:
         request = QgsFeatureRequest().setFilterFids(sorted(self._done))

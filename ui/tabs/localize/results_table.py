@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import List, Optional
 
 from qgis.PyQt.QtCore import QSize, QSortFilterProxyModel, Qt, pyqtSignal
-from qgis.PyQt.QtWidgets import QAbstractItemView, QTableView
+from qgis.PyQt.QtGui import QPaintEvent, QResizeEvent
+from qgis.PyQt.QtWidgets import QAbstractItemView, QTableView, QWidget
 
-from ...processing.translation import tr
-from ..dock.placeholder import paint_placeholder
-from .findings import Finding
+from ....processing.translation import tr
+from ...findings import Finding
+from ...widgets.placeholder import paint_placeholder
 from .results_model import COLUMN_COUNT, CONFIDENCE, IMAGE, SORT_ROLE, ResultsModel
 
 _IMAGE_COLUMN_MINIMUM_PX = 150
@@ -22,7 +23,7 @@ class ResultsTable(QTableView):
 
     findingSelected = pyqtSignal(object)
 
-    def __init__(self, parent=None) -> None:
+    def __init__(self, parent: Optional[QWidget] = None) -> None:
         super().__init__(parent)
         self._model = ResultsModel(self)
         self._sorted = QSortFilterProxyModel(self)
@@ -59,6 +60,7 @@ class ResultsTable(QTableView):
             self.selectRow(0)
 
     def selected(self) -> Optional[Finding]:
+        """The finding of the selected row, None without one."""
         rows = self.selectionModel().selectedRows()
         return self._model.finding(self._sorted.mapToSource(rows[0]).row()) if rows else None
 
@@ -71,20 +73,20 @@ class ResultsTable(QTableView):
             self.selectRow(row % count)
             self.scrollTo(self.model().index(row % count, 0))
 
-    def sizeHint(self):
+    def sizeHint(self) -> QSize:
         return QSize(200, self._height_of(_ROWS))
 
-    def minimumSizeHint(self):
+    def minimumSizeHint(self) -> QSize:
         return QSize(120, self._height_of(_LEAST_ROWS))
 
     def _height_of(self, rows: int) -> int:
         return self.horizontalHeader().sizeHint().height() + rows * self.verticalHeader().defaultSectionSize()
 
-    def resizeEvent(self, event):
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit_image_column()
 
-    def paintEvent(self, event):
+    def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if not self._model.rowCount():
             paint_placeholder(self, tr("Results appear here."))

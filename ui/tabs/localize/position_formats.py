@@ -13,8 +13,8 @@ from qgis.core import (
     QgsProject,
 )
 
-from ...processing.translation import tr
-from .findings import Finding
+from ....processing.translation import tr
+from ...findings import Finding
 
 DEGREES, DEGREES_LATITUDE_FIRST, DEGREES_MINUTES, PROJECT, DATABASE, WELL_KNOWN_TEXT = (
     "degrees",

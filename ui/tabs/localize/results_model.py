@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import List, Optional, Sequence
+from typing import List, Optional, Sequence, Union
 
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtCore import QObject, Qt
 from qgis.PyQt.QtGui import QStandardItem, QStandardItemModel
 
-from ...processing.translation import tr
-from .findings import FIX, Finding, status_text
+from ....processing.translation import tr
+from ...findings import FIX, Finding, status_text
 
 IMAGE, CONFIDENCE, ERROR, HEADING, STATUS, WINDOW, DISTANCE = range(7)
 COLUMN_COUNT = 7
@@ -26,12 +26,13 @@ class ResultsModel(QStandardItemModel):
     """One row a finding. Qt's own model: one in Python would be asked a dozen times for each cell that is painted, and
     wait each time for the threads that segment images meanwhile."""
 
-    def __init__(self, parent=None) -> None:
+    def __init__(self, parent: Optional[QObject] = None) -> None:
         super().__init__(0, COLUMN_COUNT, parent)
         self._findings: List[Finding] = []
         self._show_headers()
 
     def show(self, findings: Sequence[Finding]) -> None:
+        """Replaces all rows."""
         self.clear()
         self.setColumnCount(COLUMN_COUNT)
         self._show_headers()
@@ -43,6 +44,7 @@ class ResultsModel(QStandardItemModel):
             self.appendRow(row)
 
     def finding(self, row: int) -> Finding:
+        """The one that a row shows, whatever the view's order."""
         return self._findings[row]
 
     def _show_headers(self) -> None:
@@ -114,7 +116,7 @@ def _number(value: Optional[float], decimals: int) -> str:
     return "" if value is None else f"{value:.{decimals}f}"
 
 
-def _sort_value(finding: Finding, column: int):
+def _sort_value(finding: Finding, column: int) -> Union[float, str]:
     if column in NUMBER_COLUMNS:
         value = _figure(finding, column)
         return -1.0 if value is None else float(value)

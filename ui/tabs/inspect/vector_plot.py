@@ -10,8 +10,8 @@ from qgis.PyQt.QtCore import QPointF, QSize, Qt
 from qgis.PyQt.QtGui import QColor, QPainter, QPalette, QPen
 from qgis.PyQt.QtWidgets import QWidget
 
-from ...core.database.look_alikes import vector_rows
-from ..dock.placeholder import paint_placeholder
+from ....core.database.look_alikes import vector_rows
+from ...widgets.placeholder import paint_placeholder
 
 _MARGIN_PX = 12
 _DOT_PX = 4.5
@@ -41,7 +41,7 @@ def star_of(vector: np.ndarray, class_count: int) -> Star:
 class VectorPlot(QWidget):
     """One star, and perhaps a second, paler one to compare it with."""
 
-    def __init__(self, parent=None) -> None:
+    def __init__(self, parent: Optional[QWidget] = None) -> None:
         super().__init__(parent)
         self._colors: Sequence[QColor] = ()
         self._star: Optional[Star] = None

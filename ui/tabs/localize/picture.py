@@ -4,65 +4,22 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Optional, Tuple
+from typing import Optional
 
 import numpy as np
 from qgis.core import QgsProcessingFeedback
 from qgis.PyQt.QtGui import QImage
 
-from ...core.database.model import ReferenceDatabase
-from ...core.windows.topology_vector import vector_objects
-from ..running.background import DatabaseShelf
+from ....core.database.model import ReferenceDatabase
+from ....core.windows.topology_vector import vector_objects
+from ...findings import RUNNERS_UP, Hit, Matches, RunnersUp
+from ...running.background import DatabaseShelf
 
 LONGEST_SHOWN_PX = 1600
 """Larger images are shown reduced: a dock is a few hundred pixels wide."""
 
-RUNNERS_UP = 4
-"""Windows shown after the best one of the published method."""
-
 _PICTURES_KEPT = 4
 """So that going back and forth between images is at once; a picture takes up to 20 MB."""
-
-
-@dataclass(frozen=True)
-class Hit:
-    """What a finding tells of where an image lies.
-
-    footprint: four map (x, y) that its corners show, upper left first, clockwise; None without a heading.
-    by_vector: whether it was matched with a window by the published method.
-    """
-
-    image: str
-    footprint: Optional[Tuple[Tuple[float, float], ...]] = None
-    heading_deg: float = 0.0
-    pixel_size_m: float = 0.0
-    by_vector: bool = False
-
-
-@dataclass(frozen=True)
-class Matches:
-    """Landmarks of an image and of the map that agree, m of them.
-
-    objects: (m,) of the picture's; seen: (m, 2) map coordinates where the fix puts them; on_map: (m, 2) those of the
-    map's landmarks.
-    """
-
-    objects: np.ndarray
-    seen: np.ndarray
-    on_map: np.ndarray
-
-
-@dataclass(frozen=True)
-class RunnersUp:
-    """The windows of a database with the nearest vectors after the best one, nearest first, n of them.
-
-    names: (n,) str; distances: (n,) of the vectors; centers: (n, 2) map coordinates; sizes: (n,) map units.
-    """
-
-    names: np.ndarray
-    distances: np.ndarray
-    centers: np.ndarray
-    sizes: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -111,7 +68,7 @@ class PictureShelf:
         return self._pictures[key]
 
     def _photo_labels(self, model: str, database: ReferenceDatabase, key: tuple):
-        from ...processing.framework.photo_labels import PhotoLabels
+        from ....processing.framework.photo_labels import PhotoLabels
 
         if self._labels[0] != key:
             self._labels = key, PhotoLabels(model, database.class_table, QgsProcessingFeedback(False))
@@ -129,9 +86,9 @@ def read_picture(hit: Hit, database: ReferenceDatabase, photo_labels=None) -> Im
     ``photo_labels``: function path → labels for photos; None for label images. Raises SemRefError.
     """
     # Not at the top: the dock has to open, and say so, where OpenCV is missing.
-    from ...core.landmarks.landmarks import extract_landmarks
-    from ...core.localizer.localizer import describe_image
-    from ...storage.rasters import read_label_image
+    from ....core.landmarks.landmarks import extract_landmarks
+    from ....core.localizer.localizer import describe_image
+    from ....storage.rasters import read_label_image
 
     table, parameters, path = database.class_table, database.parameters, hit.image
     photo = photo_picture(path) if photo_labels else None
@@ -163,7 +120,7 @@ def read_picture(hit: Hit, database: ReferenceDatabase, photo_labels=None) -> Im
 def _smallest(hit: Hit, database: ReferenceDatabase, size: int) -> float:
     """Smallest area of a landmark, px²: the database's on the ground if the image's pixel size is known, else the same
     share of the image as of a window."""
-    from ...core.localizer.localizer import SMALLEST_OBJECT_PX
+    from ....core.localizer.localizer import SMALLEST_OBJECT_PX
 
     parameters = database.parameters
     if hit.footprint is None:
@@ -172,8 +129,8 @@ def _smallest(hit: Hit, database: ReferenceDatabase, size: int) -> float:
 
 
 def find_matches(hit: Hit, objects, shape_hw: tuple, database: ReferenceDatabase) -> Matches:
-    from ...core.constellation.matched_objects import matched_objects
-    from ...core.geometry.footprint import on_ground
+    from ....core.constellation.matched_objects import matched_objects
+    from ....core.geometry.footprint import on_ground
 
     references, footprint = database.references, np.array(hit.footprint)
     pose = footprint, hit.heading_deg, hit.pixel_size_m
@@ -183,7 +140,7 @@ def find_matches(hit: Hit, objects, shape_hw: tuple, database: ReferenceDatabase
 
 
 def find_runners_up(labels_hw: np.ndarray, database: ReferenceDatabase) -> RunnersUp:
-    from ...core.localizer.localizer import Localizer
+    from ....core.localizer.localizer import Localizer
 
     windows = database.windows
     found = Localizer(database).nearest_windows(labels_hw, RUNNERS_UP + 1)[1:]
@@ -205,7 +162,7 @@ def label_picture(labels_hw: np.ndarray, colors: dict) -> QImage:
 
 def photo_picture(path: str) -> QImage:
     """The photo as the network sees its colors."""
-    from ...storage.images import GdalImage
+    from ....storage.images import GdalImage
 
     photo = GdalImage(path)
     height, width = photo.shape_hw

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from qgis.core import Qgis, QgsMessageLog
+from qgis.gui import QgsMessageBar
 
 from ...processing.translation import tr
 
@@ -10,13 +11,17 @@ TAG = "SemRef"
 
 
 class Messages:
-    def __init__(self, message_bar) -> None:
+    """SemRef's messages in a message bar of QGIS."""
+
+    def __init__(self, message_bar: QgsMessageBar) -> None:
         self._bar = message_bar
 
     def info(self, sentence: str) -> None:
+        """Something to know."""
         self._bar.pushInfo(TAG, sentence)
 
     def success(self, sentence: str) -> None:
+        """Something that was done."""
         self._bar.pushSuccess(TAG, sentence)
 
     def log(self, line: str) -> None:
@@ -24,12 +29,15 @@ class Messages:
         QgsMessageLog.logMessage(line, TAG, Qgis.MessageLevel.Info, False)
 
     def warning(self, sentence: str) -> None:
+        """Something that is not as the user may think."""
         self._bar.pushWarning(TAG, sentence)
 
     def error(self, sentence: str) -> None:
+        """Something that could not be done."""
         self._bar.pushCritical(TAG, sentence)
 
     def bug(self, report: str) -> None:
+        """One sentence in the bar, the traceback in the log panel."""
         QgsMessageLog.logMessage(report, TAG, Qgis.MessageLevel.Critical, False)
         self.error(
             tr("An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.")

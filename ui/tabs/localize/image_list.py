@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import os
-from typing import Iterable, List
+from typing import Iterable, List, Optional
 
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QKeySequence
-from qgis.PyQt.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem
+from qgis.PyQt.QtGui import (
+    QDragEnterEvent,
+    QDragMoveEvent,
+    QDropEvent,
+    QKeyEvent,
+    QKeySequence,
+    QPaintEvent,
+)
+from qgis.PyQt.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem, QWidget
 
-from ...processing.translation import tr
-from ..dock.placeholder import paint_placeholder
-from ..layer_files import dropped_files
+from ....processing.translation import tr
+from ...layer_files import dropped_files
+from ...widgets.placeholder import paint_placeholder
 
 _PATH_ROLE = Qt.ItemDataRole.UserRole
 _VISIBLE_ROWS = 3
@@ -24,7 +31,7 @@ class ImageList(QListWidget):
     changed = pyqtSignal()
     refused = pyqtSignal(list)
 
-    def __init__(self, parent=None) -> None:
+    def __init__(self, parent: Optional[QWidget] = None) -> None:
         super().__init__(parent)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
@@ -34,6 +41,7 @@ class ImageList(QListWidget):
         self.setAcceptDrops(True)
 
     def paths(self) -> List[str]:
+        """Of all entries, from top to bottom."""
         return [self.item(row).data(_PATH_ROLE) for row in range(self.count())]
 
     def add(self, paths: Iterable[str]) -> None:
@@ -52,40 +60,41 @@ class ImageList(QListWidget):
         self.setCurrentRow(0)
 
     def remove_selected(self) -> None:
+        """Takes the selected entries out; the files stay."""
         for item in self.selectedItems():
             self.takeItem(self.row(item))
         self.changed.emit()
 
     # --- QListWidget ---
 
-    def sizeHint(self):
+    def sizeHint(self) -> QSize:
         return QSize(200, _VISIBLE_ROWS * (self.fontMetrics().height() + 6))
 
-    def minimumSizeHint(self):
+    def minimumSizeHint(self) -> QSize:
         return self.sizeHint().boundedTo(QSize(120, 1000))
 
-    def paintEvent(self, event):
+    def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if not self.count():
             paint_placeholder(self, tr("Add photos or label images, or drop files, folders and layers here."))
 
-    def keyPressEvent(self, event):
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.matches(QKeySequence.StandardKey.Delete):
             self.remove_selected()
         else:
             super().keyPressEvent(event)
 
-    def dragEnterEvent(self, event):
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         self.dragMoveEvent(event)
 
-    def dragMoveEvent(self, event):
+    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
         if any(dropped_files(event.mimeData())):
             event.setDropAction(Qt.DropAction.CopyAction)
             event.accept()
         else:
             event.ignore()
 
-    def dropEvent(self, event):
+    def dropEvent(self, event: QDropEvent) -> None:
         files, others = dropped_files(event.mimeData())
         self.add(files)
         if others:

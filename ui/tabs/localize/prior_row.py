@@ -5,25 +5,24 @@ from __future__ import annotations
 from typing import Optional
 
 from qgis.core import (
-    QgsApplication,
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
-    QgsCsException,
     QgsDistanceArea,
     QgsPointXY,
     QgsProject,
 )
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QLabel, QWidget
 
-from ...processing.translation import tr
-from ..canvas.prior_tool import PriorTool
+from ....processing.translation import tr
+from ...canvas.prior_tool import PriorTool
+from ...widgets.buttons import tool_button
+from ...widgets.layouts import narrow, row_of
 
 
 class PriorRow(QWidget):
     """``shut_down`` before it is deleted."""
 
-    def __init__(self, canvas: QgsMapCanvas, parent=None) -> None:
+    def __init__(self, canvas: QgsMapCanvas, parent: Optional[QWidget] = None) -> None:
         super().__init__(parent)
         self.setObjectName("SemRefPrior")
         self._canvas = canvas
@@ -33,25 +32,14 @@ class PriorRow(QWidget):
         self._radius_m = 0.0
         self.tool = PriorTool(canvas)
         self.text = QLabel()
-        self.draw = QToolButton()
-        self.draw.setIcon(QgsApplication.getThemeIcon("/mActionCircle2Points.svg"))
-        self.draw.setCheckable(True)
+        self.draw = tool_button("/mActionCircle2Points.svg", tr("Draw where to search"), checkable=True)
         self.draw.setToolTip(tr("Draw on the map where the images are known to be: press at the middle and drag"))
-        self.draw.setAccessibleName(tr("Draw where to search"))
-        self.clear = QToolButton()
-        self.clear.setIcon(QgsApplication.getThemeIcon("/mActionDeleteSelected.svg"))
-        self.clear.setToolTip(tr("Search the whole database"))
-        self.clear.setAccessibleName(self.clear.toolTip())
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.text, 1)
-        layout.addWidget(self.draw)
-        layout.addWidget(self.clear)
+        self.clear = tool_button("/mActionDeleteSelected.svg", tr("Search the whole database"))
+        self.setLayout(narrow(row_of((self.text, 1), self.draw, self.clear), 0))
         self.draw.toggled.connect(self._draw)
         self.clear.clicked.connect(self.forget)
         self.tool.drawn.connect(self.set_circle)
         self.tool.deactivated.connect(self._stop_drawing)
-        canvas.destinationCrsChanged.connect(self._show_circle)
         self.forget()
 
     def parameters(self) -> dict:
@@ -86,31 +74,20 @@ class PriorRow(QWidget):
         measure.setSourceCrs(crs, QgsProject.instance().transformContext())
         measure.setEllipsoid(QgsProject.instance().ellipsoid() or "WGS84")
         self._radius_m = measure.measureLine(middle, edge)
-        self._show_circle()
+        self.tool.circle.show(middle, edge, crs)
         self.text.setText(tr("Search: within {radius:.0f} m").format(radius=self._radius_m))
         self.clear.setEnabled(True)
 
     def forget(self) -> None:
+        """Searches the whole database."""
         self._middle = self._edge = None
-        self._show_circle()
+        self.tool.circle.clear()
         self.text.setText(tr("Search: the whole database"))
         self.clear.setEnabled(False)
 
-    def _show_circle(self) -> None:
-        """In the canvas's CRS, which may have changed since the circle was drawn."""
-        ends = []
-        if self._middle is not None:
-            target = self._canvas.mapSettings().destinationCrs()
-            transform = QgsCoordinateTransform(self._crs, target, QgsProject.instance())
-            try:
-                ends = [QgsPointXY(transform.transform(point)) for point in (self._middle, self._edge)]
-            except QgsCsException:
-                ends = []
-        self.tool.show_circle(*(ends or (None, None)))
-
     def shut_down(self) -> None:
+        """Gives the map tool back and takes the circle off the canvas."""
         self.tool.deactivated.disconnect(self._stop_drawing)
-        self._canvas.destinationCrsChanged.disconnect(self._show_circle)
         self._canvas.unsetMapTool(self.tool)
         self.tool.remove()
 

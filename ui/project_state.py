@@ -3,20 +3,34 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import List, Optional
+from typing import Callable, List, Optional, Tuple
 
-from qgis.core import QgsProject
+from qgis.core import QgsProject, QgsSettings
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 SCOPE = "SemRef"
+DATABASE_SETTING = "semref/dock/database"
+
+Prior = Tuple[float, float, float, float, str]
+"""x, y of the middle, x, y of the edge, and the authid of their CRS."""
+
 _LISTED_IMAGES = 1000
 """A project is no place for the names of more."""
 
 
 @dataclass(frozen=True)
 class DockState:
-    """database, model, results: paths, perhaps empty; method: METHOD of semref:localizeimages; images: files and
-    folders; opacity: of the labels, percent; prior: (x, y of the middle, x, y of the edge, authid of their CRS)."""
+    """What a project keeps.
+
+    Attributes:
+        database: Path, perhaps empty, as are ``model`` and ``results``.
+        model: Of the network for photos.
+        method: METHOD of semref:localizeimages.
+        images: Files and folders.
+        opacity: Of the labels, percent.
+        results: The GeoPackage that holds them.
+        prior: The circle to search; None for the whole database.
+    """
 
     database: str = ""
     model: str = ""
@@ -24,7 +38,7 @@ class DockState:
     images: List[str] = field(default_factory=list)
     opacity: int = 60
     results: str = ""
-    prior: Optional[tuple] = None
+    prior: Optional[Prior] = None
 
 
 def write_state(project: QgsProject, state: DockState) -> None:
@@ -58,7 +72,7 @@ def read_state(project: QgsProject) -> Optional[DockState]:
     )
 
 
-def _prior_of(entries: List[str]) -> Optional[tuple]:
+def _prior_of(entries: List[str]) -> Optional[Prior]:
     try:
         *numbers, authid = entries
         x, y, edge_x, edge_y = map(float, numbers)
@@ -68,12 +82,18 @@ def _prior_of(entries: List[str]) -> Optional[tuple]:
     return x, y, edge_x, edge_y, authid
 
 
+def remembered_database() -> str:
+    """The path chosen last, in any session; empty where none ever was."""
+    return QgsSettings().value(DATABASE_SETTING, "", type=str)
+
+
 class ProjectState(QObject):
     """Follows the project: ``opened`` with the state of one that has it; asks ``state_now`` when one is saved."""
 
     opened = pyqtSignal(object)
 
-    def __init__(self, state_now, parent: QObject) -> None:
+    def __init__(self, state_now: Callable[[], Optional[DockState]], parent: QObject) -> None:
+        """``state_now``: gives None where there is nothing to keep; the project then stays as it is."""
         super().__init__(parent)
         self._state_now = state_now
         project = QgsProject.instance()
@@ -81,6 +101,7 @@ class ProjectState(QObject):
         project.writeProject.connect(self._write)
 
     def shut_down(self) -> None:
+        """Stops following."""
         project = QgsProject.instance()
         project.readProject.disconnect(self._read)
         project.writeProject.disconnect(self._write)
@@ -91,4 +112,6 @@ class ProjectState(QObject):
             self.opened.emit(state)
 
     def _write(self, *_document) -> None:
-        write_state(QgsProject.instance(), self._state_now())
+        state = self._state_now()
+        if state is not None:
+            write_state(QgsProject.instance(), state)

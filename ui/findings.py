@@ -4,20 +4,65 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Dict, List, NamedTuple, Optional, Tuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, QgsVectorLayer
 
-from ...processing.compat import is_null
-from ...processing.translation import tr
-from .image_picture import Hit
+from ..processing.compat import is_null
+from ..processing.translation import tr
+
+if TYPE_CHECKING:
+    import numpy as np
 
 FIX = "fix"
 """The one status with a position."""
 
-
 TOPOLOGY_VECTOR = "topology vector"
 """Name of the published method in the column ``method``."""
+
+RUNNERS_UP = 4
+"""Windows shown after the best one of the published method."""
+
+
+@dataclass(frozen=True)
+class Hit:
+    """What a finding tells of where an image lies.
+
+    footprint: four map (x, y) that its corners show, upper left first, clockwise; None without a heading.
+    by_vector: whether it was matched with a window by the published method.
+    """
+
+    image: str
+    footprint: Optional[Tuple[Tuple[float, float], ...]] = None
+    heading_deg: float = 0.0
+    pixel_size_m: float = 0.0
+    by_vector: bool = False
+
+
+@dataclass(frozen=True)
+class Matches:
+    """Landmarks of an image and of the map that agree, m of them.
+
+    objects: (m,) of the picture's; seen: (m, 2) map coordinates where the fix puts them; on_map: (m, 2) those of the
+    map's landmarks.
+    """
+
+    objects: np.ndarray
+    seen: np.ndarray
+    on_map: np.ndarray
+
+
+@dataclass(frozen=True)
+class RunnersUp:
+    """The windows of a database with the nearest vectors after the best one, nearest first, n of them.
+
+    names: (n,) str; distances: (n,) of the vectors; centers: (n, 2) map coordinates; sizes: (n,) map units.
+    """
+
+    names: np.ndarray
+    distances: np.ndarray
+    centers: np.ndarray
+    sizes: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -49,6 +94,7 @@ class Finding:
 
     @property
     def name(self) -> str:
+        """Of the image's file."""
         return os.path.basename(self.image)
 
     @property
@@ -78,10 +124,19 @@ def corners_of(outline: QgsGeometry) -> tuple:
 _COLUMNS = tuple(name for name in Finding.__dataclass_fields__ if name not in ("crs", "outline", "possible"))
 
 
-def read_findings(
-    positions: QgsVectorLayer, footprints: Optional[QgsVectorLayer], places: Optional[QgsVectorLayer]
-) -> List[Finding]:
-    """The findings in the order of the images; from OUTPUT, FOOTPRINTS and ALTERNATIVES."""
+class ResultLayers(NamedTuple):
+    """OUTPUT, FOOTPRINTS and ALTERNATIVES of semref:localizeimages; None for what there is not."""
+
+    positions: Optional[QgsVectorLayer] = None
+    footprints: Optional[QgsVectorLayer] = None
+    places: Optional[QgsVectorLayer] = None
+
+
+def read_findings(layers: ResultLayers) -> List[Finding]:
+    """The findings in the order of the images; none without positions."""
+    positions, footprints, places = layers
+    if positions is None:
+        return []
     outlines = {f["image"]: f.geometry() for f in footprints.getFeatures()} if footprints is not None else {}
     possible: Dict[str, List[QgsGeometry]] = {}
     for feature in places.getFeatures() if places is not None else ():

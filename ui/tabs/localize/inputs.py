@@ -1,17 +1,16 @@
-"""The upper part of the dock: which database, which images, which method."""
+"""What is chosen before images are localized: the images, the model for photos, the method."""
 
 from __future__ import annotations
 
 from functools import partial
-from typing import List
+from typing import List, Optional
 
 from qgis.core import QgsApplication, QgsProject, QgsProviderRegistry, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
-from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QComboBox,
     QFileDialog,
-    QHBoxLayout,
     QLabel,
     QMenu,
     QPushButton,
@@ -20,112 +19,18 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ...processing.translation import tr
-from ..dock.buttons import tool_button
-from ..layer_files import dropped_files, layer_file, project_databases, raster_layers
+from ....processing.translation import tr
+from ...layer_files import layer_file, raster_layers
+from ...widgets.buttons import tool_button
+from ...widgets.layouts import narrow, row_of
 from .image_list import ImageList
-
-MARGIN_PX = 5
-"""Around the content of the dock and of its boxes: width is scarce in a dock."""
 
 AUTOMATIC = 0
 """METHOD of semref:localizeimages."""
 
-_DATABASE_SETTING = "semref/dock/database"
 _METHOD_SETTING = "semref/dock/method"
 _MODEL_SETTING = "semref/dock/model"
 _FOLDER_SETTING = "semref/dock/image_folder"
-
-
-class DatabaseBox(QgsCollapsibleGroupBox):
-    """The chosen database, remembered from session to session; ``chosen`` is its path for other threads.
-
-    A file, or one whose layers the project has; a file or layer can be dropped. ``shut_down`` before it is deleted.
-    """
-
-    changed = pyqtSignal()
-    addToMapAsked = pyqtSignal()
-
-    def __init__(self, parent=None) -> None:
-        super().__init__(tr("Reference database"), parent)
-        self.setObjectName("SemRefDatabase")
-        self.setAcceptDrops(True)
-        self.file = QgsFileWidget()
-        self.file.setFilter(tr("GeoPackage (*.gpkg)"))
-        self.file.setDialogTitle(tr("Choose a reference database"))
-        self.file.lineEdit().setPlaceholderText(tr("Choose a GeoPackage"))
-        self.file.setFilePath(QgsSettings().value(_DATABASE_SETTING, "", type=str))
-        self.in_project = QComboBox()
-        self.in_project.setToolTip(tr("Databases whose layers are in the project"))
-        self.in_project.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.in_project.setMinimumContentsLength(8)
-        self.add_to_map = tool_button("/mActionAddLayer.svg", tr("Add database to map"))
-        row = QHBoxLayout()
-        row.addWidget(self.file, 1)
-        row.addWidget(self.add_to_map)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
-        layout.addLayout(row)
-        layout.addWidget(self.in_project)
-        self.chosen = self.path()
-        self.file.fileChanged.connect(self._remember)
-        self.in_project.activated.connect(self._choose_in_project)
-        self.add_to_map.clicked.connect(self.addToMapAsked)
-        self.add_to_map.setEnabled(bool(self.path()))
-        # Layers come into the project before they come into its tree, which has the names of their groups.
-        self._soon = QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.timeout.connect(self.list_databases)
-        project = QgsProject.instance()
-        project.layersAdded.connect(self._list_soon)
-        project.layersRemoved.connect(self._list_soon)
-        self.list_databases()
-
-    def shut_down(self) -> None:
-        project = QgsProject.instance()
-        project.layersAdded.disconnect(self._list_soon)
-        project.layersRemoved.disconnect(self._list_soon)
-        self._soon.stop()
-
-    def path(self) -> str:
-        return self.file.filePath().strip()
-
-    def _list_soon(self, *_layers) -> None:
-        self._soon.start(0)
-
-    def list_databases(self) -> None:
-        """Offers the databases whose layers the project has now; nothing is shown where it has none."""
-        self.in_project.clear()
-        self.in_project.addItem(tr("In the project…"), "")
-        for path, name in project_databases(QgsProject.instance()).items():
-            self.in_project.addItem(QgsApplication.getThemeIcon("/mIconVector.svg"), name, path)
-            self.in_project.setItemData(self.in_project.count() - 1, path, Qt.ItemDataRole.ToolTipRole)
-        self.in_project.setVisible(self.in_project.count() > 1)
-        self._show_in_project()
-
-    def _show_in_project(self) -> None:
-        self.in_project.setCurrentIndex(max(0, self.in_project.findData(self.path())))
-
-    def _choose_in_project(self, row: int) -> None:
-        if self.in_project.itemData(row):
-            self.file.setFilePath(self.in_project.itemData(row))
-
-    def _remember(self) -> None:
-        self.chosen = self.path()
-        QgsSettings().setValue(_DATABASE_SETTING, self.chosen)
-        self.add_to_map.setEnabled(bool(self.path()))
-        self._show_in_project()
-        self.changed.emit()
-
-    # --- QWidget ---
-
-    def dragEnterEvent(self, event):
-        if any(dropped_files(event.mimeData())[0]):
-            event.acceptProposedAction()
-
-    def dropEvent(self, event):
-        self.file.setFilePath(dropped_files(event.mimeData())[0][0])
-        event.acceptProposedAction()
 
 
 class ImageBox(QgsCollapsibleGroupBox):
@@ -137,7 +42,7 @@ class ImageBox(QgsCollapsibleGroupBox):
     changed = pyqtSignal()
     refused = pyqtSignal(list)
 
-    def __init__(self, parent=None) -> None:
+    def __init__(self, parent: Optional[QWidget] = None) -> None:
         super().__init__(tr("Images"), parent)
         self.setObjectName("SemRefImages")
         self.list = ImageList()
@@ -154,13 +59,9 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.model.lineEdit().setPlaceholderText(tr("Model, for photos"))
         self.model.setToolTip(tr("The network that makes labels of photos; leave empty for label images"))
         self.model.setFilePath(QgsSettings().value(_MODEL_SETTING, "", type=str))
-        buttons = QHBoxLayout()
-        for button, stretch in ((self.add_files, 1), (self.add_folder, 1), (self.add_layer, 0), (self.remove, 0)):
-            buttons.addWidget(button, stretch)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(MARGIN_PX, MARGIN_PX, MARGIN_PX, MARGIN_PX)
+        layout = narrow(QVBoxLayout(self))
         layout.addWidget(self.list)
-        layout.addLayout(buttons)
+        layout.addLayout(row_of((self.add_files, 1), (self.add_folder, 1), self.add_layer, self.remove))
         layout.addWidget(self.model)
         self.model.fileChanged.connect(self._remember_model)
         self.add_files.clicked.connect(self._choose_files)
@@ -173,6 +74,7 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.list.refused.connect(self.refused)
 
     def paths(self) -> List[str]:
+        """Of the images and folders, as listed."""
         return self.list.paths()
 
     def model_path(self) -> str:
@@ -215,7 +117,7 @@ class ImageBox(QgsCollapsibleGroupBox):
 class MethodRow(QWidget):
     """How images are localized, remembered from session to session."""
 
-    def __init__(self, parent=None) -> None:
+    def __init__(self, parent: Optional[QWidget] = None) -> None:
         super().__init__(parent)
         self.setObjectName("SemRefMethod")
         self.choice = QComboBox()
@@ -229,17 +131,16 @@ class MethodRow(QWidget):
             self.choice.addItem(name, number)
         label = QLabel(tr("Method"))
         label.setBuddy(self.choice)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(label)
-        layout.addWidget(self.choice, 1)
+        self.setLayout(narrow(row_of(label, (self.choice, 1)), 0))
         self.choice.setCurrentIndex(max(0, self.choice.findData(QgsSettings().value(_METHOD_SETTING, 0, type=int))))
         self.choice.currentIndexChanged.connect(self._remember)
 
     def method(self) -> int:
+        """METHOD of semref:localizeimages."""
         return self.choice.currentData()
 
     def choose(self, method: int) -> None:
+        """Shows this METHOD as the chosen one."""
         self.choice.setCurrentIndex(self.choice.findData(method))
 
     def _remember(self) -> None:

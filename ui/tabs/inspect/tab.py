@@ -7,7 +7,6 @@ from typing import Optional
 
 import numpy as np
 from qgis.core import (
-    QgsApplication,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCsException,
@@ -18,24 +17,23 @@ from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
     QTableWidget,
     QTableWidgetItem,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-from ...core.database.look_alikes import DescribedWindow, describe_window, vector_rows, window_at
-from ...core.database.model import ReferenceDatabase
-from ...core.windows.matching import vector_confidence, vector_distances
-from ...processing.translation import tr
-from ..canvas.window_marks import WindowMarks
-from ..canvas.window_tool import WindowTool
-from ..dock.buttons import tool_button
+from ....core.database.look_alikes import DescribedWindow, describe_window, vector_rows, window_at
+from ....core.database.model import ReferenceDatabase
+from ....core.windows.matching import vector_confidence, vector_distances
+from ....processing.translation import tr
+from ...canvas.window_marks import WindowMarks
+from ...canvas.window_tool import WindowTool
+from ...widgets.buttons import tool_button
+from ...widgets.layouts import narrow, row_of
 from .vector_plot import VectorPlot
 
 _DIFFERS = 0.1
@@ -48,7 +46,7 @@ class InspectTab(QWidget):
     databaseWanted = pyqtSignal()
     said = pyqtSignal(str)
 
-    def __init__(self, canvas: QgsMapCanvas, parent=None) -> None:
+    def __init__(self, canvas: QgsMapCanvas, parent: Optional[QWidget] = None) -> None:
         super().__init__(parent)
         self._canvas = canvas
         self._database: Optional[ReferenceDatabase] = None
@@ -65,12 +63,12 @@ class InspectTab(QWidget):
         self._show_nothing()
 
     def _lay_out(self) -> None:
-        self.pick = QToolButton()
-        self.pick.setIcon(QgsApplication.getThemeIcon("/mActionIdentify.svg"))
+        self.pick = tool_button(
+            "/mActionIdentify.svg", tr("Click on the map to inspect the window there"), checkable=True
+        )
         self.pick.setText(tr("Pick on map"))
-        self.pick.setToolTip(tr("Click on the map to inspect the window there"))
+        self.pick.setAccessibleName("")
         self.pick.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.pick.setCheckable(True)
         self.name = QLineEdit()
         self.name.setPlaceholderText(tr("Window name"))
         self.name.setClearButtonEnabled(True)
@@ -99,12 +97,8 @@ class InspectTab(QWidget):
         self.compare = QPushButton(tr("Compare with the selected image"))
         self.compare.setCheckable(True)
         self.compare.setToolTip(tr("Draws the vector of the image selected in the results over the window’s"))
-        top = QHBoxLayout()
-        for widget, stretch in ((self.pick, 0), (self.name, 1), (self.before, 0), (self.after, 0)):
-            top.addWidget(widget, stretch)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addLayout(top)
+        layout = narrow(QVBoxLayout(self), 0)
+        layout.addLayout(row_of(self.pick, (self.name, 1), self.before, self.after))
         layout.addWidget(self.title)
         layout.addWidget(self.plot, 3)
         layout.addWidget(self.compare)
@@ -122,6 +116,7 @@ class InspectTab(QWidget):
         self.look_alikes.cellDoubleClicked.connect(self._show_look_alike)
 
     def shut_down(self) -> None:
+        """Gives the map tool back and takes everything off the canvas."""
         self.tool.picked.disconnect(self._show_at)
         self.tool.deactivated.disconnect(self._unpick)
         self._canvas.unsetMapTool(self.tool)

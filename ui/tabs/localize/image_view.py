@@ -5,33 +5,30 @@ from __future__ import annotations
 from typing import Optional
 
 from qgis.core import QgsSettings
-from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QFont, QImage, QPainter, QPen, QPixmap, QTransform
+from qgis.PyQt.QtCore import QEvent, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QImage, QMouseEvent, QPainter, QPaintEvent, QPixmap, QResizeEvent, QTransform, QWheelEvent
 from qgis.PyQt.QtWidgets import (
     QCheckBox,
     QGraphicsItem,
     QGraphicsScene,
     QGraphicsView,
-    QHBoxLayout,
     QLabel,
     QSlider,
     QVBoxLayout,
     QWidget,
 )
 
-from ...processing.translation import tr
-from ..canvas.numbers import nearest_number, paint_numbers, paint_ring
-from ..dock.placeholder import paint_placeholder
-from .image_picture import ImagePicture
+from ....processing.translation import tr
+from ...canvas.numbers import nearest_number
+from ...widgets.layouts import narrow, row_of
+from ...widgets.placeholder import paint_placeholder
+from .image_marks import LandmarkDots, VectorStar
+from .picture import ImagePicture
 
 _LANDMARKS_SETTING = "semref/dock/show_landmarks"
 _STAR_SETTING = "semref/dock/show_star"
 _OPACITY_SETTING = "semref/dock/label_opacity"
 
-_STAR = QColor("#e8344e")
-_RIM = QColor("#ffffff")
-_LANDMARK_PX = 7
-_RING_PX, _POINTED_RING_PX = 4.0, 9.0
 _REACH_PX = 12
 _ZOOM_STEP = 1.25
 _MOST_ZOOM = 40.0
@@ -45,7 +42,7 @@ class ImageView(QWidget):
 
     pointed = pyqtSignal(int)
 
-    def __init__(self, parent=None) -> None:
+    def __init__(self, parent: Optional[QWidget] = None) -> None:
         super().__init__(parent)
         self.setObjectName("SemRefImageView")
         self.canvas = _Canvas()
@@ -60,15 +57,11 @@ class ImageView(QWidget):
         self.opacity.setValue(settings.value(_OPACITY_SETTING, 60, type=int))
         self.landmarks.setChecked(settings.value(_LANDMARKS_SETTING, True, type=bool))
         self.star.setChecked(settings.value(_STAR_SETTING, False, type=bool))
-        row = QHBoxLayout()
         label = QLabel(tr("Labels"))
         label.setBuddy(self.opacity)
-        for widget, stretch in ((label, 0), (self.opacity, 1), (self.landmarks, 0), (self.star, 0)):
-            row.addWidget(widget, stretch)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
+        layout = narrow(QVBoxLayout(self), 0)
         layout.addWidget(self.canvas, 1)
-        layout.addLayout(row)
+        layout.addLayout(row_of(label, (self.opacity, 1), self.landmarks, self.star))
         self.opacity.valueChanged.connect(self._apply)
         self.landmarks.toggled.connect(self._apply)
         self.star.toggled.connect(self._apply)
@@ -76,6 +69,7 @@ class ImageView(QWidget):
         self.clear("")
 
     def show_picture(self, picture: ImagePicture) -> None:
+        """Shows a picture instead of the one before."""
         self.canvas.show_picture(picture)
         self._apply()
 
@@ -96,6 +90,8 @@ class ImageView(QWidget):
 
 
 class _Canvas(QGraphicsView):
+    """The view itself; its scene's pixels are the image's."""
+
     pointed = pyqtSignal(int)
 
     def __init__(self) -> None:
@@ -109,7 +105,7 @@ class _Canvas(QGraphicsView):
         self.setMouseTracking(True)
         self._text = ""
         self._labels: Optional[QGraphicsItem] = None
-        self._landmarks: Optional[_Landmarks] = None
+        self._landmarks: Optional[LandmarkDots] = None
         self._star: Optional[QGraphicsItem] = None
 
     def show_picture(self, picture: ImagePicture) -> None:
@@ -119,8 +115,8 @@ class _Canvas(QGraphicsView):
         if picture.photo is not None:
             self._add(picture.photo, picture)
         self._labels = self._add(picture.labels, picture)
-        self._star = _Star(picture)
-        self._landmarks = _Landmarks(picture, self.font())
+        self._star = VectorStar(picture)
+        self._landmarks = LandmarkDots(picture, self.font())
         scene.addItem(self._star)
         scene.addItem(self._landmarks)
         scene.setSceneRect(QRectF(0, 0, picture.width, picture.height))
@@ -154,32 +150,32 @@ class _Canvas(QGraphicsView):
 
     # --- QGraphicsView ---
 
-    def sizeHint(self):
+    def sizeHint(self) -> QSize:
         return QSize(220, 220)
 
-    def minimumSizeHint(self):
+    def minimumSizeHint(self) -> QSize:
         return QSize(120, 140)
 
-    def resizeEvent(self, event):
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         if self._labels is not None:
             self.fit()
 
-    def mouseMoveEvent(self, event):
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
         super().mouseMoveEvent(event)
         if self._landmarks is not None and self._landmarks.isVisible():
             # In scene pixels, so that the reach on the screen is the same at any zoom.
             reach = _REACH_PX / max(self.transform().m11(), 1e-9)
             self.pointed.emit(nearest_number(self._landmarks.matched, self.mapToScene(event.pos()), reach) or 0)
 
-    def leaveEvent(self, event):
+    def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.pointed.emit(0)
 
-    def mouseDoubleClickEvent(self, event):
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self.fit()
 
-    def wheelEvent(self, event):
+    def wheelEvent(self, event: QWheelEvent) -> None:
         if self._labels is None:
             return
         factor = _ZOOM_STEP if event.angleDelta().y() > 0 else 1 / _ZOOM_STEP
@@ -187,82 +183,7 @@ class _Canvas(QGraphicsView):
         if fitted / 2 < self.transform().m11() * factor < _MOST_ZOOM:
             self.scale(factor, factor)
 
-    def paintEvent(self, event):
+    def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self._text:
             paint_placeholder(self, self._text)
-
-
-class _Landmarks(QGraphicsItem):
-    """Dots in the classes' colors that keep their size whatever the zoom; hollow where the image's edge cuts one.
-    Those that agree with the map are ringed and numbered."""
-
-    def __init__(self, picture: ImagePicture, font: QFont) -> None:
-        super().__init__()
-        objects = picture.objects
-        self._rect = QRectF(0, 0, picture.width, picture.height)
-        self._dots = [
-            (QPointF(*center), QColor(picture.colors[int(value)]), bool(cut))
-            for center, value, cut in zip(objects.centers_xy.tolist(), objects.classes, objects.touches_edge)
-        ]
-        found = [] if picture.matches is None else picture.matches.objects.tolist()
-        self.matched = [(number, self._dots[index][0]) for number, index in enumerate(found, start=1)]
-        self._font = font
-        self._pointed = 0
-
-    def point_at(self, number: int) -> None:
-        if number != self._pointed:
-            self._pointed = number
-            self.update()
-
-    def boundingRect(self):
-        return self._rect
-
-    def paint(self, painter, option, widget=None):
-        transform = painter.worldTransform()
-        painter.resetTransform()
-        for center, color, cut in self._dots:
-            painter.setPen(QPen(_RIM if not cut else color, 1.5))
-            painter.setBrush(Qt.BrushStyle.NoBrush if cut else color)
-            painter.drawEllipse(transform.map(center), _LANDMARK_PX / 2, _LANDMARK_PX / 2)
-        places = [(number, transform.map(center)) for number, center in self.matched]
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(_STAR, 2))
-        for number, place in places:
-            painter.drawEllipse(place, _RING_PX, _RING_PX)
-            if number == self._pointed:
-                paint_ring(painter, place, _POINTED_RING_PX, _STAR)
-        paint_numbers(painter, self._font, places, self._pointed)
-        painter.setWorldTransform(transform)
-
-
-class _Star(QGraphicsItem):
-    """Lines from the center of the described square to the vector's landmarks; the first, farthest one is thicker."""
-
-    def __init__(self, picture: ImagePicture) -> None:
-        super().__init__()
-        column, row, edge = picture.square
-        self._rect = QRectF(0, 0, picture.width, picture.height)
-        self._square = QRectF(column, row, edge, edge)
-        self._center = self._square.center()
-        self._ends = [QPointF(*end) for end in picture.star.tolist()]
-
-    def boundingRect(self):
-        return self._rect
-
-    def paint(self, painter, option, widget=None):
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        if self._square != self._rect:
-            painter.setPen(_cosmetic(_STAR, 1, Qt.PenStyle.DashLine))
-            painter.drawRect(self._square)
-        for color, extra in ((_RIM, 2), (_STAR, 0)):
-            for number, end in enumerate(self._ends):
-                painter.setPen(_cosmetic(color, (2.5 if number == 0 else 1.2) + extra))
-                painter.drawLine(self._center, end)
-
-
-def _cosmetic(color: QColor, width: float, style=Qt.PenStyle.SolidLine) -> QPen:
-    """A pen as wide on the screen whatever the zoom."""
-    pen = QPen(color, width, style)
-    pen.setCosmetic(True)
-    return pen

@@ -1,0 +1,122 @@
+"""What is in the dock: the database on top, below it a tab for each way to work with it."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProject, QgsSettings, QgsVectorLayer
+from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QWidget
+
+from ...core.errors import DatabaseError
+from ...processing.translation import tr
+from ..canvas.database_layers import add_database_to_map
+from ..packages.missing_notice import MissingNotice
+from ..running.background import DatabaseShelf, Reader
+from ..tabs.correct.tab import CorrectTab
+from ..tabs.inspect.tab import InspectTab
+from ..tabs.localize.tab import LocalizeTab
+from ..widgets.buttons import tool_button
+from ..widgets.database_box import DatabaseBox
+from ..widgets.layouts import narrow
+from ..widgets.messages import Messages
+
+LOCALIZE, INSPECT, CORRECT = range(3)
+"""The tabs."""
+
+UPDATE_DATABASE = "semref:updatedatabase"
+
+_TAB_SETTING = "semref/dock/tab"
+
+
+class DockContent(QWidget):
+    """Joins the tabs with the database and with each other. ``shut_down`` before it is deleted."""
+
+    helpAsked = pyqtSignal()
+
+    def __init__(self, canvas: QgsMapCanvas, messages: Messages, shelf: DatabaseShelf) -> None:
+        super().__init__()
+        self._messages, self._shelf = messages, shelf
+        self.notice = MissingNotice()
+        self.database = DatabaseBox()
+        self.localize = LocalizeTab(canvas, self.database, messages, shelf)
+        self.inspect = InspectTab(canvas)
+        self.correct = CorrectTab(canvas)
+        self.tabs = QTabWidget()
+        self._reader = Reader(self)
+        self._lay_out()
+        self._connect()
+
+    def _lay_out(self) -> None:
+        self.tabs.setDocumentMode(True)
+        for page, title in (
+            (self.localize, tr("Localize")),
+            (self.inspect, tr("Inspect")),
+            (self.correct, tr("Correct")),
+        ):
+            self.tabs.addTab(_scrolling(page), title)
+        self.help = tool_button("/mActionHelpContents.svg", tr("User guide"))
+        self.help.setAutoRaise(True)
+        self.tabs.setCornerWidget(self.help)
+        self.tabs.setCurrentIndex(QgsSettings().value(_TAB_SETTING, LOCALIZE, type=int))
+        layout = narrow(QVBoxLayout(self))
+        layout.addWidget(self.notice)
+        layout.addWidget(self.database)
+        layout.addWidget(self.tabs, 1)
+
+    def _connect(self) -> None:
+        self.database.changed.connect(self._forget_database)
+        self.database.addToMapAsked.connect(self._add_database_to_map)
+        self.tabs.currentChanged.connect(self._remember_tab)
+        self.help.clicked.connect(self.helpAsked)
+        self.localize.modelChosen.connect(self.notice.use_model)
+        self.localize.hit.described.connect(self.inspect.compare_with)
+        self.inspect.databaseWanted.connect(self._read_database)
+        self.inspect.said.connect(self._messages.info)
+        self.correct.updateAsked.connect(self._update_database)
+        self._reader.answered.connect(self.inspect.use)
+        self._reader.failed.connect(self._messages.error)
+        self._reader.broke.connect(self._messages.bug)
+        self.notice.use_model(self.localize.images.model_path())
+
+    def shut_down(self) -> None:
+        """Cancels what runs, waits for what is being read, and clears the canvas."""
+        self._reader.shut_down()
+        for part in (self.localize, self.database, self.inspect, self.correct):
+            part.shut_down()
+
+    def _forget_database(self) -> None:
+        self._reader.forget()
+        self.inspect.use(None)
+
+    def _read_database(self) -> None:
+        """The inspected database, in the background."""
+        if not self.database.path():
+            self._messages.info(tr("Choose a database."))
+            return
+        self._reader.read(tr("Reading the database"), self._shelf.read, self.database.path())
+
+    def _add_database_to_map(self) -> None:
+        try:
+            add_database_to_map(self.database.path(), QgsProject.instance())
+        except DatabaseError as error:
+            self._messages.error(str(error))
+
+    def _update_database(self, places: QgsVectorLayer) -> None:
+        """Opens the algorithm's dialog: the corrected label map has to be chosen."""
+        from processing import execAlgorithmDialog
+
+        QgsProject.instance().addMapLayer(places)
+        execAlgorithmDialog(UPDATE_DATABASE, {"DATABASE": self.database.path(), "CHANGED": places})
+
+    def _remember_tab(self, tab: int) -> None:
+        QgsSettings().setValue(_TAB_SETTING, tab)
+
+
+def _scrolling(page: QWidget) -> QScrollArea:
+    """The dock can be made lower than a page's content, but not narrower."""
+    area = QScrollArea()
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidgetResizable(True)
+    area.setWidget(page)
+    area.setMinimumWidth(page.minimumSizeHint().width() + area.verticalScrollBar().sizeHint().width())
+    return area

@@ -1,0 +1,1 @@
+"""The tab Correct: going through the places that a check found."""

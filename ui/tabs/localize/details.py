@@ -1,0 +1,90 @@
+"""What is known of one result, in words."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import List, Optional, Tuple
+
+from qgis.core import QgsProject
+from qgis.PyQt.QtCore import QSize
+from qgis.PyQt.QtGui import QTextOption
+from qgis.PyQt.QtWidgets import QFrame, QTextEdit
+
+from ....processing.translation import tr
+from ...findings import Finding, RunnersUp, status_text
+from .position_formats import DATABASE, DEGREES, position_text
+
+_LINES, _LEAST_LINES = 6, 4
+
+
+class Details(QTextEdit):
+    """Everything about one finding, to read and to select; long paths break anywhere, so nothing is cut off."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setReadOnly(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.viewport().setAutoFillBackground(False)
+        self.setWordWrapMode(QTextOption.WrapMode.WrapAtWordBoundaryOrAnywhere)
+        self.setPlaceholderText(tr("Select a result to see its hit on the map."))
+        self._lines: List[str] = []
+
+    def show_finding(self, finding: Optional[Finding]) -> None:
+        """Everything about a finding; nothing for None."""
+        self._lines = [] if finding is None else _lines(finding)
+        self.setHtml("<br>".join(self._lines))
+
+    def add_lines(self, lines: List[str]) -> None:
+        """Lines of HTML that became known later."""
+        self.setHtml("<br>".join([*self._lines, *lines]))
+
+    def sizeHint(self) -> QSize:
+        return QSize(200, self._height_of(_LINES))
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(120, self._height_of(_LEAST_LINES))
+
+    def _height_of(self, lines: int) -> int:
+        return lines * self.fontMetrics().lineSpacing() + 2 * int(self.document().documentMargin())
+
+
+def _lines(finding: Finding) -> List[str]:
+    """Lines of HTML."""
+    how_sure = _joined(
+        (finding.confidence if finding.center is not None else None, tr("confidence {value:.2f}")),
+        (finding.error_95, tr("within {value:.2f} m (95 %)")),
+    )
+    head = f"<b>{escape(finding.name)}</b>: {escape(status_text(finding))}"
+    lines = [f"{head}, {escape(how_sure)}" if how_sure else head]
+    if finding.reason:
+        lines.append(escape(finding.reason))
+    if finding.center is not None:
+        project = QgsProject.instance()
+        lines.append(f"{tr('lon, lat')}: {position_text(finding, DEGREES, project)}")
+        lines.append(f"x, y: {position_text(finding, DATABASE, project)} ({escape(finding.crs.authid())})")
+    lines += _measures(finding)
+    return lines
+
+
+def _measures(finding: Finding) -> List[str]:
+    """Lines of what the method tells about the match; each method tells other things."""
+    lines = (
+        _joined((finding.heading, tr("heading {value:.1f}°")), (finding.pixel_size, tr("pixel size {value:.3g} m"))),
+        _joined(
+            (finding.references, tr("{value} landmarks in the image")),
+            (finding.inliers, tr("{value} agree with the map")),
+        ),
+        _joined((finding.window, tr("window {value}")), (finding.distance, tr("distance {value:.3f}"))),
+    )
+    return [escape(line) for line in lines if line]
+
+
+def _joined(*measures: Tuple[Optional[object], str]) -> str:
+    """Values that are known, each in its text."""
+    return ", ".join(text.format(value=value) for value, text in measures if value is not None)
+
+
+def runners_up_line(windows: RunnersUp) -> str:
+    """HTML: the windows after the best one, with the distances of their vectors."""
+    texts = [f"{name} ({distance:.3f})" for name, distance in zip(windows.names, windows.distances)]
+    return escape(tr("next best: {windows}").format(windows=", ".join(texts)))

@@ -1,0 +1,92 @@
+"""What is drawn over an image: its landmarks, and the star of lines that makes its topology vector."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+from qgis.PyQt.QtCore import QPointF, QRectF, Qt
+from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen
+from qgis.PyQt.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
+
+from ...canvas.marks import RED, RIM
+from ...canvas.numbers import paint_numbers, paint_ring
+from .picture import ImagePicture
+
+_LANDMARK_PX = 7
+_RING_PX, _POINTED_RING_PX = 4.0, 9.0
+
+
+class LandmarkDots(QGraphicsItem):
+    """Dots in the classes' colors that keep their size whatever the zoom; hollow where the image's edge cuts one.
+    Those that agree with the map are ringed and numbered."""
+
+    def __init__(self, picture: ImagePicture, font: QFont) -> None:
+        super().__init__()
+        objects = picture.objects
+        self._rect = QRectF(0, 0, picture.width, picture.height)
+        self._dots = [
+            (QPointF(*center), QColor(picture.colors[int(value)]), bool(cut))
+            for center, value, cut in zip(objects.centers_xy.tolist(), objects.classes, objects.touches_edge)
+        ]
+        found = [] if picture.matches is None else picture.matches.objects.tolist()
+        self.matched = [(number, self._dots[index][0]) for number, index in enumerate(found, start=1)]
+        self._font = font
+        self._pointed = 0
+
+    def point_at(self, number: int) -> None:
+        """Stresses one of the matched landmarks; 0 for none."""
+        if number != self._pointed:
+            self._pointed = number
+            self.update()
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Optional[QWidget] = None) -> None:
+        transform = painter.worldTransform()
+        painter.resetTransform()
+        for center, color, cut in self._dots:
+            painter.setPen(QPen(RIM if not cut else color, 1.5))
+            painter.setBrush(Qt.BrushStyle.NoBrush if cut else color)
+            painter.drawEllipse(transform.map(center), _LANDMARK_PX / 2, _LANDMARK_PX / 2)
+        places = [(number, transform.map(center)) for number, center in self.matched]
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(RED, 2))
+        for number, place in places:
+            painter.drawEllipse(place, _RING_PX, _RING_PX)
+            if number == self._pointed:
+                paint_ring(painter, place, _POINTED_RING_PX, RED)
+        paint_numbers(painter, self._font, places, self._pointed)
+        painter.setWorldTransform(transform)
+
+
+class VectorStar(QGraphicsItem):
+    """Lines from the center of the described square to the vector's landmarks; the first, farthest one is thicker."""
+
+    def __init__(self, picture: ImagePicture) -> None:
+        super().__init__()
+        column, row, edge = picture.square
+        self._rect = QRectF(0, 0, picture.width, picture.height)
+        self._square = QRectF(column, row, edge, edge)
+        self._center = self._square.center()
+        self._ends = [QPointF(*end) for end in picture.star.tolist()]
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Optional[QWidget] = None) -> None:
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if self._square != self._rect:
+            painter.setPen(_cosmetic(RED, 1, Qt.PenStyle.DashLine))
+            painter.drawRect(self._square)
+        for color, extra in ((RIM, 2), (RED, 0)):
+            for number, end in enumerate(self._ends):
+                painter.setPen(_cosmetic(color, (2.5 if number == 0 else 1.2) + extra))
+                painter.drawLine(self._center, end)
+
+
+def _cosmetic(color: QColor, width: float, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+    """A pen as wide on the screen whatever the zoom."""
+    pen = QPen(color, width, style)
+    pen.setCosmetic(True)
+    return pen

@@ -1,0 +1,133 @@
+"""The lower part of the dock: the table of results and what is known of the selected one."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import List, Optional
+
+from qgis.core import QgsApplication, QgsProject, QgsSettings
+from qgis.gui import QgsCollapsibleGroupBox
+from qgis.PyQt.QtCore import QByteArray, Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QVBoxLayout, QWidget
+
+from ....processing.translation import tr
+from ...findings import Finding
+from ...widgets.buttons import shortcut, split_button, tool_button
+from ...widgets.layouts import narrow, row_of
+from .details import Details
+from .image_view import ImageView
+from .position_formats import DATABASE, FORMATS, format_title, position_text, possible_formats
+from .results_table import ResultsTable
+
+_ZOOM_SETTING = "semref/dock/zoom_to_hit"
+_FORMAT_SETTING = "semref/dock/position_format"
+_PARTS_SETTING = "semref/dock/results_parts"
+
+
+class ResultsBox(QgsCollapsibleGroupBox):
+    """Emits ``findingSelected`` with a Finding or None."""
+
+    findingSelected = pyqtSignal(object)
+    keepAsked = pyqtSignal()
+    saveAsked = pyqtSignal()
+    drapeAsked = pyqtSignal(object)
+    copied = pyqtSignal(str)
+
+    def __init__(self, parent: Optional[QWidget] = None) -> None:
+        super().__init__(tr("Results"), parent)
+        self.setObjectName("SemRefResults")
+        self.table = ResultsTable()
+        self.image = ImageView()
+        self.details = Details()
+        # A picture only: in French its name is as wide as the rest of the row.
+        self.zoom = tool_button("/mActionZoomToSelected.svg", tr("Zoom to hit"), checkable=True)
+        self.zoom.setChecked(QgsSettings().value(_ZOOM_SETTING, True, type=bool))
+        self._make_buttons()
+        self._lay_out()
+        self.table.findingSelected.connect(self._select)
+        self.zoom.toggled.connect(self._remember_zoom)
+        self.before.clicked.connect(lambda: self.table.step(-1))
+        self.after.clicked.connect(lambda: self.table.step(1))
+        self.keep.clicked.connect(self.keepAsked)
+        self.save.triggered.connect(self.saveAsked)
+        self.drape.clicked.connect(self._drape)
+        self.copy.clicked.connect(self._copy_as_before)
+        self.formats.aboutToShow.connect(self._list_formats)
+        self._select(None)
+        self.keep.setEnabled(False)
+
+    def _make_buttons(self) -> None:
+        self.before = tool_button("/mActionArrowLeft.svg", tr("Image before (Alt+Up)"))
+        self.after = tool_button("/mActionArrowRight.svg", tr("Next image (Alt+Down)"))
+        for keys, button in (("Alt+Up", self.before), ("Alt+Down", self.after)):
+            shortcut(keys, self).activated.connect(button.click)
+        self.copy = split_button(tr("Copy position"), tr("Copies the position as chosen last; the arrow shows how"))
+        self.formats = QMenu(self.copy)
+        self.copy.setMenu(self.formats)
+        self.keep = split_button(
+            tr("Keep results as layer"), tr("Adds the positions to the project as a temporary point layer")
+        )
+        more = QMenu(self.keep)
+        self.save = more.addAction(tr("Save results to a file…"))
+        self.save.setToolTip(tr("Positions, footprints and possible places as one GeoPackage, opened with the project"))
+        self.keep.setMenu(more)
+        self.drape = QPushButton(tr("Lay image on map"))
+        self.drape.setToolTip(tr("Adds the image to the project as a half-transparent layer, placed by its fix"))
+
+    def _lay_out(self) -> None:
+        self.parts = QSplitter(Qt.Orientation.Vertical)
+        self.parts.setChildrenCollapsible(False)
+        for part in (self.table, self.image, self.details):
+            self.parts.addWidget(part)
+        self.parts.setStretchFactor(1, 1)
+        self.parts.restoreState(QgsSettings().value(_PARTS_SETTING, QByteArray(), type=QByteArray))
+        self.parts.splitterMoved.connect(self._remember_parts)
+        layout = narrow(QVBoxLayout(self))
+        layout.addWidget(self.parts, 1)
+        layout.addLayout(row_of(self.before, self.after, self.zoom, (self.copy, 1)))
+        layout.addLayout(row_of(self.drape, self.keep))
+
+    def show_findings(self, findings: List[Finding]) -> None:
+        """Shows these instead of those before, the first one selected."""
+        self.table.show_findings(findings)
+        self.keep.setEnabled(bool(findings))
+
+    def _select(self, finding: Optional[Finding]) -> None:
+        self.details.show_finding(finding)
+        has_position = finding is not None and finding.center is not None
+        self.copy.setEnabled(has_position)
+        self.drape.setEnabled(has_position and finding.heading is not None)
+        for button in (self.before, self.after):
+            button.setEnabled(finding is not None)
+        self.findingSelected.emit(finding)
+
+    def _remember_zoom(self, checked: bool) -> None:
+        QgsSettings().setValue(_ZOOM_SETTING, checked)
+
+    def _remember_parts(self, *_moved) -> None:
+        QgsSettings().setValue(_PARTS_SETTING, self.parts.saveState())
+
+    def _drape(self) -> None:
+        self.drapeAsked.emit(self.table.selected())
+
+    # --- copying ---
+
+    def _list_formats(self) -> None:
+        self.formats.clear()
+        finding, project = self.table.selected(), QgsProject.instance()
+        for name in [] if finding is None else possible_formats(finding, project):
+            text = position_text(finding, name, project)
+            action = self.formats.addAction(f"{format_title(name, project)}: {text}")
+            action.triggered.connect(partial(self._copy, name))
+
+    def _copy_as_before(self) -> None:
+        self._copy(QgsSettings().value(_FORMAT_SETTING, FORMATS[0], type=str))
+
+    def _copy(self, name: str, *_checked) -> None:
+        finding, project = self.table.selected(), QgsProject.instance()
+        text = "" if finding is None else position_text(finding, name, project)
+        # Where the way chosen last is not possible, the database's CRS always is.
+        text = text or position_text(finding, DATABASE, project)
+        QgsSettings().setValue(_FORMAT_SETTING, name)
+        QgsApplication.clipboard().setText(text)
+        self.copied.emit(text)

@@ -1,0 +1,122 @@
+"""The selected result: marked on the map, its image drawn beside it, both joined by the landmarks that agree."""
+
+from __future__ import annotations
+
+import os
+from typing import Optional
+
+from qgis.core import QgsProject
+from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ....core.errors import LabelMapError
+from ....processing.compat import wkt_for_gdal
+from ....processing.translation import tr
+from ...canvas.drapes import add_placed, place_image
+from ...canvas.highlight import HitHighlight
+from ...canvas.match_marks import MatchMarks
+from ...findings import Finding
+from ...running.background import DatabaseShelf, Reader
+from ...widgets.messages import Messages
+from .details import runners_up_line
+from .picture import ImagePicture, PictureShelf
+from .results import ResultsBox
+
+
+class ShownHit(QObject):
+    """Follows the selection of a ResultsBox. ``shut_down`` before it is deleted.
+
+    described: name and topology vector of the selected image; None where it has none.
+    """
+
+    described = pyqtSignal(str, object)
+
+    def __init__(self, canvas: QgsMapCanvas, results: ResultsBox, messages: Messages, shelf: DatabaseShelf) -> None:
+        super().__init__(results)
+        self._results, self._messages = results, messages
+        self.highlight = HitHighlight(canvas)
+        self.matches = MatchMarks(canvas)
+        self._pictures = PictureShelf(shelf)
+        self._picture_reader = Reader(self)
+        self._drape_reader = Reader(self)
+        self._database = self._model = self._draped_name = ""
+        self._connect()
+
+    def _connect(self) -> None:
+        self._results.findingSelected.connect(self._show)
+        self._results.zoom.toggled.connect(self._zoom_if_asked)
+        self._results.drapeAsked.connect(self.drape)
+        self._results.image.pointed.connect(self._point_at)
+        self.matches.pointed.connect(self._point_at)
+        self._picture_reader.answered.connect(self._show_picture)
+        self._picture_reader.failed.connect(self._results.image.clear)
+        self._drape_reader.answered.connect(self._show_drape)
+        self._drape_reader.failed.connect(self._messages.error)
+        for reader in (self._picture_reader, self._drape_reader):
+            reader.broke.connect(self._messages.bug)
+
+    def shut_down(self) -> None:
+        """Takes everything off the canvas, and waits for what is being read."""
+        for reader in (self._picture_reader, self._drape_reader):
+            reader.shut_down()
+        for marks in (self.matches, self.highlight):
+            marks.remove()
+
+    def use(self, database: str, model: str) -> None:
+        """Paths of what the results that come now were found with; ``model`` is empty for label images."""
+        self._database, self._model = database, model
+
+    def set_visible(self, visible: bool) -> None:
+        """Whether the canvas shows it."""
+        for marks in (self.highlight, self.matches):
+            marks.set_visible(visible)
+
+    # --- the selected one ---
+
+    def _show(self, finding: Optional[Finding]) -> None:
+        if not self.highlight.show(finding):
+            self._messages.warning(
+                tr("The hit lies outside the area of the project’s CRS; choose another one to see it.")
+            )
+        self._zoom_if_asked()
+        self.matches.clear()
+        self._picture_reader.forget()
+        self.described.emit("", None)
+        if finding is None:
+            self._results.image.clear(tr("The selected image appears here."))
+            return
+        self._results.image.clear(tr("Reading…"))
+        arguments = finding.hit, self._database, self._model
+        self._picture_reader.read(tr("Reading an image"), self._pictures.read, *arguments)
+
+    def _show_picture(self, picture: ImagePicture) -> None:
+        self._results.image.show_picture(picture)
+        self.described.emit(os.path.basename(picture.path), picture.vector)
+        if picture.matches is not None:
+            self.matches.show(picture.matches, self._results.table.selected().crs)
+        if picture.runners_up is not None:
+            self.highlight.show_runners_up(picture.runners_up)
+            self._results.details.add_lines([runners_up_line(picture.runners_up)])
+
+    def _zoom_if_asked(self) -> None:
+        if self._results.zoom.isChecked():
+            self.highlight.zoom()
+
+    def _point_at(self, number: int) -> None:
+        """One of the matched landmarks, in the image and on the map."""
+        self._results.image.point_at(number)
+        self.matches.point_at(number)
+
+    # --- laid on the map ---
+
+    def drape(self, finding: Finding) -> None:
+        """Lays the image on the map as its fix says."""
+        self._draped_name = finding.name
+        arguments = finding.image, finding.hit.footprint, wkt_for_gdal(finding.crs)
+        self._drape_reader.read(tr("Laying an image on the map"), place_image, *arguments)
+
+    def _show_drape(self, placed: str) -> None:
+        try:
+            add_placed(placed, self._draped_name, self._database, QgsProject.instance())
+        except LabelMapError as error:
+            self._messages.error(str(error))

@@ -1,0 +1,212 @@
+"""The dock's first tab: images in, localized in the background, each hit shown on the map."""
+
+from __future__ import annotations
+
+import os
+from typing import List
+
+from qgis.core import QgsProject, QgsSettings
+from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtWidgets import QFileDialog, QProgressBar, QPushButton, QVBoxLayout, QWidget
+
+from ....core.errors import ParameterError
+from ....processing.exchange.results_file import open_results, write_results
+from ....processing.translation import tr
+from ...findings import FIX, ResultLayers, read_findings
+from ...project_state import DockState
+from ...running.background import DatabaseShelf
+from ...running.localization_run import LocalizationRun
+from ...widgets.database_box import DatabaseBox
+from ...widgets.layouts import MARGIN_PX
+from ...widgets.messages import Messages
+from ...widgets.status_line import StatusLine
+from .inputs import ImageBox, MethodRow
+from .prior_row import PriorRow
+from .results import ResultsBox
+from .shown_hit import ShownHit
+
+_RESULTS_FOLDER_SETTING = "semref/dock/results_folder"
+
+
+class LocalizeTab(QWidget):
+    """Localizes in the database that ``database`` has chosen. ``shut_down`` before it is deleted.
+
+    modelChosen: the path of the network for photos, empty for label images; found: a sentence when a run has results.
+    """
+
+    modelChosen = pyqtSignal(str)
+    found = pyqtSignal(str)
+
+    def __init__(self, canvas: QgsMapCanvas, database: DatabaseBox, messages: Messages, shelf: DatabaseShelf) -> None:
+        super().__init__()
+        self._database, self._messages = database, messages
+        self._layers = ResultLayers()
+        self._results_file = self._model_used = ""
+        self.run = LocalizationRun(self)
+        self.images = ImageBox()
+        self.method = MethodRow()
+        self.prior = PriorRow(canvas)
+        self.localize_button = QPushButton()
+        self.progress = QProgressBar()
+        self.state = StatusLine()
+        self.results = ResultsBox()
+        self.hit = ShownHit(canvas, self.results, messages, shelf)
+        self._lay_out()
+        self._connect()
+        self._show_idle()
+
+    def _lay_out(self) -> None:
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, MARGIN_PX, 0, 0)
+        for widget in (self.images, self.method, self.prior, self.localize_button, self.progress, self.state):
+            layout.addWidget(widget)
+        layout.addWidget(self.results, 1)
+
+    def _connect(self) -> None:
+        self._database.changed.connect(self._show_idle)
+        self.images.changed.connect(self._show_idle)
+        self.images.refused.connect(self._refuse_layers)
+        self.localize_button.clicked.connect(self._localize_or_cancel)
+        self.results.keepAsked.connect(self._keep_results)
+        self.results.saveAsked.connect(self._save_results)
+        self.results.copied.connect(self._show_copied)
+        self.run.progressed.connect(self._show_progress)
+        self.run.said.connect(self.state.show_text)
+        self.run.logged.connect(self._messages.log)
+        self.run.found.connect(self._show_found)
+        self.run.failed.connect(self._messages.error)
+        self.run.broke.connect(self._messages.bug)
+        for ended in (self.run.failed, self.run.broke, self.run.canceled):
+            ended.connect(self._show_idle)
+        self.run.canceled.connect(self._show_canceled)
+
+    def shut_down(self) -> None:
+        """Cancels what runs and clears the canvas."""
+        self.run.abandon()
+        self.hit.shut_down()
+        self.prior.shut_down()
+        self._layers = ResultLayers()
+
+    # --- the project ---
+
+    def state_now(self) -> DockState:
+        """What a project keeps of the tab, and of the database that it works with."""
+        return DockState(
+            self._database.path(),
+            self.images.model_path(),
+            self.method.method(),
+            self.images.paths(),
+            self.results.image.opacity.value(),
+            self._results_file,
+            self.prior.circle(),
+        )
+
+    def show_state(self, state: DockState) -> None:
+        """Brings everything back as it was when ``state`` was taken, but for results that are gone, which it says."""
+        self.run.cancel()
+        self._show_layers(ResultLayers(), "", state.model)
+        self.method.choose(state.method)
+        self._database.file.setFilePath(state.database)
+        self.images.model.setFilePath(state.model)
+        self.images.list.show_only(state.images)
+        self.results.image.opacity.setValue(state.opacity)
+        self.prior.restore(state.prior)
+        if not state.results:
+            return
+        try:
+            self._show_layers(ResultLayers(*open_results(state.results)), state.results, state.model)
+        except ParameterError as error:
+            self._messages.warning(str(error))
+
+    # --- running ---
+
+    def _localize_or_cancel(self) -> None:
+        if self.run.running:
+            self.localize_button.setEnabled(False)
+            self.state.show_text(tr("Canceling…"))
+            self.run.cancel()
+            return
+        settings = self.prior.parameters()
+        if self.images.model_path():
+            settings["MODEL"] = self.images.model_path()
+        if self.run.start(self._database.path(), self.images.paths(), self.method.method(), settings):
+            self._model_used = self.images.model_path()
+            self._set_running(True)
+            self.state.show_text(tr("Starting…"))
+
+    def _set_running(self, running: bool) -> None:
+        for part in (self._database, self.images, self.method, self.prior):
+            part.setEnabled(not running)
+        self.progress.setVisible(running)
+        self.progress.setValue(0)
+        self.localize_button.setText(tr("Cancel") if running else tr("Localize"))
+        self.localize_button.setEnabled(running or self._is_ready())
+
+    def _is_ready(self) -> bool:
+        return bool(self._database.path() and self.images.paths())
+
+    def _show_idle(self, *_) -> None:
+        self.modelChosen.emit(self.images.model_path())
+        self._set_running(False)
+        if self._is_ready():
+            self.state.show_text(tr("Ready to localize."))
+        elif self.images.paths():
+            self.state.show_text(tr("Choose a database."))
+        elif self._database.path():
+            self.state.show_text(tr("Add images."))
+        else:
+            self.state.show_text(tr("Choose a database and add images."))
+
+    def _show_progress(self, percent: float) -> None:
+        self.progress.setValue(round(percent))
+
+    def _show_canceled(self) -> None:
+        self.state.show_text(tr("Canceled."))
+
+    # --- results ---
+
+    def _show_found(self, layers: ResultLayers) -> None:
+        self._set_running(False)
+        self._show_layers(layers, "", self._model_used)
+        self.found.emit(self.state.text_shown)
+
+    def _show_layers(self, layers: ResultLayers, file: str, model: str) -> None:
+        """``file``: that holds them, empty for layers in memory; ``model``: that made labels of the photos."""
+        self._layers, self._results_file, self._model_used = layers, file, model
+        self.hit.use(self._database.path(), model)
+        findings = read_findings(layers)
+        if findings:
+            fixes = sum(1 for finding in findings if finding.status == FIX)
+            self.state.show_text(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(findings)))
+        self.results.show_findings(findings)
+
+    def _keep_results(self) -> None:
+        # A copy: the user may remove the layer and keep the results again.
+        QgsProject.instance().addMapLayer(self._layers.positions.clone())
+        self._messages.info(tr("The positions are a temporary layer of the project now; export it to keep them."))
+
+    def _save_results(self) -> None:
+        folder = QgsSettings().value(_RESULTS_FOLDER_SETTING, "", type=str)
+        path, _ = QFileDialog.getSaveFileName(self, tr("Save results"), folder, tr("GeoPackage (*.gpkg)"))
+        if not path:
+            return
+        path = path if path.lower().endswith(".gpkg") else f"{path}.gpkg"
+        QgsSettings().setValue(_RESULTS_FOLDER_SETTING, os.path.dirname(path))
+        try:
+            write_results(path, self._layers)
+            positions = open_results(path)[0]
+        except ParameterError as error:
+            self._messages.error(str(error))
+            return
+        self._results_file = path
+        positions.setName(os.path.splitext(os.path.basename(path))[0])
+        QgsProject.instance().addMapLayer(positions)
+        self._messages.info(tr("Saved; the dock shows these results again when this project is opened."))
+
+    def _show_copied(self, text: str) -> None:
+        self.state.show_text(tr("Copied: {command}").format(command=text))
+
+    def _refuse_layers(self, names: List[str]) -> None:
+        sentence = tr("{layers}: not added, because a layer has to be one file of an image.")
+        self._messages.warning(sentence.format(layers=", ".join(names)))

@@ -1,0 +1,106 @@
+"""Which database the dock works with: a file, or one whose layers the project has."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+from qgis.core import QgsApplication, QgsProject, QgsSettings
+from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
+from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
+from qgis.PyQt.QtWidgets import QComboBox, QVBoxLayout, QWidget
+
+from ...processing.translation import tr
+from ..layer_files import dropped_files, project_databases
+from ..project_state import DATABASE_SETTING, remembered_database
+from .buttons import tool_button
+from .layouts import narrow, row_of
+
+
+class DatabaseBox(QgsCollapsibleGroupBox):
+    """The chosen database, remembered from session to session; ``chosen`` is its path for other threads.
+
+    A file, or one whose layers the project has; a file or layer can be dropped. ``shut_down`` before it is deleted.
+    """
+
+    changed = pyqtSignal()
+    addToMapAsked = pyqtSignal()
+
+    def __init__(self, parent: Optional[QWidget] = None) -> None:
+        super().__init__(tr("Reference database"), parent)
+        self.setObjectName("SemRefDatabase")
+        self.setAcceptDrops(True)
+        self.file = QgsFileWidget()
+        self.file.setFilter(tr("GeoPackage (*.gpkg)"))
+        self.file.setDialogTitle(tr("Choose a reference database"))
+        self.file.lineEdit().setPlaceholderText(tr("Choose a GeoPackage"))
+        self.file.setFilePath(remembered_database())
+        self.in_project = QComboBox()
+        self.in_project.setToolTip(tr("Databases whose layers are in the project"))
+        self.in_project.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.in_project.setMinimumContentsLength(8)
+        self.add_to_map = tool_button("/mActionAddLayer.svg", tr("Add database to map"))
+        layout = narrow(QVBoxLayout(self))
+        layout.addLayout(row_of((self.file, 1), self.add_to_map))
+        layout.addWidget(self.in_project)
+        self.chosen = self.path()
+        self.file.fileChanged.connect(self._remember)
+        self.in_project.activated.connect(self._choose_in_project)
+        self.add_to_map.clicked.connect(self.addToMapAsked)
+        self.add_to_map.setEnabled(bool(self.path()))
+        # Layers come into the project before they come into its tree, which has the names of their groups.
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self.list_databases)
+        project = QgsProject.instance()
+        project.layersAdded.connect(self._list_soon)
+        project.layersRemoved.connect(self._list_soon)
+        self.list_databases()
+
+    def shut_down(self) -> None:
+        """Stops following the project."""
+        project = QgsProject.instance()
+        project.layersAdded.disconnect(self._list_soon)
+        project.layersRemoved.disconnect(self._list_soon)
+        self._soon.stop()
+
+    def path(self) -> str:
+        """Of the chosen database; empty without one."""
+        return self.file.filePath().strip()
+
+    def _list_soon(self, *_layers) -> None:
+        self._soon.start(0)
+
+    def list_databases(self) -> None:
+        """Offers the databases whose layers the project has now; nothing is shown where it has none."""
+        self.in_project.clear()
+        self.in_project.addItem(tr("In the project…"), "")
+        for path, name in project_databases(QgsProject.instance()).items():
+            self.in_project.addItem(QgsApplication.getThemeIcon("/mIconVector.svg"), name, path)
+            self.in_project.setItemData(self.in_project.count() - 1, path, Qt.ItemDataRole.ToolTipRole)
+        self.in_project.setVisible(self.in_project.count() > 1)
+        self._show_in_project()
+
+    def _show_in_project(self) -> None:
+        self.in_project.setCurrentIndex(max(0, self.in_project.findData(self.path())))
+
+    def _choose_in_project(self, row: int) -> None:
+        if self.in_project.itemData(row):
+            self.file.setFilePath(self.in_project.itemData(row))
+
+    def _remember(self) -> None:
+        self.chosen = self.path()
+        QgsSettings().setValue(DATABASE_SETTING, self.chosen)
+        self.add_to_map.setEnabled(bool(self.path()))
+        self._show_in_project()
+        self.changed.emit()
+
+    # --- QWidget ---
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(dropped_files(event.mimeData())[0]):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        self.file.setFilePath(dropped_files(event.mimeData())[0][0])
+        event.acceptProposedAction()
