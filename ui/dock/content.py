@@ -9,6 +9,7 @@ from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QW
 
 from ...core.errors import DatabaseError
 from ...processing.translation import tr
+from ...processing.wording.sentences import worded
 from ..canvas.database_layers import add_database_to_map
 from ..packages.missing_notice import MissingNotice
 from ..running.background import DatabaseShelf, Reader
@@ -99,7 +100,7 @@ class DockContent(QWidget):
         try:
             add_database_to_map(self.database.path(), QgsProject.instance())
         except DatabaseError as error:
-            self._messages.error(str(error))
+            self._messages.error(worded(error))
 
     def _update_database(self, places: QgsVectorLayer) -> None:
         """Opens the algorithm's dialog: the corrected label map has to be chosen."""

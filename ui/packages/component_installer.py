@@ -10,6 +10,7 @@ from qgis.PyQt.QtCore import QObject, QProcess, QProcessEnvironment, pyqtSignal
 from ...core.errors import SemRefError
 from ...processing.packages.components import Package, add_components_to_path
 from ...processing.packages.install import Answer, Command, Commands, installing
+from ...processing.wording.sentences import worded
 
 _KILLED_WITHIN_MS = 5000
 
@@ -58,7 +59,7 @@ class ComponentInstaller(QObject):
         try:
             self._commands.close()
         except SemRefError as error:
-            self._end(self.failed, str(error))
+            self._end(self.failed, worded(error))
         else:
             self._end(self.canceled)
 
@@ -68,7 +69,7 @@ class ComponentInstaller(QObject):
         except StopIteration:
             self._end(self.installed)
         except SemRefError as error:
-            self._end(self.failed, str(error))
+            self._end(self.failed, worded(error))
         except Exception:
             self._end(self.broke, traceback.format_exc())
         else:

@@ -12,6 +12,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....core.errors import LabelMapError
 from ....processing.compat import wkt_for_gdal
 from ....processing.translation import tr
+from ....processing.wording.sentences import worded
 from ...canvas.drapes import add_placed, place_image
 from ...canvas.highlight import HitHighlight
 from ...canvas.match_marks import MatchMarks
@@ -119,4 +120,4 @@ class ShownHit(QObject):
         try:
             add_placed(placed, self._draped_name, self._database, QgsProject.instance())
         except LabelMapError as error:
-            self._messages.error(str(error))
+            self._messages.error(worded(error))

@@ -13,6 +13,7 @@ from qgis.PyQt.QtWidgets import QFileDialog, QProgressBar, QPushButton, QVBoxLay
 from ....core.errors import ParameterError
 from ....processing.exchange.results_file import open_results, write_results
 from ....processing.translation import tr
+from ....processing.wording.sentences import worded
 from ...findings import FIX, ResultLayers, read_findings
 from ...project_state import DockState
 from ...running.background import DatabaseShelf
@@ -117,7 +118,7 @@ class LocalizeTab(QWidget):
         try:
             self._show_layers(ResultLayers(*open_results(state.results)), state.results, state.model)
         except ParameterError as error:
-            self._messages.warning(str(error))
+            self._messages.warning(worded(error))
 
     # --- running ---
 
@@ -197,7 +198,7 @@ class LocalizeTab(QWidget):
             write_results(path, self._layers)
             positions = open_results(path)[0]
         except ParameterError as error:
-            self._messages.error(str(error))
+            self._messages.error(worded(error))
             return
         self._results_file = path
         positions.setName(os.path.splitext(os.path.basename(path))[0])
