@@ -43,6 +43,7 @@ VERDICTS = ("hardly_ever", "sometimes", "often", "reliably", "very_reliably")
 
 class AssessDatabase(AssessAlgorithm):
     ID = "assessdatabase"
+    BY_VALUES = False
     GROUP = LOCALIZATION
     TAGS = ("coverage", "planning", "success", "probability", "footprint", "mission", "map", "look-alikes")
 

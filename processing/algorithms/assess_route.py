@@ -56,6 +56,7 @@ class RouteParameter(QgsProcessingParameterFeatureSource):
 
 class AssessRoute(AssessAlgorithm):
     ID = "assessroute"
+    BY_VALUES = False
     GROUP = LOCALIZATION
     TAGS = ("flight plan", "mission", "waypoints", "gpx", "kml", "qgroundcontrol", "planning", "gap", "profile")
 

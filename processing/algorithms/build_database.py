@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from qgis.core import (
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterLayer,
-    QgsProcessingParameterString,
-)
+from typing import TYPE_CHECKING, Dict, Tuple
 
 from ...core.errors import ClassTableError, ParameterError
-from ...core.labels.class_table import split_list
-from ..framework.base import REFERENCE_DATABASE, SemRefAlgorithm, check_canceled, follow
+from ..framework import offers
+from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
+from ..framework.declarations import FileOutput, Number, NumberResult, Text
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...core.database.build import BuildSettings, DatabaseBuilder
+    from ...core.database.model import ReferenceDatabase
+    from ...core.geometry.frame import MapFrame
+    from ...core.labels.class_table import ClassTable
+    from ...storage.rasters import GdalLabels
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
 
 
 class BuildDatabase(SemRefAlgorithm):
@@ -45,106 +51,111 @@ class BuildDatabase(SemRefAlgorithm):
             "get no vector; the log says how many."
         )
 
-    def initAlgorithm(self, config=None):
-        number = QgsProcessingParameterNumber
-        self.offer(
-            QgsProcessingParameterRasterLayer(self.LABELS, tr("Label map")),
-            tr("Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it."),
-        )
-        self.offer(
-            QgsProcessingParameterString(self.REFERENCE_CLASSES, tr("Reference classes"), optional=True),
-            tr(
-                "Classes whose regions are landmarks: names or values separated by “;”, for example "
-                "building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table."
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            offers.label_map(
+                tr("Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it.")
             ),
-        )
-        self.offer(
-            number(self.WINDOW_SIZE, tr("Window size (map units)"), number.Double, 1280.0, minValue=0.001),
-            tr("Edge length of a window on the ground: about what an image shows."),
-        )
-        self.offer(
-            number(self.STRIDE, tr("Stride (map units)"), number.Double, 350.0, minValue=0.001),
-            tr("Distance from window to window; at most the window size."),
-        )
-        self.offer(
-            QgsProcessingParameterString(self.LEVELS, tr("Levels"), "1", optional=True),
-            tr(
-                "Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for "
-                "flights twice as high."
+            offers.reference_classes(
+                tr(
+                    "Classes whose regions are landmarks: names or values separated by “;”, for example "
+                    "building;bare_land;water. If left out, the classes with the role “reference” in the map’s class "
+                    "table."
+                )
             ),
-            advanced=True,
-        )
-        self.offer(
-            number(
-                self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), number.Integer, 10, minValue=3, maxValue=1000
+            Number(
+                self.WINDOW_SIZE,
+                tr("Window size (map units)"),
+                tr("Edge length of a window on the ground: about what an image shows."),
+                default=1280.0,
+                minimum=0.001,
             ),
-            tr("How many of the landmarks nearest to the center a vector holds."),
-            advanced=True,
+            Number(
+                self.STRIDE,
+                tr("Stride (map units)"),
+                tr("Distance from window to window; at most the window size."),
+                default=350.0,
+                minimum=0.001,
+            ),
+            Text(
+                self.LEVELS,
+                tr("Levels"),
+                tr(
+                    "Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for "
+                    "flights twice as high."
+                ),
+                optional=True,
+                advanced=True,
+                default="1",
+            ),
+            Number(
+                self.REFERENCES_PER_VECTOR,
+                tr("Landmarks per vector"),
+                tr("How many of the landmarks nearest to the center a vector holds."),
+                advanced=True,
+                default=10,
+                minimum=3,
+                maximum=1000,
+                is_integer=True,
+            ),
+            Number(
+                self.MINIMUM_AREA,
+                tr("Minimum area (m²)"),
+                tr("Smaller regions are no landmarks."),
+                default=100.0,
+                minimum=0.0,
+            ),
+            FileOutput(
+                self.DATABASE,
+                tr("Reference database"),
+                tr("One GeoPackage with the layers windows, references, overview, classes and parameters."),
+                filter=tr("GeoPackage (*.gpkg)"),
+            ),
+            NumberResult(self.WINDOW_COUNT, tr("Number of windows")),
+            NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
-        self.offer(
-            number(self.MINIMUM_AREA, tr("Minimum area (m²)"), number.Double, 100.0, minValue=0.0),
-            tr("Smaller regions are no landmarks."),
-        )
-        self.offer(
-            QgsProcessingParameterFileDestination(self.DATABASE, tr("Reference database"), tr("GeoPackage (*.gpkg)")),
-            tr("One GeoPackage with the layers windows, references, overview, classes and parameters."),
-        )
-        self.addOutput(QgsProcessingOutputNumber(self.WINDOW_COUNT, tr("Number of windows")))
-        self.addOutput(QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")))
 
-    def checkParameterValues(self, parameters, context):
-        possible, reason = super().checkParameterValues(parameters, context)
-        if not possible:
-            return False, reason
-        size = self.parameterAsDouble(parameters, self.WINDOW_SIZE, context)
-        stride = self.parameterAsDouble(parameters, self.STRIDE, context)
+    def check(self, values: Values) -> None:
+        size, stride = values.number(self.WINDOW_SIZE), values.number(self.STRIDE)
         if stride > size:
-            return False, tr(
+            sentence = tr(
                 "The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be "
                 "missed; make the stride at most the window size."
-            ).format(stride=stride, size=size)
-        return True, ""
+            )
+            raise ParameterError(sentence.format(stride=stride, size=size))
 
-    def read_layers(self, parameters, context, feedback):
-        from ..exchange.layers import label_map_layer
+    def read_layers(self, values: Values) -> None:
+        self._layer = values.label_map(self.LABELS)
 
-        self._layer = label_map_layer(self.parameterAsRasterLayer(parameters, self.LABELS, context), self.LABELS)
-
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
         from ...core.database.build import DatabaseBuilder
         from ...storage.database.writer import DatabaseWriter
-        from ...storage.files import written_beside
         from ...storage.rasters import GdalLabels, HeldLabels
         from ..exchange.layers import map_frame
         from ..exchange.reference_systems import longitudes_latitudes
         from ..exchange.styles import database_styles
 
-        output = self.parameterAsFileOutput(parameters, self.DATABASE, context)
         labels = GdalLabels(self._layer.path)
         frame = map_frame(labels, self._layer)
-        table = self._table(parameters, context, feedback, labels)
-        settings = self._settings(parameters, context)
+        table = self._table(values, labels, feedback)
+        settings = self._settings(values)
         held = HeldLabels(labels)
         builder = DatabaseBuilder(labels, frame, table, settings, plugin_version())
         self._say_rounding(builder, frame, settings, feedback)
-        with written_beside(output) as temporary:
+        with outputs.file(self.DATABASE) as path:
             follow(held.steps(), feedback, 0, 10)
             builder.read_from(held.source)
             follow(builder.steps(), feedback, 10, 75)
             follow(builder.compare_windows(), feedback, 75, 85)
             database = builder.database
-            degrees = longitudes_latitudes(database.windows.centers, self._layer.crs, context.transformContext())
+            degrees = longitudes_latitudes(database.windows.centers, self._layer.crs, values.transform_context)
             styles = database_styles(database.class_table)
-            writer = DatabaseWriter(temporary, database, *degrees, builder.overview, styles)
+            writer = DatabaseWriter(path, database, *degrees, builder.overview, styles)
             follow(writer.steps(), feedback, 85, 100)
         self._say_result(database, feedback)
-        return {
-            self.DATABASE: output,
-            self.WINDOW_COUNT: len(database.windows),
-            self.REFERENCE_COUNT: len(database.references),
-        }
+        return {self.WINDOW_COUNT: len(database.windows), self.REFERENCE_COUNT: len(database.references)}
 
-    def _table(self, parameters, context, feedback, labels):
+    def _table(self, values: Values, labels: GdalLabels, feedback: QgsProcessingFeedback) -> ClassTable:
         """The map's class table with the asked reference classes."""
         from ...storage.rasters import class_table_of_map, class_table_of_values, count_values
 
@@ -153,30 +164,31 @@ class BuildDatabase(SemRefAlgorithm):
             table = class_table_of_values(count_values(labels, feedback.isCanceled))
             check_canceled(feedback)
             feedback.pushInfo(tr("The label map brings no class names; its classes are named by their values."))
-        chosen = split_list(self.parameterAsString(parameters, self.REFERENCE_CLASSES, context))
+        chosen = values.parts(self.REFERENCE_CLASSES)
         try:
             return (table.with_references(chosen) if chosen else table).require_references()
         except ClassTableError as error:
             raise ParameterError(f"{self.REFERENCE_CLASSES}: {error}") from None
 
-    def _settings(self, parameters, context):
+    def _settings(self, values: Values) -> BuildSettings:
         from ...core.database.build import BuildSettings
 
-        texts = split_list(self.parameterAsString(parameters, self.LEVELS, context)) or ["1"]
-        try:
-            levels = tuple(float(text) for text in texts)
-        except ValueError:
-            raise ParameterError(f"LEVELS: “{';'.join(texts)}” is not a list of numbers such as 1;2.") from None
         return BuildSettings(
-            self.parameterAsDouble(parameters, self.WINDOW_SIZE, context),
-            self.parameterAsDouble(parameters, self.STRIDE, context),
-            self.parameterAsDouble(parameters, self.MINIMUM_AREA, context),
-            levels,
-            self.parameterAsInt(parameters, self.REFERENCES_PER_VECTOR, context),
+            values.number(self.WINDOW_SIZE),
+            values.number(self.STRIDE),
+            values.number(self.MINIMUM_AREA),
+            tuple(values.numbers(self.LEVELS)) or (1.0,),
+            values.integer(self.REFERENCES_PER_VECTOR),
             threads=worker_threads(),
         )
 
-    def _say_rounding(self, builder, frame, settings, feedback):
+    def _say_rounding(
+        self,
+        builder: DatabaseBuilder,
+        frame: MapFrame,
+        settings: BuildSettings,
+        feedback: QgsProcessingFeedback,
+    ) -> None:
         for level, grid in zip(settings.levels, builder.grids):
             size, stride = grid.size * frame.pixel_size, grid.stride * frame.pixel_size
             asked = settings.window_size * level, settings.stride * level
@@ -187,7 +199,7 @@ class BuildDatabase(SemRefAlgorithm):
                     )
                 )
 
-    def _say_result(self, database, feedback):
+    def _say_result(self, database: ReferenceDatabase, feedback: QgsProcessingFeedback) -> None:
         windows = database.windows
         lacking = int((~windows.described).sum())
         feedback.pushInfo(

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 from collections import Counter
-
-from qgis.core import (
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-)
+from typing import TYPE_CHECKING, Dict, List, Tuple
 
 from ...core.annotation.findings import CHECKED_KINDS, ERROR
-from ..compat import MULTI_POLYGON, SOURCE_POLYGON, wkt_for_gdal
-from ..framework.annotation import AnnotationAlgorithm, geometry_of
-from ..framework.base import cancelable, check_canceled, follow, interruptible
-from ..framework.sinks import Sink
+from ..compat import MULTI_POLYGON, wkt_for_gdal
+from ..framework import offers
+from ..framework.annotation import AnnotationAlgorithm, geometry_of, pixel_grid, union_of_bounds
+from ..framework.base import Declared, cancelable, check_canceled, follow, interruptible
+from ..framework.declarations import Number, NumberResult, PolygonOutput
 from ..packages.components import OPENCV, SHAPELY
 from ..translation import tr
 from ..wording.annotation_messages import FIELDS, row_of, sentence
-from .rasterize_annotation import pixel_grid, union_of_bounds
+
+if TYPE_CHECKING:
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
+
+    from ...core.annotation.findings import Finding
+    from ...core.annotation.polygons import AnnotatedFeature
+    from ..exchange.annotation import ClassLookup
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
 
 READ, CHECKED, BURNT, DONE = 20.0, 70.0, 90.0, 95.0
 """Percent of the progress after reading, checking, burning at a pixel size, and looking at the pixels."""
@@ -51,91 +54,89 @@ class CheckAnnotation(AnnotationAlgorithm):
             "mends most of it."
         )
 
-    def initAlgorithm(self, config=None):
-        self.offer_annotation()
-        number = QgsProcessingParameterNumber
-        self.offer(
-            number(self.MINIMUM_AREA, tr("Minimum area (m²)"), number.Double, 100.0, optional=True, minValue=0.0),
-            tr("Smaller landmarks are reported: “Build reference database” leaves them out."),
-        )
-        self.offer(
-            number(self.PIXEL_SIZE, tr("Pixel size (m)"), number.Double, None, optional=True, minValue=0.001),
-            tr(
-                "The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge "
-                "or split are reported too. Not looked at if left out."
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            *offers.annotation(),
+            Number(
+                self.MINIMUM_AREA,
+                tr("Minimum area (m²)"),
+                tr("Smaller landmarks are reported: “Build reference database” leaves them out."),
+                optional=True,
+                default=100.0,
+                minimum=0.0,
             ),
-        )
-        self.offer(
-            number(self.MAXIMUM_GAP, tr("Largest gap (m²)"), number.Double, 1.0, minValue=0.0),
-            tr("Uncovered places up to this area, enclosed by polygons, are gaps; thin ones are at any area."),
-            advanced=True,
-        )
-        self.offer(
-            QgsProcessingParameterFeatureSink(self.ISSUES, tr("Issues"), SOURCE_POLYGON),
-            tr("One feature a finding, in the coordinate reference system of the label map."),
-        )
-        self.offer(
-            QgsProcessingParameterFileDestination(
-                self.REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=False
+            Number(
+                self.PIXEL_SIZE,
+                tr("Pixel size (m)"),
+                tr(
+                    "The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, "
+                    "merge or split are reported too. Not looked at if left out."
+                ),
+                optional=True,
+                minimum=0.001,
             ),
-            tr("Findings by kind and class in one file to read and print."),
+            Number(
+                self.MAXIMUM_GAP,
+                tr("Largest gap (m²)"),
+                tr("Uncovered places up to this area, enclosed by polygons, are gaps; thin ones are at any area."),
+                advanced=True,
+                default=1.0,
+                minimum=0.0,
+            ),
+            PolygonOutput(
+                self.ISSUES,
+                tr("Issues"),
+                tr("One feature a finding, in the coordinate reference system of the label map."),
+            ),
+            offers.report(tr("Findings by kind and class in one file to read and print."), by_default=False),
+            NumberResult(self.ISSUE_COUNT, tr("Number of findings")),
+            NumberResult(self.ERROR_COUNT, tr("Number of errors")),
         )
-        self.addOutput(QgsProcessingOutputNumber(self.ISSUE_COUNT, tr("Number of findings")))
-        self.addOutput(QgsProcessingOutputNumber(self.ERROR_COUNT, tr("Number of errors")))
 
-    def work(self, parameters, context, feedback):
-        from ..exchange.output_style import style_output
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
         from ..exchange.styles import issues_renderer
+        from ..reports.annotation_report import AnnotationReport
 
-        lookup = self.classes(parameters, context, feedback)
-        crs = self.label_map_crs(context, feedback)
-        reading = self.read_features(lookup, crs, context, feedback, READ)
-        findings = reading.findings + self._checked(reading.features, lookup, parameters, context, feedback, crs)
+        lookup = self.classes(values, feedback)
+        crs = self.label_map_crs(values, feedback)
+        reading = self.read_features(values, lookup, crs, feedback, READ)
+        findings = reading.findings + self._checked(values, reading.features, lookup, crs, feedback)
         findings.sort(key=lambda finding: CHECKED_KINDS.index(finding.kind))
         feedback.setProgress(DONE)
-        # Sinks are made last: a cancel before leaves nothing behind.
+        # Outputs are made last: a cancel before leaves nothing behind.
         check_canceled(feedback)
         names = {c.value: c.name for c in lookup.table}
-        sink = Sink(self, parameters, self.ISSUES, context, FIELDS, MULTI_POLYGON, crs)
-        for finding in findings:
-            sink.add(geometry_of(finding.wkb, multi=True), row_of(finding, sentence(finding, names)))
+        with outputs.layer(self.ISSUES, FIELDS, MULTI_POLYGON, crs, issues_renderer()) as sink:
+            for finding in findings:
+                sink.add(geometry_of(finding.wkb, multi=True), row_of(finding, sentence(finding, names)))
         for (kind, severity), number in Counter((f.kind, f.severity) for f in findings).items():
             feedback.pushInfo(f"{kind} ({severity}): {number}")
         errors = sum(finding.severity == ERROR for finding in findings)
         feedback.pushInfo(tr("{issues} findings, {errors} of them errors").format(issues=len(findings), errors=errors))
-        destination = sink.close()
-        style_output(destination, issues_renderer(), context)
-        results = {self.ISSUES: destination, self.ISSUE_COUNT: len(findings), self.ERROR_COUNT: errors}
-        report = self.parameterAsFileOutput(parameters, self.REPORT, context)
-        if report:
-            results[self.REPORT] = self._write_report(report, findings, names)
-        return results
+        if outputs.wants(self.REPORT):
+            outputs.text(self.REPORT, AnnotationReport(self._source.name, self._source.count, findings, names).html())
+        return {self.ISSUE_COUNT: len(findings), self.ERROR_COUNT: errors}
 
-    def _write_report(self, path, findings, names) -> str:
-        from ...storage.files import written_beside
-        from ..reports.annotation_report import AnnotationReport
-
-        source = self._source
-        html = AnnotationReport(source.name, source.count, findings, names).html()
-        with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
-            file.write(html)
-        return path
-
-    def _checked(self, features, lookup, parameters, context, feedback, crs):
+    def _checked(
+        self,
+        values: Values,
+        features: List[AnnotatedFeature],
+        lookup: ClassLookup,
+        crs: QgsCoordinateReferenceSystem,
+        feedback: QgsProcessingFeedback,
+    ) -> List[Finding]:
         """Findings on how the features lie, and what pixels do to them if their size is given."""
         from ...core.annotation.check import AnnotationCheck, CheckSettings, find_raster_losses
         from ...storage.burning import RegionBurning
 
-        minimum_area = self.parameterAsDouble(parameters, self.MINIMUM_AREA, context)
+        minimum_area = values.number(self.MINIMUM_AREA)
         landmark_classes = lookup.table.reference_values or tuple(c.value for c in lookup.table)
-        settings = CheckSettings(
-            minimum_area, self.parameterAsDouble(parameters, self.MAXIMUM_GAP, context), landmark_classes
-        )
+        settings = CheckSettings(minimum_area, values.number(self.MAXIMUM_GAP), landmark_classes)
         check = AnnotationCheck(features, settings)
         follow(interruptible(check.steps(), feedback), feedback, READ, CHECKED)
-        if parameters.get(self.PIXEL_SIZE) in (None, "") or not check.landmarks:
+        pixel_size = values.optional_number(self.PIXEL_SIZE)
+        if pixel_size is None or not check.landmarks:
             return check.findings
-        pixel_size = self.parameterAsDouble(parameters, self.PIXEL_SIZE, context)
         bounds = union_of_bounds([landmark.bounds for landmark in check.landmarks])
         burning = RegionBurning(check.landmarks, pixel_grid(bounds, pixel_size, wkt_for_gdal(crs)))
         follow(interruptible(burning.steps(), feedback), feedback, CHECKED, BURNT)

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-import numpy as np
-from qgis.core import (
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterLayer,
-)
+from typing import TYPE_CHECKING, Dict, List, Tuple
 
-from ..compat import POLYGON, SOURCE_POLYGON
+import numpy as np
+
+from ..compat import POLYGON
+from ..framework import offers
 from ..framework.annotation import geometry_of
-from ..framework.base import ANNOTATION, SemRefAlgorithm, check_canceled
-from ..framework.sinks import Sink
+from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..framework.declarations import Number, NumberResult, PolygonOutput, RasterLayer
 from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...core.labels.comparison import ClassMatch, LabelComparison
+    from ...storage.comparing import DisagreementMap, LabelMapPair
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
 
 FIELDS = (
     ("rank", "integer"),
@@ -52,62 +56,64 @@ class CompareLabels(SemRefAlgorithm):
             "prediction count as wrong."
         )
 
-    def initAlgorithm(self, config=None):
-        self.offer(
-            QgsProcessingParameterRasterLayer(self.REFERENCE, tr("Annotated label map")),
-            tr("What is held to be true: single-band class values, for example from “Rasterize annotation”."),
-        )
-        self.offer(
-            QgsProcessingParameterRasterLayer(self.PREDICTED, tr("Predicted label map")),
-            tr("What is checked, for example from “Segment image”. It must be in the CRS of the annotated map."),
-        )
-        number = QgsProcessingParameterNumber
-        self.offer(
-            number(self.MINIMUM_AREA, tr("Minimum area"), number.Double, 10.0, True, minValue=0.0),
-            tr("Smaller disagreements give no polygon; square map units, pixels without georeference."),
-        )
-        self.offer(
-            QgsProcessingParameterFeatureSink(self.DISAGREEMENTS, tr("Disagreements"), SOURCE_POLYGON),
-            tr("One polygon a connected place where the same two classes are confused, ranked by area."),
-        )
-        self.offer(
-            QgsProcessingParameterFileDestination(
-                self.REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=False
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            RasterLayer(
+                self.REFERENCE,
+                tr("Annotated label map"),
+                tr("What is held to be true: single-band class values, for example from “Rasterize annotation”."),
             ),
-            tr("A page with the confusion matrix as a picture and the figures of each class."),
+            RasterLayer(
+                self.PREDICTED,
+                tr("Predicted label map"),
+                tr("What is checked, for example from “Segment image”. It must be in the CRS of the annotated map."),
+            ),
+            Number(
+                self.MINIMUM_AREA,
+                tr("Minimum area"),
+                tr("Smaller disagreements give no polygon; square map units, pixels without georeference."),
+                optional=True,
+                default=10.0,
+                minimum=0.0,
+            ),
+            PolygonOutput(
+                self.DISAGREEMENTS,
+                tr("Disagreements"),
+                tr("One polygon a connected place where the same two classes are confused, ranked by area."),
+            ),
+            offers.report(
+                tr("A page with the confusion matrix as a picture and the figures of each class."), by_default=False
+            ),
+            NumberResult(self.MEAN_IOU, tr("Mean IoU")),
+            NumberResult(self.OVERALL_ACCURACY, tr("Overall accuracy")),
         )
-        self.addOutput(QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")))
-        self.addOutput(QgsProcessingOutputNumber(self.OVERALL_ACCURACY, tr("Overall accuracy")))
 
-    def read_layers(self, parameters, context, feedback):
-        from ..exchange.layers import label_map_layer
+    def read_layers(self, values: Values) -> None:
+        self._layers = [values.label_map(key) for key in (self.REFERENCE, self.PREDICTED)]
 
-        self._layers = [
-            label_map_layer(self.parameterAsRasterLayer(parameters, key, context), key)
-            for key in (self.REFERENCE, self.PREDICTED)
-        ]
-
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, float]:
         from ...core.labels.comparison import LabelComparison
         from ...storage.comparing import DisagreementMap, LabelMapPair
         from ..exchange.layers import require_one_crs
+        from ..reports.comparison_report import comparison_html
 
         require_one_crs(*self._layers)
-        pair = LabelMapPair(*(layer.path for layer in self._layers))
+        paths = [layer.path for layer in self._layers]
+        pair = LabelMapPair(*paths)
         match = self._match(pair, feedback)
         with DisagreementMap(pair) as disagreements:
             feedback.setProgressText(tr("Comparing"))
             comparison = LabelComparison(self._count(pair, match, disagreements, feedback))
             feedback.setProgressText(tr("Outlining the disagreements"))
-            polygons = self._polygons(parameters, context, disagreements, feedback)
-        result = self._write_report(parameters, context, comparison, match)
-        result[self.DISAGREEMENTS] = self._write(parameters, context, polygons, match, feedback)
-        result[self.MEAN_IOU] = comparison.mean_iou
-        result[self.OVERALL_ACCURACY] = comparison.overall_accuracy
+            polygons = self._polygons(disagreements, values.number(self.MINIMUM_AREA), feedback)
+        if outputs.wants(self.REPORT):
+            outputs.text(self.REPORT, comparison_html(comparison, match, *paths))
+        self._write(outputs, polygons, match)
+        feedback.pushInfo(tr("{count} places disagree.").format(count=len(polygons)))
         _say(comparison, match, feedback)
-        return result
+        return {self.MEAN_IOU: comparison.mean_iou, self.OVERALL_ACCURACY: comparison.overall_accuracy}
 
-    def _match(self, pair, feedback):
+    def _match(self, pair: LabelMapPair, feedback: QgsProcessingFeedback) -> ClassMatch:
         from ...core.labels.comparison import match_classes
         from ...storage.rasters import class_table_of_map
 
@@ -120,7 +126,10 @@ class CompareLabels(SemRefAlgorithm):
             feedback.pushWarning(text.format(names=", ".join(match.only_predicted)))
         return match
 
-    def _count(self, pair, match, disagreements, feedback):
+    def _count(
+        self, pair: LabelMapPair, match: ClassMatch, disagreements: DisagreementMap, feedback: QgsProcessingFeedback
+    ) -> np.ndarray:
+        """(256, 256) pixels of each pair of classes; draws where they disagree."""
         from ...core.labels.comparison import count_pairs, disagreement_codes
 
         counts = np.zeros((256, 256), np.int64)
@@ -133,16 +142,18 @@ class CompareLabels(SemRefAlgorithm):
             feedback.setProgress(40 * (first + len(annotated)) / height)
         return counts
 
-    def _polygons(self, parameters, context, disagreements, feedback):
+    def _polygons(
+        self, disagreements: DisagreementMap, minimum_area: float, feedback: QgsProcessingFeedback
+    ) -> List[Tuple[int, float, bytes]]:
         """[(code, area, outline as WKB)], the largest first; raises Canceled, also while they are being made."""
 
-        def proceed(share):
+        def proceed(share: float) -> bool:
             feedback.setProgress(40 + 40 * share)
             return not feedback.isCanceled()
 
         disagreements.outline(proceed)
         check_canceled(feedback)
-        ranked = disagreements.ranked(self.parameterAsDouble(parameters, self.MINIMUM_AREA, context))
+        ranked = disagreements.ranked(minimum_area)
         found = []
         for number, area in ranked:
             check_canceled(feedback)
@@ -152,39 +163,17 @@ class CompareLabels(SemRefAlgorithm):
         check_canceled(feedback)
         return found
 
-    def _write_report(self, parameters, context, comparison, match):
-        """{REPORT: path}, nothing when no report is wanted."""
-        from ...storage.files import written_beside
-        from ..reports.comparison_report import comparison_html
-
-        path = self.parameterAsFileOutput(parameters, self.REPORT, context)
-        if not path:
-            return {}
-        names = [layer.path for layer in self._layers]
-        with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
-            file.write(comparison_html(comparison, match, *names))
-        return {self.REPORT: path}
-
-    def _write(self, parameters, context, polygons, match, feedback):
+    def _write(self, outputs: Outputs, polygons: List[Tuple[int, float, bytes]], match: ClassMatch) -> None:
         from ...core.labels.comparison import decode_disagreement
 
-        sink = Sink(self, parameters, self.DISAGREEMENTS, context, FIELDS, POLYGON, self._layers[0].crs)
-        for rank, (code, area, outline) in enumerate(polygons, start=1):
-            annotated, predicted = decode_disagreement(code)
-            values = {
-                "rank": rank,
-                "annotated_class": match.name(annotated),
-                "predicted_class": match.name(predicted),
-                "area": area,
-                "annotated_value": annotated,
-                "predicted_value": predicted,
-            }
-            sink.add(geometry_of(outline), values)
-        feedback.pushInfo(tr("{count} places disagree.").format(count=len(polygons)))
-        return sink.close()
+        with outputs.layer(self.DISAGREEMENTS, FIELDS, POLYGON, self._layers[0].crs) as sink:
+            for rank, (code, area, outline) in enumerate(polygons, start=1):
+                annotated, predicted = decode_disagreement(code)
+                row = rank, match.name(annotated), match.name(predicted), area, annotated, predicted
+                sink.add(geometry_of(outline), {name: value for (name, _), value in zip(FIELDS, row)})
 
 
-def _say(comparison, match, feedback) -> None:
+def _say(comparison: LabelComparison, match: ClassMatch, feedback: QgsProcessingFeedback) -> None:
     for value in comparison.values:
         if value:
             text = tr("{name}: IoU {iou:.1%}, {pixels} pixels annotated")

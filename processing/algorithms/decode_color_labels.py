@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from qgis.core import (
-    QgsProcessingParameterEnum,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterRasterDestination,
-    QgsProcessingParameterRasterLayer,
-)
+from typing import TYPE_CHECKING, Tuple
 
 from ...core.labels.class_table import UNLABELED
-from ..compat import wkt_for_gdal
-from ..framework.base import ANNOTATION, SemRefAlgorithm, check_canceled
+from ..framework import offers
+from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..framework.declarations import Choice, RasterLayer, RasterOutput
 from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
 
 ROWS_PIXELS = 4_000_000
 """Pixels decoded at a time."""
@@ -40,59 +42,53 @@ class DecodeColorLabels(SemRefAlgorithm):
             "black."
         )
 
-    def initAlgorithm(self, config=None):
-        self.offer(
-            QgsProcessingParameterRasterLayer(self.INPUT, tr("Color label image")),
-            tr("Image with at least three bands (red, green, blue) of 8 bits."),
-        )
-        self.offer(
-            QgsProcessingParameterFile(self.CLASS_TABLE, tr("Class table"), fileFilter=tr("CSV files (*.csv)")),
-            tr(
-                "CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, "
-                "h 0–180, s and v 0–255; the hue may wrap)."
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            RasterLayer(
+                self.INPUT,
+                tr("Color label image"),
+                tr("Image with at least three bands (red, green, blue) of 8 bits."),
             ),
-        )
-        self.offer(
-            QgsProcessingParameterEnum(
-                self.METHOD, tr("Method"), [tr("HSV ranges"), tr("Nearest color")], defaultValue=0
+            offers.class_table(
+                tr(
+                    "CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, "
+                    "h 0–180, s and v 0–255; the hue may wrap)."
+                ),
+                optional=False,
             ),
-            tr("HSV ranges follow the publication; nearest color forgives blended edges."),
+            Choice(
+                self.METHOD,
+                tr("Method"),
+                tr("HSV ranges follow the publication; nearest color forgives blended edges."),
+                default=self.HSV_RANGES,
+                options=(tr("HSV ranges"), tr("Nearest color")),
+            ),
+            RasterOutput(self.OUTPUT, tr("Label map"), tr("GeoTIFF, 8 bits a pixel, on the grid of the image.")),
         )
-        self.offer(
-            QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
-            tr("GeoTIFF, 8 bits a pixel, on the grid of the image."),
-        )
 
-    def read_layers(self, parameters, context, feedback):
-        from ..exchange.layers import label_map_layer
+    def read_layers(self, values: Values) -> None:
+        self._layer = values.label_map(self.INPUT)
 
-        self._layer = label_map_layer(self.parameterAsRasterLayer(parameters, self.INPUT, context), self.INPUT)
-
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
         from ...core.labels.color_labels import decode_by_hsv, decode_by_nearest_color
-        from ...storage.files import written_beside
         from ...storage.label_map_file import LabelMapFile
-        from ...storage.rasters import open_raster, read_bgr, read_class_table
-        from ..exchange.styles import write_label_map_style
+        from ...storage.rasters import open_raster, read_bgr
 
-        table = read_class_table(self.parameterAsFile(parameters, self.CLASS_TABLE, context))
-        nearest = self.parameterAsEnum(parameters, self.METHOD, context) == self.NEAREST_COLOR
+        table = values.class_table(self.CLASS_TABLE)
+        nearest = values.choice(self.METHOD) == self.NEAREST_COLOR
         decode = decode_by_nearest_color if nearest else decode_by_hsv
-        output = self.parameterAsOutputLayer(parameters, self.OUTPUT, context)
         image = open_raster(self._layer.path, "Image")
         width, height = image.RasterXSize, image.RasterYSize
         rows = max(1, ROWS_PIXELS // width)
         unlabeled = 0
-        grid = width, height, image.GetGeoTransform(can_return_null=True), wkt_for_gdal(self._layer.crs)
-        with written_beside(output) as temporary, LabelMapFile(temporary, *grid, table) as label_map:
+        grid = width, height, image.GetGeoTransform(can_return_null=True), self._layer.file.crs_wkt
+        with outputs.raster(self.OUTPUT, table) as path, LabelMapFile(path, *grid, table) as label_map:
             for first in range(0, height, rows):
                 check_canceled(feedback)
                 decoded = decode(read_bgr(image, self._layer.path, first, min(rows, height - first)), table)
                 unlabeled += int((decoded == UNLABELED).sum())
                 label_map.write_rows(first, decoded)
                 feedback.setProgress(100 * (first + len(decoded)) / height)
-        write_label_map_style(output, table)
         share = unlabeled / (width * height)
         say = feedback.pushWarning if share > 0.5 else feedback.pushInfo
         say(tr("{share:.1%} of the pixels match no class.").format(share=share))
-        return {self.OUTPUT: output}

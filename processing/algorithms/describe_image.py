@@ -4,25 +4,27 @@ from __future__ import annotations
 
 import json
 from math import hypot
+from typing import TYPE_CHECKING, Callable, Dict, List, Optional, Tuple
 
-from qgis.core import (
-    QgsGeometry,
-    QgsPointXY,
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterLayer,
-    QgsProcessingParameterString,
-)
+from qgis.core import QgsGeometry, QgsPointXY
 
 from ...core.errors import ParameterError
-from ...core.labels.class_table import split_list
-from ..compat import POINT, SOURCE_POINT
-from ..framework.base import LOCALIZATION, SemRefAlgorithm, check_canceled
-from ..framework.sinks import Sink
+from ..compat import POINT
+from ..framework import offers
+from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
+from ..framework.declarations import FileOutput, Number, NumberResult, PointOutput, RasterLayer
 from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...core.labels.class_table import ClassTable
+    from ...core.localizer.localizer import DescribedImage
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
+
+NO_GEOREFERENCE = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
+"""Geotransform of an image without one: pixels, y up."""
 
 FIELDS = (
     ("class", "integer"),
@@ -60,150 +62,142 @@ class DescribeImage(SemRefAlgorithm):
             "database its classes, minimum area and vector length are used; without one, give them here."
         )
 
-    def initAlgorithm(self, config=None):
-        self.offer(
-            QgsProcessingParameterRasterLayer(self.INPUT, tr("Label image")),
-            tr("Single-band class values, or colors decoded by the class table. It needs no georeference."),
-        )
-        self.offer(
-            QgsProcessingParameterFile(
-                self.DATABASE, tr("Reference database"), fileFilter=tr("GeoPackage (*.gpkg)"), optional=True
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            RasterLayer(
+                self.INPUT,
+                tr("Label image"),
+                tr("Single-band class values, or colors decoded by the class table. It needs no georeference."),
             ),
-            tr("The image is described as this database’s windows are; the settings below are then not used."),
-        )
-        self.offer(
-            QgsProcessingParameterFile(
-                self.CLASS_TABLE, tr("Class table"), fileFilter=tr("CSV files (*.csv)"), optional=True
+            offers.database(
+                tr("The image is described as this database’s windows are; the settings below are then not used."),
+                optional=True,
             ),
-            tr("Without a database: the classes. If left out, those that the label image itself carries."),
-        )
-        self.offer(
-            QgsProcessingParameterString(self.REFERENCE_CLASSES, tr("Reference classes"), optional=True),
-            tr(
-                "Without a database: names or values separated by “;”. If left out, the role in the class table counts."
+            offers.class_table(
+                tr("Without a database: the classes. If left out, those that the label image itself carries.")
             ),
-        )
-        self.offer(
-            QgsProcessingParameterNumber(
-                self.MINIMUM_AREA, tr("Minimum area"), QgsProcessingParameterNumber.Double, 100.0, minValue=0.0
+            offers.reference_classes(
+                tr(
+                    "Without a database: names or values separated by “;”. If left out, the role in the class table "
+                    "counts."
+                )
             ),
-            tr("Without a database: smallest landmark in square map units, in pixels without georeference."),
-        )
-        self.offer(
-            QgsProcessingParameterNumber(
+            Number(
+                self.MINIMUM_AREA,
+                tr("Minimum area"),
+                tr("Without a database: smallest landmark in square map units, in pixels without georeference."),
+                default=100.0,
+                minimum=0.0,
+            ),
+            Number(
                 self.REFERENCES_PER_VECTOR,
                 tr("Landmarks per vector"),
-                QgsProcessingParameterNumber.Integer,
-                10,
-                minValue=3,
+                tr("Without a database: how many of the landmarks nearest to the center the vector holds."),
+                advanced=True,
+                default=10,
+                minimum=3,
+                is_integer=True,
             ),
-            tr("Without a database: how many of the landmarks nearest to the center the vector holds."),
-            advanced=True,
-        )
-        self.offer(
-            QgsProcessingParameterFeatureSink(self.REFERENCES, tr("Landmarks"), SOURCE_POINT),
-            tr("Points with class, area and pixel position; in pixels (y up, negative) without georeference."),
-        )
-        self.offer(
-            QgsProcessingParameterFileDestination(
-                self.VECTOR, tr("Topology vector"), tr("JSON files (*.json)"), optional=True, createByDefault=False
+            PointOutput(
+                self.REFERENCES,
+                tr("Landmarks"),
+                tr("Points with class, area and pixel position; in pixels (y up, negative) without georeference."),
             ),
-            tr("Distance ratios, angle differences and class ranks, with the classes used."),
+            FileOutput(
+                self.VECTOR,
+                tr("Topology vector"),
+                tr("Distance ratios, angle differences and class ranks, with the classes used."),
+                optional=True,
+                by_default=False,
+                filter=tr("JSON files (*.json)"),
+            ),
+            NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
-        self.addOutput(QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")))
 
-    def read_layers(self, parameters, context, feedback):
-        from ..exchange.layers import label_map_layer
+    def read_layers(self, values: Values) -> None:
+        self._layer = values.label_map(self.INPUT)
 
-        self._layer = label_map_layer(self.parameterAsRasterLayer(parameters, self.INPUT, context), self.INPUT)
-
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
         from ...core.localizer.localizer import describe_image
         from ...storage.rasters import open_raster, read_label_image
 
-        transform = open_raster(self._layer.path, "Image").GetGeoTransform(can_return_null=True) or (0, 1, 0, 0, 0, -1)
-        table, fraction_of, length = self._settings(parameters, context, transform)
+        transform = open_raster(self._layer.path, "Image").GetGeoTransform(can_return_null=True) or NO_GEOREFERENCE
+        table, fraction_of, length = self._settings(values, transform)
         labels = read_label_image(self._layer.path, table)
         check_canceled(feedback)
         described = describe_image(labels, table.reference_values, fraction_of(min(labels.shape)), length)
         check_canceled(feedback)
-        objects = described.objects
-        result = {self.REFERENCE_COUNT: len(objects)}
-        result[self.REFERENCES] = self._write_points(parameters, context, described, transform, table)
-        vector_path = self.parameterAsFileOutput(parameters, self.VECTOR, context)
-        if vector_path:
-            self._write_vector(vector_path, described, table, length)
-            result[self.VECTOR] = vector_path
+        count = len(described.objects)
+        self._write_points(outputs, described, transform, table)
+        if outputs.wants(self.VECTOR):
+            outputs.text(self.VECTOR, json.dumps(_vector(described, table, length), indent=1))
         feedback.pushInfo(
-            tr("{count} landmarks in the centered square of {size} pixels.").format(
-                count=len(objects), size=described.size
-            )
+            tr("{count} landmarks in the centered square of {size} pixels.").format(count=count, size=described.size)
         )
         if described.vector is None:
             feedback.pushWarning(tr("Fewer than three landmarks: the image has no topology vector."))
-        return result
+        return {self.REFERENCE_COUNT: count}
 
-    def _settings(self, parameters, context, transform):
+    def _settings(self, values: Values, transform: Tuple[float, ...]) -> Tuple[ClassTable, Callable[[int], float], int]:
         """(class table, function square size → area fraction, vector length), from the database or the parameters."""
         from ...storage.database.reader import read_database
-        from ...storage.rasters import open_raster, read_class_table, stored_class_table
+        from ...storage.rasters import open_raster, stored_class_table
 
-        database_path = self.parameterAsFile(parameters, self.DATABASE, context)
+        database_path = values.file(self.DATABASE)
         if database_path:
             database = read_database(database_path)
             fraction = database.parameters.minimum_area / database.parameters.window_size**2
             return database.class_table, lambda size: fraction, database.parameters.references_per_vector
-        table_path = self.parameterAsFile(parameters, self.CLASS_TABLE, context)
-        if table_path:
-            table = read_class_table(table_path)
-        else:
+        table = values.class_table(self.CLASS_TABLE)
+        if table is None:
             table = stored_class_table(open_raster(self._layer.path, "Image"), self._layer.path)
         if table is None:
             raise ParameterError("Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.")
-        chosen = self.parameterAsString(parameters, self.REFERENCE_CLASSES, context)
-        table = (table.with_references(split_list(chosen)) if split_list(chosen) else table).require_references()
-        area = self.parameterAsDouble(parameters, self.MINIMUM_AREA, context)
+        chosen = values.parts(self.REFERENCE_CLASSES)
+        table = (table.with_references(chosen) if chosen else table).require_references()
+        area = values.number(self.MINIMUM_AREA)
         pixel_area = abs(transform[1] * transform[5] - transform[2] * transform[4])
-        length = self.parameterAsInt(parameters, self.REFERENCES_PER_VECTOR, context)
+        length = values.integer(self.REFERENCES_PER_VECTOR)
         return table, lambda size: area / pixel_area / max(size, 1) ** 2, length
 
-    def _write_points(self, parameters, context, described, transform, table):
-        sink = Sink(self, parameters, self.REFERENCES, context, FIELDS, POINT, self._layer.crs)
+    def _write_points(
+        self, outputs: Outputs, described: DescribedImage, transform: Tuple[float, ...], table: ClassTable
+    ) -> None:
         names = {c.value: c.name for c in table}
         x0, dx_column, dx_row, y0, dy_column, dy_row = transform
         pixel_area = abs(dx_column * dy_row - dx_row * dy_column)
         objects, half = described.objects, described.size / 2
-        for i in range(len(objects)):
-            column, row = objects.centers_xy[i].tolist()
-            distance = hypot(column - half, row - half)
-            column, row = column + described.first_xy[0], row + described.first_xy[1]
-            x, y = x0 + column * dx_column + row * dx_row, y0 + column * dy_column + row * dy_row
-            value = int(objects.classes[i])
-            values = {
-                "class": value,
-                "class_name": names[value],
-                "area": float(objects.areas_px[i]) * pixel_area,
-                "touches_edge": int(objects.touches_edge[i]),
-                "column": column,
-                "row": row,
-                "center_distance": distance,
-            }
-            sink.add(QgsGeometry.fromPointXY(QgsPointXY(x, y)), values)
-        return sink.close()
+        with outputs.layer(self.REFERENCES, FIELDS, POINT, self._layer.crs) as sink:
+            for i in range(len(objects)):
+                column, row = objects.centers_xy[i].tolist()
+                distance = hypot(column - half, row - half)
+                column, row = column + described.first_xy[0], row + described.first_xy[1]
+                x, y = x0 + column * dx_column + row * dx_row, y0 + column * dy_column + row * dy_row
+                value = int(objects.classes[i])
+                values = {
+                    "class": value,
+                    "class_name": names[value],
+                    "area": float(objects.areas_px[i]) * pixel_area,
+                    "touches_edge": int(objects.touches_edge[i]),
+                    "column": column,
+                    "row": row,
+                    "center_distance": distance,
+                }
+                sink.add(QgsGeometry.fromPointXY(QgsPointXY(x, y)), values)
 
-    def _write_vector(self, path, described, table, length):
-        from ...storage.files import written_beside
 
-        vector = None if described.vector is None else [round(float(v), 7) for v in described.vector]
-        content = {
-            "references_per_vector": length,
-            "reference_classes": [{"value": c.value, "name": c.name} for c in table.references],
-            "reference_count": len(described.objects),
-            "image_center": [described.first_xy[0] + described.size / 2, described.first_xy[1] + described.size / 2],
-            "vector": vector,
-            "distance_ratios": vector and vector[:length],
-            "angle_differences": vector and vector[length : 2 * length],
-            "class_ranks": vector and vector[2 * length :],
-        }
-        with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
-            json.dump(content, file, indent=1)
+def _vector(described: DescribedImage, table: ClassTable, length: int) -> dict:
+    """The topology vector as it is written."""
+    vector: Optional[List[float]] = None
+    if described.vector is not None:
+        vector = [round(float(v), 7) for v in described.vector]
+    return {
+        "references_per_vector": length,
+        "reference_classes": [{"value": c.value, "name": c.name} for c in table.references],
+        "reference_count": len(described.objects),
+        "image_center": [described.first_xy[0] + described.size / 2, described.first_xy[1] + described.size / 2],
+        "vector": vector,
+        "distance_ratios": vector and vector[:length],
+        "angle_differences": vector and vector[length : 2 * length],
+        "class_ranks": vector and vector[2 * length :],
+    }

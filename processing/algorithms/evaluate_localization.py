@@ -64,6 +64,7 @@ offset."""
 
 class EvaluateLocalization(SemRefAlgorithm):
     ID = "evaluatelocalization"
+    BY_VALUES = False
     GROUP = LOCALIZATION
     TAGS = ("accuracy", "trials", "benchmark", "success rate", "false accept", "noise", "report", "table")
 

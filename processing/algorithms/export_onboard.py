@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import os
 from dataclasses import replace
+from typing import TYPE_CHECKING, Dict, Tuple
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterBoolean,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-)
-
-from ...core.errors import DatabaseError, ParameterError
-from ..framework.base import REFERENCE_DATABASE, SemRefAlgorithm, cancelable, check_canceled
+from ...core.errors import ParameterError
+from ..framework import offers
+from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, cancelable, check_canceled
+from ..framework.declarations import FileOutput, Number, NumberResult, Switch, VectorSource
 from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
+
+    from ...core.database.model import ReferenceDatabase
+    from ...core.onboard.format import OnboardDatabase
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
 
 
 class ExportOnboard(SemRefAlgorithm):
@@ -44,75 +45,83 @@ class ExportOnboard(SemRefAlgorithm):
             "the log says; a file of any other kind is never overwritten."
         )
 
-    def initAlgorithm(self, config=None):
-        number = QgsProcessingParameterNumber
-        self.offer(
-            QgsProcessingParameterFile(self.DATABASE, tr("Reference database"), fileFilter=tr("GeoPackage (*.gpkg)")),
-            tr("A GeoPackage made by “Build reference database”."),
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            offers.database(),
+            VectorSource(
+                self.CLIP,
+                tr("Area or route"),
+                tr("Only what lies in these polygons, or along these lines, is exported; without it the whole map."),
+                optional=True,
+            ),
+            Number(
+                self.DISTANCE,
+                tr("Distance around it (map units)"),
+                tr("Half the width of the corridor along a route; give what an image shows at least."),
+                default=0.0,
+                minimum=0.0,
+            ),
+            Switch(
+                self.OVERVIEW,
+                tr("With the overview"),
+                tr(
+                    "The reduced label map, which map correlation searches; without it the file is several times "
+                    "smaller."
+                ),
+                default=True,
+            ),
+            Number(
+                self.PRECISION,
+                tr("Precision (map units)"),
+                tr(
+                    "Largest rounding error of a landmark’s x and y; a hundredth of a pixel of the label map if left "
+                    "out."
+                ),
+                optional=True,
+                advanced=True,
+                minimum=1e-6,
+            ),
+            FileOutput(
+                self.OUTPUT,
+                tr("Onboard file"),
+                tr("Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages."),
+                filter=tr("Onboard files (*.npz)"),
+            ),
+            NumberResult(self.BYTES, tr("Size in bytes")),
         )
-        self.offer(
-            QgsProcessingParameterFeatureSource(self.CLIP, tr("Area or route"), optional=True),
-            tr("Only what lies in these polygons, or along these lines, is exported; without it the whole map."),
-        )
-        self.offer(
-            number(self.DISTANCE, tr("Distance around it (map units)"), number.Double, 0.0, minValue=0.0),
-            tr("Half the width of the corridor along a route; give what an image shows at least."),
-        )
-        self.offer(
-            QgsProcessingParameterBoolean(self.OVERVIEW, tr("With the overview"), True),
-            tr("The reduced label map, which map correlation searches; without it the file is several times smaller."),
-        )
-        self.offer(
-            number(self.PRECISION, tr("Precision (map units)"), number.Double, None, optional=True, minValue=1e-6),
-            tr("Largest rounding error of a landmark’s x and y; a hundredth of a pixel of the label map if left out."),
-            advanced=True,
-        )
-        self.offer(
-            QgsProcessingParameterFileDestination(self.OUTPUT, tr("Onboard file"), tr("Onboard files (*.npz)")),
-            tr("Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages."),
-        )
-        self.addOutput(QgsProcessingOutputNumber(self.BYTES, tr("Size in bytes")))
 
-    def read_layers(self, parameters, context, feedback):
+    def read_layers(self, values: Values) -> None:
         from ..exchange.areas import drawn_area
 
-        self._area = drawn_area(self.parameterAsSource(parameters, self.CLIP, context))
+        self._area = drawn_area(values.source(self.CLIP))
 
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
         from ...core.onboard.read import read_onboard
         from ...core.onboard.write import write_onboard
         from ...storage.database.reader import read_database, read_overview
-        from ...storage.files import written_beside
-        from ..exchange.reference_systems import fitted_lon_lat
+        from ..exchange.reference_systems import database_crs, fitted_lon_lat
 
-        output = self.parameterAsFileOutput(parameters, self.OUTPUT, context)
-        self._check_target(output, feedback)
-        path = self.parameterAsFile(parameters, self.DATABASE, context)
-        precision = None
-        if parameters.get(self.PRECISION) not in (None, ""):
-            precision = self.parameterAsDouble(parameters, self.PRECISION, context)
+        self._check_target(values.target(self.OUTPUT), feedback)
+        path, precision = values.file(self.DATABASE), values.optional_number(self.PRECISION)
         database = cancelable(read_database, path, feedback=feedback)
-        crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
-        if not crs.isValid():
-            raise DatabaseError(f"{path} has no readable parameter crs; build it again.")
-        if self.parameterAsBool(parameters, self.OVERVIEW, context):
+        crs = database_crs(database)
+        if values.switch(self.OVERVIEW):
             database = replace(database, overview=cancelable(read_overview, path, feedback=feedback))
         feedback.setProgress(40)
         if self._area is not None:
-            distance = self.parameterAsDouble(parameters, self.DISTANCE, context)
-            database = self._clipped(database, distance, crs, context.transformContext(), feedback)
-        lon_lat = fitted_lon_lat(database.parameters.extent, crs, context.transformContext())
+            database = self._clipped(values, database, crs, feedback)
+        lon_lat = fitted_lon_lat(database.parameters.extent, crs, values.transform_context)
         feedback.setProgress(60)
-        with written_beside(output) as temporary:
+        with outputs.file(self.OUTPUT) as temporary:
             cancelable(write_onboard, temporary, database, lon_lat, precision, feedback=feedback)
             feedback.setProgress(80)
             # Read back before it gets its name: what is on board must be readable there.
             onboard = cancelable(read_onboard, temporary, feedback=feedback)
             check_canceled(feedback)
         self._say(onboard, feedback)
-        return {self.OUTPUT: output, self.BYTES: onboard.size_bytes}
+        return {self.BYTES: onboard.size_bytes}
 
-    def _check_target(self, output, feedback):
+    def _check_target(self, output: str, feedback: QgsProcessingFeedback) -> None:
         """An older export may be replaced, but not unsaid; anything else that has the name is not ours to delete."""
         from ...core.onboard.format import is_onboard_file
 
@@ -122,11 +131,19 @@ class ExportOnboard(SemRefAlgorithm):
             raise ParameterError(f"{output} exists and is no onboard file; remove it or choose another name.")
         feedback.pushWarning(tr("{output} is replaced.").format(output=output))
 
-    def _clipped(self, database, distance, crs, transform_context, feedback):
+    def _clipped(
+        self,
+        values: Values,
+        database: ReferenceDatabase,
+        crs: QgsCoordinateReferenceSystem,
+        feedback: QgsProcessingFeedback,
+    ) -> ReferenceDatabase:
+        """What lies in the area."""
         from ...core.onboard.area import area_mask, clipped
         from ..exchange.areas import area_rings
 
-        arguments = self._area, distance, crs, database.parameters.extent, transform_context
+        distance, extent = values.number(self.DISTANCE), database.parameters.extent
+        arguments = self._area, distance, crs, extent, values.transform_context
         rings = cancelable(area_rings, *arguments, feedback=feedback)
         part = clipped(database, area_mask(rings, database.parameters))
         feedback.pushInfo(
@@ -139,7 +156,7 @@ class ExportOnboard(SemRefAlgorithm):
         )
         return part
 
-    def _say(self, onboard, feedback):
+    def _say(self, onboard: OnboardDatabase, feedback: QgsProcessingFeedback) -> None:
         feedback.pushInfo(
             tr(
                 "{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by "

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
-
-from qgis.core import (
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterFolderDestination,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterLayer,
-)
+from typing import TYPE_CHECKING, Dict, Tuple
 
 from ...core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION
-from ..framework.base import ANNOTATION, SemRefAlgorithm, follow
+from ..framework import offers
+from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, follow
+from ..framework.declarations import FolderOutput, Number, NumberResult, RasterLayer
 from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
 
 
 class ExportTrainingTiles(SemRefAlgorithm):
@@ -43,77 +44,72 @@ class ExportTrainingTiles(SemRefAlgorithm):
             "brought onto the image’s, nearest neighbor."
         )
 
-    def initAlgorithm(self, config=None):
-        integer, real = QgsProcessingParameterNumber.Integer, QgsProcessingParameterNumber.Double
-        self.offer(
-            QgsProcessingParameterRasterLayer(self.IMAGE, tr("Image")),
-            tr("Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too."),
-        )
-        self.offer(
-            QgsProcessingParameterRasterLayer(self.LABELS, tr("Label map")),
-            tr("Single-band raster of class values, 0 where nothing is known, of the same ground."),
-        )
-        self.offer(
-            QgsProcessingParameterNumber(self.TILE_SIZE, tr("Tile size (pixels)"), integer, 512, minValue=32),
-            tr("Edge of a tile; a multiple of 32 suits networks."),
-        )
-        self.offer(
-            QgsProcessingParameterNumber(self.STRIDE, tr("Stride (pixels)"), integer, 512, minValue=1),
-            tr("Step from tile to tile; less than the tile size makes tiles overlap."),
-        )
-        self.offer(
-            QgsProcessingParameterNumber(
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            RasterLayer(
+                self.IMAGE,
+                tr("Image"),
+                tr(
+                    "Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too."
+                ),
+            ),
+            offers.label_map(tr("Single-band raster of class values, 0 where nothing is known, of the same ground.")),
+            Number(
+                self.TILE_SIZE,
+                tr("Tile size (pixels)"),
+                tr("Edge of a tile; a multiple of 32 suits networks."),
+                default=512,
+                minimum=32,
+                is_integer=True,
+            ),
+            Number(
+                self.STRIDE,
+                tr("Stride (pixels)"),
+                tr("Step from tile to tile; less than the tile size makes tiles overlap."),
+                default=512,
+                minimum=1,
+                is_integer=True,
+            ),
+            Number(
                 self.VALIDATION_FRACTION,
                 tr("Validation fraction"),
-                real,
-                0.2,
+                tr("Share of the labeled ground that is set aside for validation; 0 for none."),
                 optional=True,
-                minValue=0.0,
-                maxValue=0.9,
+                default=0.2,
+                minimum=0.0,
+                maximum=0.9,
             ),
-            tr("Share of the labeled ground that is set aside for validation; 0 for none."),
-        )
-        self.offer(
-            QgsProcessingParameterFile(
-                self.CLASS_TABLE, tr("Class table"), fileFilter=tr("CSV files (*.csv)"), optional=True
+            offers.class_table(
+                tr("CSV with the columns value, name, color, role, for a label map that brings no classes of its own."),
+                advanced=True,
             ),
-            tr("CSV with the columns value, name, color, role, for a label map that brings no classes of its own."),
-            advanced=True,
-        )
-        self.offer(
-            QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for the tiles")),
-            tr("A new or empty folder; one of an earlier export is replaced."),
-        )
-        self.addOutput(QgsProcessingOutputNumber(self.TILE_COUNT, tr("Number of tiles")))
-
-    def read_layers(self, parameters, context, feedback):
-        from ..exchange.layers import label_map_layer
-
-        self._image, self._labels = (
-            label_map_layer(self.parameterAsRasterLayer(parameters, key, context), key)
-            for key in (self.IMAGE, self.LABELS)
+            FolderOutput(
+                self.OUTPUT,
+                tr("Folder for the tiles"),
+                tr("A new or empty folder; one of an earlier export is replaced."),
+            ),
+            NumberResult(self.TILE_COUNT, tr("Number of tiles")),
         )
 
-    def work(self, parameters, context, feedback):
-        from ...storage.files import folder_written_beside
-        from ...storage.rasters import read_class_table
+    def read_layers(self, values: Values) -> None:
+        self._image, self._labels = (values.label_map(key) for key in (self.IMAGE, self.LABELS))
+
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
         from ...storage.training_tiles import MANIFEST, TileExport
 
-        table_path = self.parameterAsFile(parameters, self.CLASS_TABLE, context)
-        table = read_class_table(table_path) if table_path else None
+        table = values.class_table(self.CLASS_TABLE)
         export = TileExport(
             self._image.file,
             self._labels.file,
-            self.parameterAsInt(parameters, self.TILE_SIZE, context),
-            self.parameterAsInt(parameters, self.STRIDE, context),
-            self.parameterAsDouble(parameters, self.VALIDATION_FRACTION, context),
+            values.integer(self.TILE_SIZE),
+            values.integer(self.STRIDE),
+            values.number(self.VALIDATION_FRACTION),
         )
-        output = self.parameterAsString(parameters, self.OUTPUT, context)
-        with folder_written_beside(output, MANIFEST) as temporary:
-            follow(export.steps(Path(temporary), table), feedback)
+        with outputs.folder(self.OUTPUT, MANIFEST) as folder:
+            follow(export.steps(Path(folder), table), feedback)
         feedback.pushInfo(
             tr("{training} tiles to train on, {validation} to validate on").format(
                 training=export.counts[TRAIN], validation=export.counts[VALIDATION]
             )
         )
-        return {self.OUTPUT: output, self.TILE_COUNT: sum(export.counts[subset] for subset in SUBSETS)}
+        return {self.TILE_COUNT: sum(export.counts[subset] for subset in SUBSETS)}

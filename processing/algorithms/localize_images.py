@@ -45,6 +45,7 @@ from ..wording.camera_messages import camera_remark
 
 class LocalizeImages(SemRefAlgorithm):
     ID = "localizeimages"
+    BY_VALUES = False
     GROUP = LOCALIZATION
     TAGS = ("position", "match", "uav", "drone", "navigation", "gnss", "geolocation", "fix")
 

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from pathlib import Path
-
-from qgis.core import (
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterFolderDestination,
-    QgsProcessingParameterNumber,
-)
+from typing import TYPE_CHECKING, Dict, Tuple
 
 from ...core.sample import DEFAULT_SEED
-from ..framework.base import REFERENCE_DATABASE, SemRefAlgorithm, cancelable, follow
+from ..framework import offers
+from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, cancelable, follow
+from ..framework.declarations import FolderOutput, NumberResult
 from ..packages.components import OPENCV, SHAPELY
 from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
 
 LANDSCAPE_PERCENT, PHOTO_PERCENT = 35, 80
 """Progress when the landscape is made, and when it is rendered."""
@@ -40,35 +43,30 @@ class MakeSample(SemRefAlgorithm):
             "The model that ships with SemRef can read these photos."
         )
 
-    def initAlgorithm(self, config=None):
-        self.offer(
-            QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for the sample")),
-            tr("A new or empty folder; one that holds files is left alone."),
-        )
-        self.offer(
-            QgsProcessingParameterNumber(
-                self.SEED, tr("Seed"), QgsProcessingParameterNumber.Integer, DEFAULT_SEED, minValue=0
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            FolderOutput(
+                self.OUTPUT,
+                tr("Folder for the sample"),
+                tr("A new or empty folder; one that holds files is left alone."),
             ),
-            tr("The same number gives the same area; another one makes up another."),
-            advanced=True,
+            offers.seed(tr("The same number gives the same area; another one makes up another."), DEFAULT_SEED),
+            NumberResult(self.PHOTO_COUNT, tr("Number of photos")),
         )
-        self.addOutput(QgsProcessingOutputNumber(self.PHOTO_COUNT, tr("Number of photos")))
 
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
         from ...core.sample.landscape import make_landscape
         from ...core.sample.pictures import PHOTO_COUNT
-        from ...storage.files import folder_written_beside
         from ...storage.sample_files import PIXEL_SIZE_M, render_photo, sample_steps
 
-        output = self.parameterAsString(parameters, self.OUTPUT, context)
-        with folder_written_beside(output) as temporary:
+        with outputs.folder(self.OUTPUT) as folder:
             feedback.setProgressText(tr("Making up the landscape"))
-            seed = self.parameterAsInt(parameters, self.SEED, context)
-            landscape = cancelable(make_landscape, seed, feedback=feedback)
+            landscape = cancelable(make_landscape, values.integer(self.SEED), feedback=feedback)
             feedback.setProgress(LANDSCAPE_PERCENT)
             feedback.setProgressText(tr("Rendering it as a photo"))
             photo_hw3 = cancelable(render_photo, landscape, PIXEL_SIZE_M, feedback=feedback)
-            steps = sample_steps(Path(temporary), landscape, photo_hw3, PIXEL_SIZE_M)
+            steps = sample_steps(Path(folder), landscape, photo_hw3, PIXEL_SIZE_M)
             follow(steps, feedback, PHOTO_PERCENT, 100)
-        feedback.pushInfo(tr("{count} photos in {folder}").format(count=PHOTO_COUNT, folder=output))
-        return {self.OUTPUT: output, self.PHOTO_COUNT: PHOTO_COUNT}
+        made = outputs.results[self.OUTPUT]
+        feedback.pushInfo(tr("{count} photos in {folder}").format(count=PHOTO_COUNT, folder=made))
+        return {self.PHOTO_COUNT: PHOTO_COUNT}

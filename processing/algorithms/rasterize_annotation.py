@@ -2,30 +2,26 @@
 
 from __future__ import annotations
 
-import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Dict, List, Tuple
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterCrs,
-    QgsProcessingParameterExtent,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterDestination,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform
 
 from ...core.errors import ParameterError
 from ..compat import wkt_for_gdal
-from ..framework.annotation import AnnotationAlgorithm
-from ..framework.base import check_canceled, follow
+from ..framework import offers
+from ..framework.annotation import AnnotationAlgorithm, pixel_grid, union_of_bounds
+from ..framework.base import Declared, check_canceled, follow
+from ..framework.declarations import Crs, MapExtent, Number, NumberResult, RasterOutput
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from ...core.geometry.frame import MapFrame
+    from qgis.core import QgsProcessingFeedback
 
-MAXIMUM_PIXELS = 1_000_000_000_000
-"""Beyond this a pixel size is taken for a mistake (a country at 1 cm)."""
+    from ...core.geometry.frame import MapFrame
+    from ...core.labels.class_table import ClassTable
+    from ...storage.burning import BurnPolygon
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
 
 READING_SHARE = 30.0
 """Percent of the progress that reading the polygons takes."""
@@ -53,63 +49,53 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             "the class field. Invalid polygons are repaired, empty ones skipped; the log says how many."
         )
 
-    def initAlgorithm(self, config=None):
-        self.offer_annotation()
-        self.offer(
-            QgsProcessingParameterNumber(
-                self.PIXEL_SIZE, tr("Pixel size (m)"), QgsProcessingParameterNumber.Double, 1.0, minValue=0.001
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            *offers.annotation(),
+            Number(
+                self.PIXEL_SIZE,
+                tr("Pixel size (m)"),
+                tr("Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels."),
+                default=1.0,
+                minimum=0.001,
             ),
-            tr("Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels."),
+            MapExtent(
+                self.EXTENT,
+                tr("Extent"),
+                tr("Area to rasterize, widened to whole pixels; the extent of the polygons if left out."),
+                optional=True,
+            ),
+            Crs(
+                self.TARGET_CRS,
+                tr("Target CRS"),
+                tr("Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone."),
+                optional=True,
+            ),
+            RasterOutput(
+                self.OUTPUT,
+                tr("Label map"),
+                tr("GeoTIFF, 8 bits a pixel, with the class table, colors and class names."),
+            ),
+            NumberResult(self.CLASS_COUNT, tr("Number of classes on the map")),
+            NumberResult(self.LABELED_FRACTION, tr("Fraction of the map that is labeled")),
         )
-        self.offer(
-            QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
-            tr("Area to rasterize, widened to whole pixels; the extent of the polygons if left out."),
-        )
-        self.offer(
-            QgsProcessingParameterCrs(self.TARGET_CRS, tr("Target CRS"), optional=True),
-            tr("Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone."),
-        )
-        self.offer(
-            QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
-            tr("GeoTIFF, 8 bits a pixel, with the class table, colors and class names."),
-        )
-        self.addOutput(QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes on the map")))
-        self.addOutput(QgsProcessingOutputNumber(self.LABELED_FRACTION, tr("Fraction of the map that is labeled")))
 
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, float]:
         from ...storage.burning import LabelMapBurning
-        from ...storage.files import written_beside
-        from ..exchange.reference_systems import describe_crs, metric_crs
-        from ..exchange.styles import write_label_map_style
 
-        source = self._source
-        pixel_size = self.parameterAsDouble(parameters, self.PIXEL_SIZE, context)
-        asked_crs = self.parameterAsCrs(parameters, self.TARGET_CRS, context)
-        crs = metric_crs(source.crs, asked_crs, source.extent, context.transformContext())
-        if crs != source.crs and not asked_crs.isValid():
-            feedback.pushWarning(
-                tr("{source} does not measure in meters; the label map is made in {target}.").format(
-                    source=describe_crs(source.crs), target=describe_crs(crs)
-                )
-            )
-        polygons, table = self._polygons(parameters, context, feedback, crs)
-        extent = self.parameterAsExtent(parameters, self.EXTENT, context, crs)
-        bounds = (extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum())
-        if extent.isEmpty():
-            bounds = union_of_bounds([p.bounds for p in polygons])
-        frame = pixel_grid(bounds, pixel_size, wkt_for_gdal(crs))
+        crs = self.label_map_crs(values, feedback, values.crs(self.TARGET_CRS))
+        polygons, table = self._polygons(values, feedback, crs)
+        frame = self._frame(values, crs, polygons)
         height, width = frame.shape_hw
-        output = self.parameterAsOutputLayer(parameters, self.OUTPUT, context)
         feedback.pushInfo(
             tr("Burning {count} polygons into {width} × {height} pixels").format(
                 count=len(polygons), width=width, height=height
             )
         )
-        with written_beside(output) as temporary:
-            burning = LabelMapBurning(temporary, frame, table, polygons)
+        with outputs.raster(self.OUTPUT, table) as path:
+            burning = LabelMapBurning(path, frame, table, polygons)
             follow(burning.steps(), feedback, READING_SHARE, 100)
         counts = burning.counts
-        write_label_map_style(output, table)
         labeled = int(counts[1:].sum())
         present = [c for c in table if c.value and counts[c.value]]
         feedback.pushInfo(
@@ -122,21 +108,27 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         )
         if not labeled:
             feedback.pushWarning(tr("No polygon lies in the extent: the label map is empty."))
-        return {
-            self.OUTPUT: output,
-            self.CLASS_COUNT: len(present),
-            self.LABELED_FRACTION: labeled / (width * height),
-        }
+        return {self.CLASS_COUNT: len(present), self.LABELED_FRACTION: labeled / (width * height)}
 
-    def _polygons(self, parameters, context, feedback, crs: QgsCoordinateReferenceSystem):
+    def _frame(self, values: Values, crs: QgsCoordinateReferenceSystem, polygons: List[BurnPolygon]) -> MapFrame:
+        """The whole pixels of the extent, of the polygons without one."""
+        extent = values.extent(self.EXTENT, crs)
+        bounds = (extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum())
+        if extent.isEmpty():
+            bounds = union_of_bounds([polygon.bounds for polygon in polygons])
+        return pixel_grid(bounds, values.number(self.PIXEL_SIZE), wkt_for_gdal(crs))
+
+    def _polygons(
+        self, values: Values, feedback: QgsProcessingFeedback, crs: QgsCoordinateReferenceSystem
+    ) -> Tuple[List[BurnPolygon], ClassTable]:
         """Polygons to burn and the class table; says what was repaired and skipped."""
         from ..exchange.annotation import AnnotationCounts, burn_polygons, require_known_classes
 
         source = self._source
-        lookup = self.classes(parameters, context, feedback)
+        lookup = self.classes(values, feedback)
         transform = None
         if crs != source.crs:
-            transform = QgsCoordinateTransform(source.crs, crs, context.transformContext())
+            transform = QgsCoordinateTransform(source.crs, crs, values.transform_context)
         counts, polygons = AnnotationCounts(), []
         for n, found in enumerate(burn_polygons(source, lookup, transform, counts)):
             polygons += found
@@ -149,30 +141,3 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         if not polygons:
             raise ParameterError(f"“{source.name}” has no polygon with area and class; there is nothing to rasterize.")
         return polygons, lookup.table
-
-
-def pixel_grid(bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
-    """The frame of the whole pixels around ``bounds``, aligned to multiples of the pixel size.
-
-    Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
-    """
-    from ...core.geometry.frame import MapFrame
-
-    if not pixel_size > 0 or not math.isfinite(pixel_size):
-        raise ParameterError(f"The pixel size is {pixel_size:g} m; it must be more than 0.")
-    # A bound that is a multiple but for rounding must not add a row of pixels.
-    slack = 1e-6
-    left, bottom = (math.floor(v / pixel_size + slack) for v in bounds[:2])
-    right, top = (math.ceil(v / pixel_size - slack) for v in bounds[2:])
-    width, height = max(right - left, 1), max(top - bottom, 1)
-    if width * height > MAXIMUM_PIXELS or max(width, height) > 2**31 - 1:
-        raise ParameterError(
-            f"The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT."
-        )
-    return MapFrame.at((left * pixel_size, top * pixel_size), pixel_size, (height, width), crs_wkt)
-
-
-def union_of_bounds(bounds):
-    """(left, bottom, right, top) around all of such bounds."""
-    lefts, bottoms, rights, tops = zip(*bounds)
-    return min(lefts), min(bottoms), max(rights), max(tops)

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessingParameterFeatureSink, QgsProcessingParameterNumber
+from typing import TYPE_CHECKING, Tuple
 
 from ...core.annotation.findings import ERROR, OUTSIDE_CRS
 from ...core.errors import ParameterError
-from ..compat import MULTI_POLYGON, POLYGON, SOURCE_POLYGON
+from ..compat import MULTI_POLYGON, POLYGON
+from ..framework import offers
 from ..framework.annotation import AnnotationAlgorithm, geometry_of
-from ..framework.base import check_canceled, follow, interruptible
-from ..framework.sinks import Sink
+from ..framework.base import Declared, check_canceled, follow, interruptible
+from ..framework.declarations import Number, PolygonOutput
 from ..packages.components import OPENCV, SHAPELY
 from ..translation import tr
 from ..wording.annotation_messages import FIELDS, change_sentence, row_of
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
 
 READ, REPAIRED = 20.0, 95.0
 """Percent of the progress after reading and repairing."""
@@ -41,66 +48,70 @@ class RepairAnnotation(AnnotationAlgorithm):
             "layer changes nothing."
         )
 
-    def initAlgorithm(self, config=None):
-        self.offer_annotation()
-        number = QgsProcessingParameterNumber
-        self.offer(
-            number(self.MAXIMUM_GAP, tr("Largest gap (m²)"), number.Double, 1.0, optional=True, minValue=0.0),
-            tr("Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area."),
-        )
-        self.offer(
-            number(self.MINIMUM_AREA, tr("Minimum area (m²)"), number.Double, 0.0, optional=True, minValue=0.0),
-            tr(
-                "Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin pieces "
-                "are merged at any area."
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            *offers.annotation(),
+            Number(
+                self.MAXIMUM_GAP,
+                tr("Largest gap (m²)"),
+                tr("Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area."),
+                optional=True,
+                default=1.0,
+                minimum=0.0,
             ),
-        )
-        self.offer(
-            QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Repaired annotation"), SOURCE_POLYGON),
-            tr("Valid single polygons with the fields of the annotation layer, in meters."),
-        )
-        self.offer(
-            QgsProcessingParameterFeatureSink(
-                self.CHANGES, tr("Changes"), SOURCE_POLYGON, optional=True, createByDefault=False
+            Number(
+                self.MINIMUM_AREA,
+                tr("Minimum area (m²)"),
+                tr(
+                    "Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin "
+                    "pieces are merged at any area."
+                ),
+                optional=True,
+                default=0.0,
+                minimum=0.0,
             ),
-            tr("One feature a change: what was changed where, and which features it concerns."),
+            PolygonOutput(
+                self.OUTPUT,
+                tr("Repaired annotation"),
+                tr("Valid single polygons with the fields of the annotation layer, in meters."),
+            ),
+            PolygonOutput(
+                self.CHANGES,
+                tr("Changes"),
+                tr("One feature a change: what was changed where, and which features it concerns."),
+                optional=True,
+                by_default=False,
+            ),
         )
 
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
         from ...core.annotation.merging import MergeSettings
         from ...core.annotation.repair import AnnotationRepair
         from ..exchange.annotation_features import fields_of
 
-        lookup = self.classes(parameters, context, feedback)
-        crs = self.label_map_crs(context, feedback)
-        reading = self.read_features(lookup, crs, context, feedback, READ, with_attributes=True)
+        lookup = self.classes(values, feedback)
+        crs = self.label_map_crs(values, feedback)
+        reading = self.read_features(values, lookup, crs, feedback, READ, with_attributes=True)
         self.require_known_classes(reading, lookup)
-        settings = MergeSettings(
-            self.parameterAsDouble(parameters, self.MAXIMUM_GAP, context),
-            self.parameterAsDouble(parameters, self.MINIMUM_AREA, context),
-        )
+        settings = MergeSettings(values.number(self.MAXIMUM_GAP), values.number(self.MINIMUM_AREA))
         repair = AnnotationRepair(reading.features, settings)
         follow(interruptible(repair.steps(), feedback), feedback, READ, REPAIRED)
         if not repair.polygons:
             raise ParameterError(
                 f"“{self._source.name}” has no polygon with area and class; there is nothing to repair."
             )
-        # Sinks are made last: a cancel before leaves nothing behind.
+        # Outputs are made last: a cancel before leaves nothing behind.
         check_canceled(feedback)
-        sink = Sink(self, parameters, self.OUTPUT, context, fields_of(self._source), POLYGON, crs)
-        for polygon in repair.polygons:
-            sink.add_row(geometry_of(polygon.wkb), reading.attributes[polygon.feature])
-        results = {self.OUTPUT: sink.close()}
+        with outputs.layer(self.OUTPUT, fields_of(self._source), POLYGON, crs) as sink:
+            for polygon in repair.polygons:
+                sink.add_row(geometry_of(polygon.wkb), reading.attributes[polygon.feature])
         changes = [f for f in reading.findings if f.kind != OUTSIDE_CRS or f.severity == ERROR] + repair.changes
         feedback.pushInfo(
             tr("{before} features became {after} polygons; {changes} changes").format(
                 before=self._source.count, after=len(repair.polygons), changes=len(changes)
             )
         )
-        sink = Sink(self, parameters, self.CHANGES, context, FIELDS, MULTI_POLYGON, crs)
-        if sink.is_wanted:
-            names = {c.value: c.name for c in lookup.table}
+        names = {c.value: c.name for c in lookup.table}
+        with outputs.layer(self.CHANGES, FIELDS, MULTI_POLYGON, crs) as sink:
             for change in changes:
                 sink.add(geometry_of(change.wkb, multi=True), row_of(change, change_sentence(change, names)))
-            results[self.CHANGES] = sink.close()
-        return results

@@ -21,6 +21,7 @@ from ..translation import tr
 
 class SegmentImage(SemRefAlgorithm):
     ID = "segmentimage"
+    BY_VALUES = False
     GROUP = ANNOTATION
     TAGS = ("segmentation", "network", "onnx", "deepness", "land cover", "label map", "orthophoto", "photo")
     PACKAGES = (OPENCV, ONNXRUNTIME)

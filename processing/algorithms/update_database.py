@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 from math import ceil, floor
+from typing import TYPE_CHECKING, List, Optional, Tuple
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
-    QgsCsException,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterRasterLayer,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsCsException
 
 from ...core.errors import ClassTableError, LabelMapError, ParameterError
-from ..compat import SOURCE_POLYGON
-from ..framework.base import REFERENCE_DATABASE, SemRefAlgorithm, check_canceled, follow
+from ..compat import SOURCE_POLYGON, wkt_for_gdal
+from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
+from ..framework.declarations import File, FileOutput, RasterLayer, VectorSource
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback, QgsRectangle
+
+    from ...core.database.model import ReferenceDatabase
+    from ...core.database.update import DatabaseChanges
+    from ...core.geometry.frame import MapFrame
+    from ...core.labels.class_table import ClassTable
+    from ...storage.rasters import GdalLabels
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
 
 
 class UpdateDatabase(SemRefAlgorithm):
@@ -43,46 +48,51 @@ class UpdateDatabase(SemRefAlgorithm):
             "added at the end. The label map must have the pixels, the CRS and the classes of the old one."
         )
 
-    def initAlgorithm(self, config=None):
-        self.offer(
-            QgsProcessingParameterFile(self.DATABASE, tr("Reference database"), extension="gpkg"),
-            tr("GeoPackage made by “Build reference database” or by this algorithm."),
-        )
-        self.offer(
-            QgsProcessingParameterRasterLayer(self.LABELS, tr("Corrected label map")),
-            tr("The whole area, rasterized with the pixel size and extent of the old label map."),
-        )
-        self.offer(
-            QgsProcessingParameterFeatureSource(self.CHANGED, tr("Changed areas"), [SOURCE_POLYGON], optional=True),
-            tr(
-                "Polygons that hold everything that was changed, such as the places that were corrected: only the "
-                "blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an "
-                "update without this. If left out, the whole map is compared with the database, which takes longer."
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            File(
+                self.DATABASE,
+                tr("Reference database"),
+                tr("GeoPackage made by “Build reference database” or by this algorithm."),
+                extension="gpkg",
+            ),
+            RasterLayer(
+                self.LABELS,
+                tr("Corrected label map"),
+                tr("The whole area, rasterized with the pixel size and extent of the old label map."),
+            ),
+            VectorSource(
+                self.CHANGED,
+                tr("Changed areas"),
+                tr(
+                    "Polygons that hold everything that was changed, such as the places that were corrected: only the "
+                    "blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until "
+                    "an update without this. If left out, the whole map is compared with the database, which takes "
+                    "longer."
+                ),
+                optional=True,
+                kinds=(SOURCE_POLYGON,),
+            ),
+            FileOutput(
+                self.OUTPUT,
+                tr("Updated database"),
+                tr("It may be the database itself, which is then replaced when the update is complete."),
+                filter=tr("GeoPackage (*.gpkg)"),
             ),
         )
-        self.offer(
-            QgsProcessingParameterFileDestination(self.OUTPUT, tr("Updated database"), tr("GeoPackage (*.gpkg)")),
-            tr("It may be the database itself, which is then replaced when the update is complete."),
-        )
 
-    def read_layers(self, parameters, context, feedback):
-        from ..exchange.layers import label_map_layer
+    def read_layers(self, values: Values) -> None:
+        self._layer = values.label_map(self.LABELS)
+        self._changed = values.source(self.CHANGED)
 
-        self._layer = label_map_layer(self.parameterAsRasterLayer(parameters, self.LABELS, context), self.LABELS)
-        self._changed = self.parameterAsSource(parameters, self.CHANGED, context)
-        if self._changed is None and parameters.get(self.CHANGED):
-            raise ParameterError(self.invalidSourceError(parameters, self.CHANGED))
-
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
         from ...core.database.update import DatabaseUpdater
         from ...storage.database.editor import DatabaseEditor
         from ...storage.database.reader import read_stored_database
-        from ...storage.files import written_beside
         from ...storage.rasters import GdalLabels
         from ..exchange.layers import map_frame
 
-        output = self.parameterAsFileOutput(parameters, self.OUTPUT, context)
-        stored = read_stored_database(self.parameterAsFile(parameters, self.DATABASE, context))
+        stored = read_stored_database(values.file(self.DATABASE))
         labels = GdalLabels(self._layer.path)
         frame = map_frame(labels, self._layer)
         self._check_crs(stored.database)
@@ -91,18 +101,16 @@ class UpdateDatabase(SemRefAlgorithm):
             labels,
             frame,
             stored.database,
-            self._areas(frame, context, feedback),
+            self._areas(frame, values, feedback),
             plugin_version(),
             worker_threads(),
         )
-        with written_beside(output) as temporary:
+        with outputs.file(self.OUTPUT) as path:
             follow(updater.steps(), feedback, 0, 80)
-            follow(DatabaseEditor(temporary, stored, updater.changes).steps(), feedback, 80, 100)
+            follow(DatabaseEditor(path, stored, updater.changes).steps(), feedback, 80, 100)
         self._say_result(stored.database, updater.changes, feedback)
-        return {self.OUTPUT: output}
 
-    def _check_crs(self, database):
-        from ..compat import wkt_for_gdal
+    def _check_crs(self, database: ReferenceDatabase) -> None:
         from ..exchange.reference_systems import describe_crs
 
         stored = database.parameters.crs
@@ -113,7 +121,7 @@ class UpdateDatabase(SemRefAlgorithm):
                 "to the database's CRS or build a new database."
             )
 
-    def _check_classes(self, table, labels):
+    def _check_classes(self, table: ClassTable, labels: GdalLabels) -> None:
         """The map's own class table, if it brings one, must be the database's."""
         from ...storage.rasters import named_classes, stored_class_table
 
@@ -125,11 +133,13 @@ class UpdateDatabase(SemRefAlgorithm):
                 "only); rasterize with the database's class table or build a new database."
             )
 
-    def _areas(self, frame, context, feedback):
+    def _areas(
+        self, frame: MapFrame, values: Values, feedback: QgsProcessingFeedback
+    ) -> Optional[List[Tuple[int, int, int, int]]]:
         """(left, top, right, bottom) in pixels around every changed polygon; None without CHANGED."""
         if self._changed is None:
             return None
-        transform = QgsCoordinateTransform(self._changed.sourceCrs(), self._layer.crs, context.transformContext())
+        transform = QgsCoordinateTransform(self._changed.sourceCrs(), self._layer.crs, values.transform_context)
         areas = []
         for feature in self._changed.getFeatures():
             check_canceled(feedback)
@@ -146,7 +156,9 @@ class UpdateDatabase(SemRefAlgorithm):
             raise ParameterError(f"{self.CHANGED} has no polygon; leave it out to find the changes by comparing.")
         return areas
 
-    def _say_result(self, database, changes, feedback):
+    def _say_result(
+        self, database: ReferenceDatabase, changes: DatabaseChanges, feedback: QgsProcessingFeedback
+    ) -> None:
         feedback.pushInfo(
             tr("{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.").format(
                 touched=len(changes.touched),
@@ -157,7 +169,7 @@ class UpdateDatabase(SemRefAlgorithm):
         )
 
 
-def _pixels_around(box, frame):
+def _pixels_around(box: QgsRectangle, frame: MapFrame) -> Tuple[int, int, int, int]:
     """(left, top, right, bottom) of all pixels that a rectangle in map units touches, and of a pixel around it."""
     corners = (box.xMinimum(), box.yMaximum()), (box.xMaximum(), box.yMinimum())
     (left, top), (right, bottom) = frame.to_pixels(corners).tolist()

@@ -14,7 +14,8 @@ from qgis.core import (
     QgsRectangle,
 )
 
-from ...core.errors import ParameterError
+from ...core.database.model import ReferenceDatabase
+from ...core.errors import DatabaseError, ParameterError
 from ...core.geometry.lon_lat import LonLatPolynomial, fit_lon_lat
 from ..compat import is_metric
 
@@ -27,6 +28,14 @@ _UPS_NORTH, _UPS_SOUTH = 32661, 32761
 def describe_crs(crs: QgsCoordinateReferenceSystem) -> str:
     """“EPSG:32632 WGS 84 / UTM zone 32N” – for messages."""
     return f"{crs.authid()} {crs.description()}".strip() or "unnamed CRS"
+
+
+def database_crs(database: ReferenceDatabase) -> QgsCoordinateReferenceSystem:
+    """The CRS that a database is in. Raises DatabaseError for one that can't be read."""
+    crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
+    if not crs.isValid():
+        raise DatabaseError(f"{database.source} has no readable parameter crs; build it again.")
+    return crs
 
 
 def metric_crs(

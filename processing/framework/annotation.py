@@ -2,96 +2,74 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
-from typing import Optional
+from typing import TYPE_CHECKING, Iterable, Optional, Tuple
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsGeometry,
-    QgsProcessingFeatureSourceDefinition,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterField,
-    QgsProcessingParameterFile,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry
 
 from ...core.annotation.findings import ERROR, UNKNOWN_CLASS
-from ..compat import SOURCE_POLYGON
+from ...core.errors import ParameterError
+from ...core.geometry.frame import MapFrame
 from ..translation import tr
+from . import offers
 from .base import ANNOTATION, SemRefAlgorithm, check_canceled
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ..exchange.annotation import AnnotationSource, ClassLookup
+    from ..exchange.annotation_features import AnnotationReading
+    from .values import Values
+
+Bounds = Tuple[float, float, float, float]
+"""Left, bottom, right, top."""
+
+MAXIMUM_PIXELS = 1_000_000_000_000
+"""Beyond this a pixel size is taken for a mistake (a country at 1 cm)."""
 
 
 class AnnotationAlgorithm(SemRefAlgorithm):
     """Base of algorithms with an annotation layer; ``self._source`` is a snapshot of it."""
 
     GROUP = ANNOTATION
+    _source: AnnotationSource
 
-    INPUT = "INPUT"
-    CLASS_FIELD = "CLASS_FIELD"
-    PRIORITY_FIELD = "PRIORITY_FIELD"
-    CLASS_TABLE = "CLASS_TABLE"
+    INPUT = offers.INPUT
+    CLASS_FIELD = offers.CLASS_FIELD
+    PRIORITY_FIELD = offers.PRIORITY_FIELD
+    CLASS_TABLE = offers.CLASS_TABLE
 
-    def offer_annotation(self) -> None:
-        """Adds the parameters of the annotation layer."""
-        self.offer(
-            QgsProcessingParameterFeatureSource(self.INPUT, tr("Annotation layer"), [SOURCE_POLYGON]),
-            tr("Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional."),
-        )
-        self.offer(
-            QgsProcessingParameterField(self.CLASS_FIELD, tr("Class field"), parentLayerParameterName=self.INPUT),
-            tr("Text or number field that tells the class of each polygon."),
-        )
-        self.offer(
-            QgsProcessingParameterField(
-                self.PRIORITY_FIELD, tr("Priority field"), parentLayerParameterName=self.INPUT, optional=True
-            ),
-            tr(
-                "Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw "
-                "order of the class table counts, else later polygons lie on top."
-            ),
-        )
-        self.offer(
-            QgsProcessingParameterFile(
-                self.CLASS_TABLE, tr("Class table"), fileFilter=tr("CSV files (*.csv)"), optional=True
-            ),
-            tr(
-                "CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. "
-                "Every class value of the layer must be in it."
-            ),
-        )
-
-    def read_layers(self, parameters, context, feedback):
+    def read_layers(self, values: Values) -> None:
         from ..exchange.annotation import annotation_source
 
-        definition = parameters[self.INPUT]
-        if isinstance(definition, QgsProcessingFeatureSourceDefinition):
-            layer = self.parameterAsVectorLayer({self.INPUT: definition.source}, self.INPUT, context)
-        else:
-            layer = self.parameterAsVectorLayer(parameters, self.INPUT, context)
         self._source = annotation_source(
-            layer,
-            definition,
-            self.parameterAsString(parameters, self.CLASS_FIELD, context),
-            self.parameterAsString(parameters, self.PRIORITY_FIELD, context),
+            values.vector(self.INPUT),
+            values.raw(self.INPUT),
+            values.text(self.CLASS_FIELD),
+            values.text(self.PRIORITY_FIELD),
         )
 
-    def classes(self, parameters, context, feedback):
-        """The ClassLookup: of the class table if one is given, else of the layer's style, else of its values."""
-        from ...storage.rasters import read_class_table
+    def classes(self, values: Values, feedback: QgsProcessingFeedback) -> ClassLookup:
+        """The classes of the class table if one is given, else of the layer's style, else of its values."""
         from ..exchange.annotation import class_lookup
 
-        table_path = self.parameterAsFile(parameters, self.CLASS_TABLE, context)
-        table = read_class_table(table_path) if table_path else None
-        lookup = class_lookup(self._source, table, feedback.isCanceled)
+        lookup = class_lookup(self._source, values.class_table(self.CLASS_TABLE), feedback.isCanceled)
         check_canceled(feedback)
         return lookup
 
-    def label_map_crs(self, context, feedback):
-        """The metric CRS that a label map of the layer would have; says so when it is not the layer's own."""
+    def label_map_crs(
+        self,
+        values: Values,
+        feedback: QgsProcessingFeedback,
+        asked: Optional[QgsCoordinateReferenceSystem] = None,
+    ) -> QgsCoordinateReferenceSystem:
+        """A label map's metric CRS: the one asked for, the layer's own, else (and it says so) a UTM zone."""
         from ..exchange.reference_systems import describe_crs, metric_crs
 
-        source = self._source
-        crs = metric_crs(source.crs, QgsCoordinateReferenceSystem(), source.extent, context.transformContext())
-        if crs != source.crs:
+        source, asked = self._source, asked or QgsCoordinateReferenceSystem()
+        crs = metric_crs(source.crs, asked, source.extent, values.transform_context)
+        if crs != source.crs and not asked.isValid():
             feedback.pushWarning(
                 tr("{source} does not measure in meters; the result is in {target}.").format(
                     source=describe_crs(source.crs), target=describe_crs(crs)
@@ -99,19 +77,27 @@ class AnnotationAlgorithm(SemRefAlgorithm):
             )
         return crs
 
-    def read_features(self, lookup, crs, context, feedback, last: float, with_attributes: bool = False):
-        """The AnnotationReading of the layer, showing progress up to ``last`` %."""
+    def read_features(
+        self,
+        values: Values,
+        lookup: ClassLookup,
+        crs: QgsCoordinateReferenceSystem,
+        feedback: QgsProcessingFeedback,
+        last: float,
+        with_attributes: bool = False,
+    ) -> AnnotationReading:
+        """Reads the layer, showing progress up to ``last`` %."""
         from ..exchange.annotation_features import AnnotationReading, read_features
 
         reading = AnnotationReading()
-        transform_context = context.transformContext()
-        for n in read_features(self._source, lookup, crs, transform_context, reading, with_attributes):
+        arguments = lookup, crs, values.transform_context, reading, with_attributes
+        for n in read_features(self._source, *arguments):
             if n % 256 == 0:
                 check_canceled(feedback)
                 feedback.setProgress(last * n / max(self._source.count, 1))
         return reading
 
-    def require_known_classes(self, reading, lookup) -> None:
+    def require_known_classes(self, reading: AnnotationReading, lookup: ClassLookup) -> None:
         """Raises AnnotationError as rasterizing does for class values that the class table lacks."""
         from ..exchange.annotation import AnnotationCounts, require_known_classes
 
@@ -128,3 +114,28 @@ def geometry_of(wkb: Optional[bytes], multi: bool = False) -> Optional[QgsGeomet
     if multi:
         geometry.convertToMultiType()
     return geometry
+
+
+def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
+    """The frame of the whole pixels around ``bounds``, aligned to multiples of the pixel size.
+
+    Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
+    """
+    if not pixel_size > 0 or not math.isfinite(pixel_size):
+        raise ParameterError(f"The pixel size is {pixel_size:g} m; it must be more than 0.")
+    # A bound that is a multiple but for rounding must not add a row of pixels.
+    slack = 1e-6
+    left, bottom = (math.floor(v / pixel_size + slack) for v in bounds[:2])
+    right, top = (math.ceil(v / pixel_size - slack) for v in bounds[2:])
+    width, height = max(right - left, 1), max(top - bottom, 1)
+    if width * height > MAXIMUM_PIXELS or max(width, height) > 2**31 - 1:
+        raise ParameterError(
+            f"The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT."
+        )
+    return MapFrame.at((left * pixel_size, top * pixel_size), pixel_size, (height, width), crs_wkt)
+
+
+def union_of_bounds(bounds: Iterable[Bounds]) -> Bounds:
+    """(left, bottom, right, top) around all of such bounds."""
+    lefts, bottoms, rights, tops = zip(*bounds)
+    return min(lefts), min(bottoms), max(rights), max(tops)

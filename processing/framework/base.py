@@ -6,13 +6,13 @@ import contextlib
 import errno
 from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
-from typing import Any, Callable, Dict, Generator, List, Tuple
+from typing import Any, Callable, Dict, Generator, List, Optional, Tuple, Union
 
 from qgis.core import (
     QgsProcessingAlgorithm,
+    QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingFeedback,
-    QgsProcessingParameterDefinition,
 )
 from qgis.PyQt.QtGui import QIcon
 
@@ -21,6 +21,11 @@ from ..packages.components import OPENCV, Package, how_to_install, missing
 from ..translation import tr
 from ..version import algorithm_help_url
 from ..wording.sentences import worded
+from .declarations import NumberResult, Parameter
+from .outputs import Outputs
+from .values import Values
+
+Declared = Union[Parameter, NumberResult]
 
 ICON_PATH = Path(__file__).resolve().parents[2] / "resources" / "icon.svg"
 
@@ -35,13 +40,15 @@ class Canceled(Exception):
 
 
 class SemRefAlgorithm(QgsProcessingAlgorithm):
-    """Base of the algorithms. A subclass has ID, GROUP, TAGS and the methods title, summary, initAlgorithm, work."""
+    """Base of the algorithms. A subclass has ID, GROUP, TAGS and the methods title, summary, parameters, work."""
 
     ID = ""
     GROUP = ""
     TAGS: Tuple[str, ...] = ()
     PACKAGES: Tuple[Package, ...] = (OPENCV,)
     """Python packages that it needs beside QGIS's own."""
+
+    _refusal: Optional[SemRefError] = None
 
     def title(self) -> str:
         raise NotImplementedError
@@ -50,18 +57,32 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         """One or two paragraphs of help; the parameters bring their own."""
         raise NotImplementedError
 
-    def work(self, parameters: dict, context, feedback: QgsProcessingFeedback) -> Dict[str, Any]:
-        """Does the work; raises SemRefError for what the user can mend and Canceled."""
+    def parameters(self) -> Tuple[Declared, ...]:
+        """What it asks for, what it writes and the numbers that it tells, in the dialog's order."""
         raise NotImplementedError
 
-    def read_layers(self, parameters: dict, context, feedback: QgsProcessingFeedback) -> None:
+    def check(self, values: Values) -> None:
+        """Raises SemRefError for values that don't fit together; for what needs no work."""
+
+    def read_layers(self, values: Values, *_: Any) -> None:
         """Takes what belongs to the main thread out of layers; raises SemRefError."""
 
-    def offer(self, parameter: QgsProcessingParameterDefinition, text: str, advanced: bool = False) -> None:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Optional[Dict[str, Any]]:
+        """Does the work and writes ``outputs``; raises SemRefError for what the user can mend and Canceled.
+
+        Returns:
+            The numbers that it tells, by key.
+        """
+        raise NotImplementedError
+
+    BY_VALUES = True
+    """False for an algorithm that still reads QGIS's parameters itself."""
+
+    def offer(self, parameter, text: str, advanced: bool = False) -> None:
         """Adds a parameter with its help."""
         parameter.setHelp(text)
         if advanced:
-            parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
+            parameter.setFlags(parameter.flags() | parameter.FlagAdvanced)
         self.addParameter(parameter)
 
     def worded(self, error: SemRefError) -> str:
@@ -70,8 +91,15 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
 
     # --- QgsProcessingAlgorithm ---
 
-    def createInstance(self):
+    def createInstance(self) -> SemRefAlgorithm:
         return type(self)()
+
+    def initAlgorithm(self, config: Optional[Dict[str, Any]] = None) -> None:
+        for declared in self.parameters():
+            if isinstance(declared, NumberResult):
+                self.addOutput(declared.definition())
+            else:
+                self.addParameter(declared.definition())
 
     def name(self) -> str:
         return self.ID
@@ -106,26 +134,50 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     def helpUrl(self) -> str:
         return algorithm_help_url(self.ID)
 
-    def canExecute(self):
+    def canExecute(self) -> Tuple[bool, str]:
         lacking = missing(self.PACKAGES)
         if lacking:
             return False, how_to_install(lacking)
         return True, ""
 
-    def prepareAlgorithm(self, parameters, context, feedback) -> bool:
+    def checkParameterValues(self, parameters: Dict[str, Any], context: QgsProcessingContext) -> Tuple[bool, str]:
+        possible, reason = super().checkParameterValues(parameters, context)
+        if not possible:
+            return False, reason
+        if not self.BY_VALUES:
+            return True, ""
+        try:
+            self.check(Values(self, parameters, context))
+        except SemRefError as error:
+            return False, self.worded(error)
+        return True, ""
+
+    def prepareAlgorithm(
+        self, parameters: Dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> bool:
         self._refusal = None
         try:
-            self.read_layers(parameters, context, feedback)
+            if self.BY_VALUES:
+                self.read_layers(Values(self, parameters, context))
+            else:
+                self.read_layers(parameters, context, feedback)
         except SemRefError as error:
             # Raised by processAlgorithm: of what prepareAlgorithm raises QGIS tells Python callers nothing.
             self._refusal = error
         return True
 
-    def processAlgorithm(self, parameters, context, feedback):
+    def processAlgorithm(
+        self, parameters: Dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> Dict[str, Any]:
         try:
             if self._refusal is not None:
                 raise self._refusal
-            return self.work(parameters, context, feedback)
+            if not self.BY_VALUES:
+                return self.work(parameters, context, feedback)
+            values = Values(self, parameters, context)
+            outputs = Outputs(values)
+            numbers = self.work(values, outputs, feedback)
+            return {**outputs.results, **(numbers or {})}
         except SemRefError as error:
             raise QgsProcessingException(self.worded(error)) from error
         except Canceled as error:

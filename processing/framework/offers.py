@@ -1,0 +1,105 @@
+"""Parameters that several algorithms have: one place each for key, title and what they accept."""
+
+from __future__ import annotations
+
+from typing import Tuple
+
+from ..compat import SOURCE_POLYGON
+from ..translation import tr
+from .declarations import FieldOf, File, FileOutput, Number, Parameter, RasterLayer, Text, VectorSource
+
+DATABASE, MODEL, LABELS, IMAGES = "DATABASE", "MODEL", "LABELS", "IMAGES"
+INPUT, CLASS_FIELD, PRIORITY_FIELD, CLASS_TABLE = "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE"
+REFERENCE_CLASSES, REPORT, SEED = "REFERENCE_CLASSES", "REPORT", "SEED"
+MISSED, INVENTED, MISNAMED, RAGGED = "MISSED", "INVENTED", "MISNAMED", "RAGGED"
+
+
+def database(text: str = "", optional: bool = False) -> File:
+    """A reference database; ``text``: its help where another one is needed."""
+    text = text or tr("A GeoPackage made by “Build reference database”.")
+    return File(DATABASE, tr("Reference database"), text, optional, filter=tr("GeoPackage (*.gpkg)"))
+
+
+def label_map(text: str) -> RasterLayer:
+    """A label map."""
+    return RasterLayer(LABELS, tr("Label map"), text)
+
+
+def class_table(text: str, optional: bool = True, advanced: bool = False) -> File:
+    """A class table."""
+    return File(CLASS_TABLE, tr("Class table"), text, optional, advanced, filter=tr("CSV files (*.csv)"))
+
+
+def model(text: str, optional: bool = False) -> File:
+    """A segmentation network."""
+    return File(MODEL, tr("Model"), text, optional, filter=tr("ONNX models (*.onnx)"))
+
+
+def reference_classes(text: str) -> Text:
+    """Names or values of classes, separated by “;”."""
+    return Text(REFERENCE_CLASSES, tr("Reference classes"), text, optional=True)
+
+
+def report(text: str, by_default: bool = True) -> FileOutput:
+    """A page to read and print."""
+    return FileOutput(
+        REPORT, tr("Report"), text, optional=True, by_default=by_default, filter=tr("HTML files (*.html)")
+    )
+
+
+def seed(text: str = "", default: int = 1) -> Number:
+    """What random numbers start from; ``text``: its help where another one is needed."""
+    text = text or tr("Another number gives other trials, the same number the same.")
+    return Number(SEED, tr("Seed"), text, advanced=True, default=default, minimum=0, is_integer=True)
+
+
+def annotation() -> Tuple[Parameter, ...]:
+    """An annotation layer: its polygons, their classes, and what decides where they overlap."""
+    return (
+        VectorSource(
+            INPUT,
+            tr("Annotation layer"),
+            tr("Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional."),
+            kinds=(SOURCE_POLYGON,),
+        ),
+        FieldOf(
+            CLASS_FIELD,
+            tr("Class field"),
+            tr("Text or number field that tells the class of each polygon."),
+            layer_key=INPUT,
+        ),
+        FieldOf(
+            PRIORITY_FIELD,
+            tr("Priority field"),
+            tr(
+                "Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw "
+                "order of the class table counts, else later polygons lie on top."
+            ),
+            optional=True,
+            layer_key=INPUT,
+        ),
+        class_table(
+            tr(
+                "CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. "
+                "Every class value of the layer must be in it."
+            )
+        ),
+    )
+
+
+def noises() -> Tuple[Tuple[str, str, str], ...]:
+    """(key, title, help) of each share of landmarks that noise spoils, and of how far it moves edges."""
+    return (
+        (MISSED, tr("Landmarks missed (%)"), tr("Share of the landmarks that are taken away.")),
+        (
+            INVENTED,
+            tr("Landmarks invented (%)"),
+            tr("Share of landmarks that are added, shaped like landmarks of other places of the map."),
+        ),
+        (MISNAMED, tr("Landmarks misnamed (%)"), tr("Share of the landmarks that get another class.")),
+        (
+            RAGGED,
+            tr("Ragged edges (map units)"),
+            tr("Standard deviation of how far edges are moved, alike over eight pixels."),
+        ),
+    )

@@ -1,0 +1,187 @@
+"""What the user gave to one run of an algorithm, read by key: one reader a kind of value."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransformContext,
+    QgsFeatureSink,
+    QgsFields,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingFeatureSource,
+    QgsProcessingFeatureSourceDefinition,
+    QgsRasterLayer,
+    QgsRectangle,
+    QgsVectorLayer,
+)
+
+from ...core.errors import ParameterError
+from ...core.labels.class_table import split_list
+
+if TYPE_CHECKING:
+    from ...core.labels.class_table import ClassTable
+    from ..exchange.layers import RasterLayer
+
+
+class Values:
+    """The values of one run, by key; what was left out and is not optional is its default.
+
+    Numbers may come as text, as ``qgis_process`` gives them. Layers are for ``read_layers``, which runs in the
+    thread that they live in.
+    """
+
+    def __init__(
+        self, algorithm: QgsProcessingAlgorithm, parameters: Dict[str, Any], context: QgsProcessingContext
+    ) -> None:
+        self._algorithm, self._parameters, self.context = algorithm, parameters, context
+
+    @property
+    def transform_context(self) -> QgsCoordinateTransformContext:
+        """How this project transforms coordinates."""
+        return self.context.transformContext()
+
+    def raw(self, key: str) -> Any:
+        """The value as it was given; None for none."""
+        return self._parameters.get(key)
+
+    def has(self, key: str) -> bool:
+        """Whether a value was given."""
+        return self.raw(key) not in (None, "")
+
+    def _read(self, kind: str, key: str, *more: Any) -> Any:
+        return getattr(self._algorithm, f"parameterAs{kind}")(self._parameters, key, self.context, *more)
+
+    # --- plain values ---
+
+    def number(self, key: str) -> float:
+        """A number, its default if it was left out."""
+        return self._read("Double", key)
+
+    def optional_number(self, key: str, default: Optional[float] = None) -> Optional[float]:
+        """A number; ``default`` if it was left out."""
+        return self.number(key) if self.has(key) else default
+
+    def integer(self, key: str) -> int:
+        """A whole number, its default if it was left out."""
+        return self._read("Int", key)
+
+    def switch(self, key: str) -> bool:
+        """Yes or no."""
+        return self._read("Bool", key)
+
+    def choice(self, key: str) -> int:
+        """The number of the option that was chosen."""
+        return self._read("Enum", key)
+
+    def choices(self, key: str) -> List[int]:
+        """The numbers of the options that were chosen."""
+        return self._read("Enums", key)
+
+    def range(self, key: str) -> Tuple[float, float]:
+        """Lowest and highest value."""
+        low, high = self._read("Range", key)
+        return low, high
+
+    def text(self, key: str) -> str:
+        """A text; empty if it was left out."""
+        return self._read("String", key)
+
+    def parts(self, key: str) -> List[str]:
+        """The parts of a list that is given as text, separated by “;”."""
+        return split_list(self.text(key))
+
+    def numbers(self, key: str) -> List[float]:
+        """The numbers of such a list. Raises ParameterError."""
+        try:
+            return [float(part.replace(",", ".")) for part in self.parts(key)]
+        except ValueError:
+            raise ParameterError(f"{key}: “{self.text(key)}” is not a list of numbers such as 1;2.") from None
+
+    # --- places ---
+
+    def point(self, key: str, crs: QgsCoordinateReferenceSystem) -> Optional[Tuple[float, float]]:
+        """(x, y) in ``crs``; None if it was left out."""
+        if not self.has(key):
+            return None
+        point = self._read("Point", key, crs)
+        return point.x(), point.y()
+
+    def extent(self, key: str, crs: QgsCoordinateReferenceSystem) -> QgsRectangle:
+        """A rectangle in ``crs``; an empty one if it was left out."""
+        return self._read("Extent", key, crs)
+
+    def crs(self, key: str) -> QgsCoordinateReferenceSystem:
+        """A CRS; an invalid one if it was left out."""
+        return self._read("Crs", key)
+
+    # --- files ---
+
+    def file(self, key: str) -> str:
+        """The path of a file; empty if it was left out."""
+        return self._read("File", key)
+
+    def files(self, key: str) -> List[str]:
+        """Paths, given as a list, as one path, or several separated by “;” as text."""
+        value = self.raw(key)
+        if isinstance(value, str) and not os.path.exists(value):
+            return split_list(value)
+        return [path for path in self._read("FileList", key) if path]
+
+    def class_table(self, key: str) -> Optional[ClassTable]:
+        """The class table of a CSV; None if it was left out. Raises ClassTableError."""
+        from ...storage.rasters import read_class_table
+
+        path = self.file(key)
+        return read_class_table(path) if path else None
+
+    # --- layers ---
+
+    def raster(self, key: str) -> Optional[QgsRasterLayer]:
+        """A raster layer; None for one that can't be read."""
+        return self._read("RasterLayer", key)
+
+    def label_map(self, key: str) -> RasterLayer:
+        """What worker threads need of a label map's layer. Raises LabelMapError."""
+        from ..exchange.layers import label_map_layer
+
+        return label_map_layer(self.raster(key), key)
+
+    def image(self, key: str) -> RasterLayer:
+        """What worker threads need of an image's layer. Raises ImageError."""
+        from ..exchange.layers import image_layer
+
+        return image_layer(self.raster(key), key)
+
+    def vector(self, key: str) -> Optional[QgsVectorLayer]:
+        """A vector layer, also where only some of its features are wanted; None for one that can't be read."""
+        value = self.raw(key)
+        if not isinstance(value, QgsProcessingFeatureSourceDefinition):
+            return self._read("VectorLayer", key)
+        return self._algorithm.parameterAsVectorLayer({key: value.source}, key, self.context)
+
+    def source(self, key: str) -> Optional[QgsProcessingFeatureSource]:
+        """The features that are wanted of a layer; None if it was left out. Raises ParameterError."""
+        source = self._read("Source", key)
+        if source is None and self.has(key):
+            raise ParameterError(self._algorithm.invalidSourceError(self._parameters, key))
+        return source
+
+    # --- where outputs go: for ``Outputs`` ---
+
+    def target(self, key: str) -> str:
+        """The path of a file to write; empty for one that is not wanted."""
+        return self._read("FileOutput", key)
+
+    def raster_target(self, key: str) -> str:
+        """The path of a raster to write."""
+        return self._read("OutputLayer", key)
+
+    def sink_target(
+        self, key: str, fields: QgsFields, geometry: Any, crs: QgsCoordinateReferenceSystem, flags: Any
+    ) -> Tuple[Optional[QgsFeatureSink], str]:
+        """(a new sink, None for one that is not wanted or can't be made; where it writes to)."""
+        return self._read("Sink", key, fields, geometry, crs, flags)
