@@ -3044,10 +3044,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{shift:.0f} m nach rechts: {after} statt {before}</translation>
   </message>
   <message>
-   <source>{source} does not measure in meters; the label map is made in {target}.</source>
-   <translation>{source} misst nicht in Metern; die Klassenkarte wird in {target} erstellt.</translation>
-  </message>
-  <message>
    <source>{source} does not measure in meters; the result is in {target}.</source>
    <translation>{source} misst nicht in Metern; das Ergebnis ist in {target}.</translation>
   </message>

@@ -3044,10 +3044,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{shift:.0f} m a la derecha: {after} en lugar de {before}</translation>
   </message>
   <message>
-   <source>{source} does not measure in meters; the label map is made in {target}.</source>
-   <translation>{source} no mide en metros; el mapa de etiquetas se crea en {target}.</translation>
-  </message>
-  <message>
    <source>{source} does not measure in meters; the result is in {target}.</source>
    <translation>{source} no mide en metros; el resultado está en {target}.</translation>
   </message>

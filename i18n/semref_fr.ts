@@ -3044,10 +3044,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{shift:.0f} m à droite : {after} au lieu de {before}</translation>
   </message>
   <message>
-   <source>{source} does not measure in meters; the label map is made in {target}.</source>
-   <translation>{source} ne mesure pas en mètres ; la carte d’étiquettes est créée dans {target}.</translation>
-  </message>
-  <message>
    <source>{source} does not measure in meters; the result is in {target}.</source>
    <translation>{source} ne mesure pas en mètres ; le résultat est dans {target}.</translation>
   </message>

@@ -3044,10 +3044,6 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>向右 {shift:.0f} m：{after}，而不是 {before}</translation>
   </message>
   <message>
-   <source>{source} does not measure in meters; the label map is made in {target}.</source>
-   <translation>{source} 不以米为单位；标签图将采用 {target} 生成。</translation>
-  </message>
-  <message>
    <source>{source} does not measure in meters; the result is in {target}.</source>
    <translation>{source} 不以米为单位；结果采用 {target}。</translation>
   </message>
