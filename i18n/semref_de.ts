@@ -1408,6 +1408,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>ONNX-Modelle (*.onnx)</translation>
   </message>
   <message>
+   <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
+   <translation>Aus dem Ordner „core“ des Plugins braucht das Flugzeug: {rooms}.</translation>
+  </message>
+  <message>
    <source>Offset</source>
    <translation>Versatz</translation>
   </message>

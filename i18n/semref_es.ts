@@ -1408,6 +1408,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Modelos ONNX (*.onnx)</translation>
   </message>
   <message>
+   <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
+   <translation>De la carpeta «core» del complemento, la aeronave necesita: {rooms}.</translation>
+  </message>
+  <message>
    <source>Offset</source>
    <translation>Desplazamiento</translation>
   </message>

@@ -1408,6 +1408,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Modèles ONNX (*.onnx)</translation>
   </message>
   <message>
+   <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
+   <translation>Du dossier « core » de l’extension, l’aéronef a besoin de : {rooms}.</translation>
+  </message>
+  <message>
    <source>Offset</source>
    <translation>Décalage</translation>
   </message>

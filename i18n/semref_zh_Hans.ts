@@ -1408,6 +1408,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>ONNX 模型 (*.onnx)</translation>
   </message>
   <message>
+   <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
+   <translation>飞行器需要插件文件夹“core”中的：{rooms}。</translation>
+  </message>
+  <message>
    <source>Offset</source>
    <translation>偏移</translation>
   </message>

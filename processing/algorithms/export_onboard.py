@@ -157,6 +157,8 @@ class ExportOnboard(SemRefAlgorithm):
         return part
 
     def _say(self, onboard: OnboardDatabase, feedback: QgsProcessingFeedback) -> None:
+        from ...core.onboard.aircraft import AIRCRAFT_ROOMS
+
         feedback.pushInfo(
             tr(
                 "{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by "
@@ -168,6 +170,8 @@ class ExportOnboard(SemRefAlgorithm):
                 vector=onboard.vector_error,
             )
         )
+        rooms = ", ".join(AIRCRAFT_ROOMS)
+        feedback.pushInfo(tr("Of the plugin’s folder “core” the aircraft needs: {rooms}.").format(rooms=rooms))
         if onboard.lon_lat is None:
             feedback.pushWarning(
                 tr("The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.")

@@ -25,6 +25,7 @@ from semref.core.labels.sources import ArrayLabels
 from semref.core.localizer.localizer import AUTOMATIC, Localizer
 from semref.core.localizer.record import gga_sentence
 from semref.core.onboard import command_line
+from semref.core.onboard.aircraft import AIRCRAFT_ROOMS
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, WRONG_USAGE, main
 from semref.core.onboard.read import read_onboard
 from semref.core.onboard.write import write_onboard
@@ -179,8 +180,18 @@ def test_the_help_names_the_commands_and_exit_codes(capsys):
         assert text in said
 
 
-def test_a_copy_of_the_folder_is_all_that_is_needed(database, image, repository, tmp_path):
-    shutil.copytree(repository / "core", tmp_path / "core", ignore=shutil.ignore_patterns("__pycache__"))
+def copy_aircraft_rooms(repository, folder):
+    (folder / "core").mkdir()
+    for name in AIRCRAFT_ROOMS:
+        source, target = repository / "core" / name, folder / "core" / name
+        if source.is_dir():
+            shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
+        else:
+            shutil.copy(source, target)
+
+
+def test_a_copy_of_the_rooms_of_an_aircraft_is_all_that_is_needed(database, image, repository, tmp_path):
+    copy_aircraft_rooms(repository, tmp_path)
     program = (
         "import runpy, sys\n"
         "sys.path.insert(0, '')\n"
@@ -238,7 +249,7 @@ def test_watch_takes_an_image_when_it_is_complete(monkeypatch):
 def test_watch_takes_images_as_they_come(database, tmp_path, repository):
     folder = tmp_path / "incoming"
     folder.mkdir()
-    shutil.copytree(repository / "core", tmp_path / "core", ignore=shutil.ignore_patterns("__pycache__"))
+    copy_aircraft_rooms(repository, tmp_path)
     command = [sys.executable, "-m", "core", "watch", "incoming", "--database", database]
     watching = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, text=True)
     killer = threading.Timer(60, watching.kill)

@@ -1,0 +1,20 @@
+"""What of ``core`` an aircraft needs."""
+
+AIRCRAFT_ROOMS = (
+    "__init__.py",
+    "__main__.py",
+    "errors.py",
+    "localization.py",
+    "sentences",
+    "geometry",
+    "labels",
+    "landmarks",
+    "windows",
+    "database",
+    "constellation",
+    "correlation",
+    "localizer",
+    "segmentation",
+    "onboard",
+)
+"""The files and folders of ``core`` that ``python -m core`` runs from; none of them imports another one."""
