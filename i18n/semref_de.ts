@@ -1724,10 +1724,6 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Auflösung (cm je Pixel)</translation>
   </message>
   <message>
-   <source>Resolving overlaps</source>
-   <translation>Überlappungen werden aufgelöst</translation>
-  </message>
-  <message>
    <source>Results</source>
    <translation>Ergebnisse</translation>
   </message>

@@ -1724,10 +1724,6 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Resolución (cm por píxel)</translation>
   </message>
   <message>
-   <source>Resolving overlaps</source>
-   <translation>Resolviendo superposiciones</translation>
-  </message>
-  <message>
    <source>Results</source>
    <translation>Resultados</translation>
   </message>

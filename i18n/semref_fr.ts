@@ -1724,10 +1724,6 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Résolution (cm par pixel)</translation>
   </message>
   <message>
-   <source>Resolving overlaps</source>
-   <translation>Résolution des superpositions</translation>
-  </message>
-  <message>
    <source>Results</source>
    <translation>Résultats</translation>
   </message>

@@ -1724,10 +1724,6 @@ The model that ships with SemRef can read these photos.</source>
    <translation>分辨率（cm/像元）</translation>
   </message>
   <message>
-   <source>Resolving overlaps</source>
-   <translation>正在处理重叠</translation>
-  </message>
-  <message>
    <source>Results</source>
    <translation>结果</translation>
   </message>

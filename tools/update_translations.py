@@ -17,6 +17,7 @@ CONTEXT = "SemRef"
 ROOMS = ("storage", "processing", "ui")
 STEP_FILES = (
     "core/annotation/check.py",
+    "core/annotation/surface.py",
     "core/annotation/repair.py",
     "core/database/build.py",
     "core/database/update.py",

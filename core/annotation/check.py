@@ -10,20 +10,13 @@ import shapely
 
 from ..geometry.well_known_binary import to_wkb
 from ..landmarks.landmarks import minimum_area_px
-from .findings import GAP, INFORMATION, LOST, MERGED, NOTHING, SLIVER, SMALL, SPLIT, WARNING, Finding
-from .merging import MergeSettings, merge_gaps_and_slivers
-from .overlaps import (
-    NARROWEST_M,
-    classes_of_faces,
-    find_duplicates,
-    find_hidden,
-    find_overlaps,
-    find_same_class_neighbors,
-)
-from .partition import PlanarPartition, Regions, dissolve, find_regions, partition_polygons
-from .polygons import AnnotatedFeature, AnnotatedPolygons, feature_geometries, split_parts, valid_polygons
+from .findings import INFORMATION, LOST, MERGED, NOTHING, SMALL, SPLIT, WARNING, Finding
+from .merging import MergeSettings, merge_finding, merge_gaps_and_slivers
+from .overlaps import NARROWEST_M, classes_of_faces, find_same_class_neighbors
+from .partition import PlanarPartition, dissolve, find_regions, region_owners
+from .polygons import AnnotatedFeature, AnnotatedPolygons
 from .raster_losses import RegionRuns, count_pieces, lost_regions, merged_regions
-from .validity import find_invalid, find_unusable
+from .surface import Surface, laid_polygons
 
 
 @dataclass(frozen=True)
@@ -62,36 +55,24 @@ class AnnotationCheck:
 
     def steps(self) -> Iterator[Tuple[str, float]]:
         """Yields (what is being done, share done 0…1)."""
-        yield "Looking at geometries", 0.0
-        geometries = feature_geometries(self._features)
-        parts = split_parts(geometries)
-        self.findings += find_invalid(self._features, geometries, parts)
-        polygons = valid_polygons(self._features, parts)
-        self.findings += find_unusable(self._features, geometries, polygons)
-        yield "Laying polygons on each other", 0.1
-        if not len(polygons):
+        surface = yield from laid_polygons(self._features, AnnotatedPolygons.drawn_ranks, self.findings)
+        if surface is None:
             return
-        partition = partition_polygons(polygons.geometries)
-        yield "Looking for overlaps", 0.6
-        ranks = polygons.drawn_ranks()
-        duplicates, repeated = find_duplicates(polygons, partition)
-        self.findings += duplicates
-        self.findings += find_overlaps(polygons, partition, ranks, repeated)
-        self.findings += find_hidden(polygons, partition, ranks, duplicates)
+        polygons, partition = surface.polygons, surface.partition
         yield "Looking for gaps and slivers", 0.8
         self.findings += find_gaps_and_slivers(polygons, partition, self._settings.maximum_gap)
         yield "Looking at neighbors of one class", 0.85
-        self.findings += find_same_class_neighbors(polygons, partition, ranks, self._settings.landmark_classes)
+        classes = self._settings.landmark_classes
+        self.findings += find_same_class_neighbors(polygons, partition, surface.ranks, classes)
         yield "Looking at landmarks", 0.9
-        self._find_landmarks(polygons, partition, ranks)
+        self._find_landmarks(surface)
         yield "Looking at landmarks", 1.0
 
-    def _find_landmarks(self, polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray) -> None:
-        top = partition.top_polygons(ranks)
-        face_classes = classes_of_faces(polygons, top)
-        wanted = np.isin(face_classes, [int(value) for value in self._settings.landmark_classes])
-        regions = find_regions(partition, face_classes)
-        owners = region_owners(regions, top, partition.areas)
+    def _find_landmarks(self, surface: Surface) -> None:
+        polygons, partition = surface.polygons, surface.partition
+        wanted = np.isin(surface.classes, [int(value) for value in self._settings.landmark_classes])
+        regions = find_regions(partition, surface.classes)
+        owners = region_owners(regions, surface.top, partition.areas)
         numbers, groups = np.unique(regions.of_face[wanted], return_inverse=True)
         for region, geometry in zip(numbers.tolist(), dissolve(partition.faces[wanted], groups.reshape(-1))):
             value, area = int(regions.classes[region]), float(regions.areas[region])
@@ -102,21 +83,6 @@ class AnnotationCheck:
             else:
                 bounds = tuple(shapely.bounds(geometry).tolist())
                 self.landmarks.append(DrawnRegion(to_wkb(geometry), bounds, value, feature_id, area))
-
-
-def region_owners(regions: Regions, top: np.ndarray, face_areas: np.ndarray) -> np.ndarray:
-    """(R,) int64 polygon that covers most of each region as seen from above, the first of equals; −1 for none.
-
-    ``top``: (F,) polygon seen on each face, −1 where the region's class is not this polygon's.
-    """
-    owners = np.full(len(regions.classes), -1, np.int64)
-    owned = top >= 0
-    count = int(top.max(initial=0)) + 1
-    keys, place = np.unique(regions.of_face[owned] * count + top[owned], return_inverse=True)
-    areas = np.bincount(place.reshape(-1), face_areas[owned], len(keys))
-    order = np.lexsort((-keys, areas))
-    owners[keys[order] // count] = keys[order] % count
-    return owners
 
 
 def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartition, maximum_gap: float) -> List[Finding]:
@@ -131,18 +97,7 @@ def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartitio
         area, perimeter = partition.areas[merge.faces].sum(), partition.perimeters[merge.faces].sum()
         if 2 * area < NARROWEST_M * perimeter:
             continue
-        owner = top[merge.faces[np.argmax(partition.areas[merge.faces])]]
-        found.append(
-            Finding(
-                GAP if merge.from_class == NOTHING else SLIVER,
-                WARNING,
-                to_wkb(shapely.union_all(partition.faces[merge.faces])),
-                int(polygons.feature_ids[owner]) if owner >= 0 else None,
-                class_value=merge.from_class,
-                other_class=merge.to_class,
-                area=float(area),
-            )
-        )
+        found.append(merge_finding(merge, WARNING, polygons, partition, top))
     return found
 
 

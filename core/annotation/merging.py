@@ -6,9 +6,12 @@ from dataclasses import dataclass
 from typing import List, Tuple
 
 import numpy as np
+import shapely
 
-from .findings import NOTHING
+from ..geometry.well_known_binary import to_wkb
+from .findings import GAP, NOTHING, SLIVER, Finding
 from .partition import PlanarPartition, Regions, find_regions
+from .polygons import AnnotatedPolygons
 
 THIN_M = 0.25
 """Gaps and pieces between neighbors with a smaller mean width (m) come from drawing, not from the ground."""
@@ -58,6 +61,22 @@ def merge_gaps_and_slivers(
             faces = order[bounds[region] : bounds[region + 1]]
             merges.append(Merge(faces, int(regions.classes[region]), int(regions.classes[target[region]])))
             classes[faces] = merges[-1].to_class
+
+
+def merge_finding(
+    merge: Merge, severity: str, polygons: AnnotatedPolygons, partition: PlanarPartition, top: np.ndarray
+) -> Finding:
+    """A gap or sliver as a finding, with the feature seen on most of it; ``top``: (F,) polygon seen on each face."""
+    owner = top[merge.faces[np.argmax(partition.areas[merge.faces])]]
+    return Finding(
+        GAP if merge.from_class == NOTHING else SLIVER,
+        severity,
+        to_wkb(shapely.union_all(partition.faces[merge.faces])),
+        int(polygons.feature_ids[owner]) if owner >= 0 else None,
+        class_value=merge.from_class,
+        other_class=merge.to_class,
+        area=float(partition.areas[merge.faces].sum()),
+    )
 
 
 def _unwanted(regions: Regions, settings: MergeSettings) -> np.ndarray:

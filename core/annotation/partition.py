@@ -103,6 +103,21 @@ def find_regions(partition: PlanarPartition, face_classes: np.ndarray) -> Region
     return Regions(of_face, classes, np.bincount(of_face, partition.areas, count), perimeters, neighbors, lengths)
 
 
+def region_owners(regions: Regions, top: np.ndarray, face_areas: np.ndarray) -> np.ndarray:
+    """(R,) int64 polygon that covers most of each region as seen from above, the first of equals; −1 for none.
+
+    ``top``: (F,) polygon seen on each face, −1 where the region's class is not this polygon's.
+    """
+    owners = np.full(len(regions.classes), -1, np.int64)
+    owned = top >= 0
+    count = int(top.max(initial=0)) + 1
+    keys, place = np.unique(regions.of_face[owned] * count + top[owned], return_inverse=True)
+    areas = np.bincount(place.reshape(-1), face_areas[owned], len(keys))
+    order = np.lexsort((-keys, areas))
+    owners[keys[order] // count] = keys[order] % count
+    return owners
+
+
 def corner_neighbors(partition: PlanarPartition, face_classes: np.ndarray) -> np.ndarray:
     """(E, 2) int64 faces of one class that meet in a point and belong to regions that share no border, once a pair of
     regions; ``face_classes``: (F,) class values, negative ones are left out."""

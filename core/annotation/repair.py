@@ -9,13 +9,11 @@ import numpy as np
 import shapely
 
 from ..geometry.well_known_binary import to_wkb
-from .check import region_owners
-from .findings import DISSOLVED, GAP, INFORMATION, NOTHING, SLIVER, Finding
-from .merging import Merge, MergeSettings, merge_gaps_and_slivers
-from .overlaps import classes_of_faces, find_duplicates, find_hidden, find_overlaps
-from .partition import PlanarPartition, Regions, dissolve, find_regions, partition_polygons
-from .polygons import AnnotatedFeature, AnnotatedPolygons, feature_geometries, split_parts, valid_polygons
-from .validity import find_invalid, find_unusable
+from .findings import DISSOLVED, INFORMATION, NOTHING, Finding
+from .merging import MergeSettings, merge_finding, merge_gaps_and_slivers
+from .partition import Regions, dissolve, find_regions, region_owners
+from .polygons import AnnotatedFeature, AnnotatedPolygons
+from .surface import Surface, laid_polygons
 
 
 @dataclass(frozen=True)
@@ -41,36 +39,23 @@ class AnnotationRepair:
 
     def steps(self) -> Iterator[Tuple[str, float]]:
         """Yields (what is being done, share done 0…1)."""
-        yield "Looking at geometries", 0.0
-        geometries = feature_geometries(self._features)
-        parts = split_parts(geometries)
-        self.changes += find_invalid(self._features, geometries, parts)
-        polygons = valid_polygons(self._features, parts)
-        self.changes += find_unusable(self._features, geometries, polygons)
-        if not len(polygons):
+        surface = yield from laid_polygons(self._features, AnnotatedPolygons.repair_ranks, self.changes)
+        if surface is None:
             return
-        yield "Laying polygons on each other", 0.1
-        partition = partition_polygons(polygons.geometries)
-        yield "Resolving overlaps", 0.6
-        ranks = polygons.repair_ranks()
-        duplicates, repeated = find_duplicates(polygons, partition)
-        self.changes += duplicates
-        self.changes += find_overlaps(polygons, partition, ranks, repeated)
-        self.changes += find_hidden(polygons, partition, ranks, duplicates)
-        top = partition.top_polygons(ranks)
         yield "Filling gaps and merging slivers", 0.8
-        classes, merges = merge_gaps_and_slivers(partition, classes_of_faces(polygons, top), self._settings)
-        self.changes += [_merged(merge, polygons, partition, top) for merge in merges]
+        classes, merges = merge_gaps_and_slivers(surface.partition, surface.classes, self._settings)
+        self.changes += [
+            merge_finding(merge, INFORMATION, surface.polygons, surface.partition, surface.top) for merge in merges
+        ]
         yield "Dissolving neighbors", 0.9
-        self._dissolve(polygons, partition, top, classes)
+        self._dissolve(surface, classes)
         yield "Dissolving neighbors", 1.0
 
-    def _dissolve(
-        self, polygons: AnnotatedPolygons, partition: PlanarPartition, top: np.ndarray, classes: np.ndarray
-    ) -> None:
+    def _dissolve(self, surface: Surface, classes: np.ndarray) -> None:
+        polygons, partition = surface.polygons, surface.partition
         regions = find_regions(partition, classes)
         # A face that went to a neighbor's class says nothing about whose attributes its region has.
-        own = np.where(classes_of_faces(polygons, top) == classes, top, -1)
+        own = np.where(surface.classes == classes, surface.top, -1)
         owners = region_owners(regions, own, partition.areas)
         covered = classes != NOTHING
         numbers, groups = np.unique(regions.of_face[covered], return_inverse=True)
@@ -82,19 +67,6 @@ class AnnotationRepair:
             for wkb, feature in zip(to_wkb(geometries[order]).tolist(), features[order].tolist())
         ]
         self.changes += _dissolved(polygons, regions, own, dict(zip(numbers.tolist(), geometries)), owners)
-
-
-def _merged(merge: Merge, polygons: AnnotatedPolygons, partition: PlanarPartition, top: np.ndarray) -> Finding:
-    owner = top[merge.faces[np.argmax(partition.areas[merge.faces])]]
-    return Finding(
-        GAP if merge.from_class == NOTHING else SLIVER,
-        INFORMATION,
-        to_wkb(shapely.union_all(partition.faces[merge.faces])),
-        int(polygons.feature_ids[owner]) if owner >= 0 else None,
-        class_value=merge.from_class,
-        other_class=merge.to_class,
-        area=float(partition.areas[merge.faces].sum()),
-    )
 
 
 def _dissolved(
