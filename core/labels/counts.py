@@ -15,5 +15,6 @@ def count_labels(labels_hw: np.ndarray) -> np.ndarray:
     counts = np.zeros(256, np.int64)
     for first in range(0, len(flat), _EXACT):
         part = flat[first : first + _EXACT]
-        counts += cv2.calcHist([part], [0], None, [256], [0, 256])[:, 0].astype(np.int64)
+        # (256, 1) until OpenCV 4, (256,) from 5 on.
+        counts += cv2.calcHist([part], [0], None, [256], [0, 256]).reshape(-1).astype(np.int64)
     return counts
