@@ -103,18 +103,20 @@ def fresh_trials(work: Path, labels: Path, database: Path, count: int, automatic
 
 def fresh_trial(number: int, source, database, localizer, cells, method: str) -> dict:
     """One image: where it was cut, and what came of it."""
-    from semref.core.simulation import views as trials
+    from semref.core.simulation.noise import LabelNoise, spoil_labels
+    from semref.core.simulation.views import cut
 
+    frame = database.parameters.frame
     rng = np.random.default_rng([FRESH_SEED, number])
     x, y = cells.centers[rng.integers(len(cells))] + rng.uniform(-SPACING / 2, SPACING / 2, 2)
     view = view_at(database, x, y, float(rng.uniform(0, 360)))
     values = database.class_table.reference_values
-    objects = trials.ObjectNoise(NOISE["MISSED"] / 100, NOISE["INVENTED"] / 100, NOISE["MISNAMED"] / 100)
+    noise = LabelNoise(NOISE["MISSED"] / 100, NOISE["INVENTED"] / 100, NOISE["MISNAMED"] / 100, NOISE["RAGGED"])
     other = database.references.positions[rng.integers(len(database.references))]
-    donor = trials.cut_view(source, view_at(database, *other, float(rng.uniform(0, 360))))
-    smallest = database.parameters.minimum_area / view.scale**2
-    image = trials.spoil_label_objects(trials.cut_view(source, view), objects, rng, values, donor, smallest)
-    image = trials.spoil_labels(image, trials.LabelNoise(ragged_px=NOISE["RAGGED"] / view.scale), rng, values)
+    donor = cut(source, frame, view_at(database, *other, float(rng.uniform(0, 360))))
+    smallest = database.parameters.minimum_area / view.pixel_size**2
+    image = cut(source, frame, view)
+    image = spoil_labels(image, noise.in_pixels(view.pixel_size), rng, values, donor, smallest)
     started = time.process_time()
     found = localizer.localize(image, method)
     seconds = time.process_time() - started
@@ -132,11 +134,10 @@ def fresh_trial(number: int, source, database, localizer, cells, method: str) ->
 
 
 def view_at(database, x: float, y: float, heading_deg: float):
-    from semref.core.simulation import views as trials
+    from semref.core.simulation.views import View
 
-    x0, pixel, _, y0, _, _ = database.parameters.geotransform
-    size = min(round(FOOTPRINT / pixel), LARGEST_IMAGE_PX)
-    return trials.View(float(x - x0) / pixel, float(y0 - y) / pixel, heading_deg, FOOTPRINT / size / pixel, size, size)
+    size = min(round(FOOTPRINT / database.parameters.pixel_size), LARGEST_IMAGE_PX)
+    return View(float(x), float(y), heading_deg, FOOTPRINT / size, size, size)
 
 
 # --- what the assessment predicted ---

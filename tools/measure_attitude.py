@@ -21,7 +21,8 @@ import measure_constellation as constellation  # noqa: I001
 import cv2
 import numpy as np
 from measure_constellation import CLASSES, DATA, GOAL, IMAGE_PX, LAYER, MINIMUM_AREA_M2, PIXEL_SIZES_M
-from semref.core.simulation import views as trials
+from semref.core.simulation.noise import spoil_landmarks
+from semref.core.simulation.views import PIXELS, View, cut, random_view
 from semref.core.geometry.leveling import Attitude, focal_length_from_view, leveling
 from semref.core.constellation.solver import FIX, localize
 from semref.core.constellation.index import build_index
@@ -74,18 +75,18 @@ def parse() -> argparse.Namespace:
 def query(area: constellation.Area, tilt_deg: float, rng: np.random.Generator) -> tuple:
     """(view, labels) with at least LEAST_OBJECTS whole objects in the image."""
     while True:
-        view = trials.random_view(rng, area.extent, (IMAGE_PX, IMAGE_PX), (0.8, 1.25))
+        view = random_view(rng, area.extent, (IMAGE_PX, IMAGE_PX), (0.8, 1.25))
         view = replace(view, tilt_deg=tilt_deg, tilt_direction_deg=float(rng.uniform(0, 360)))
-        near = np.abs(area.objects.centers_xy - (view.column, view.row)).max(axis=1) < IMAGE_PX * view.scale / 2
+        near = np.abs(area.objects.centers_xy - (view.x, -view.y)).max(axis=1) < IMAGE_PX * view.pixel_size / 2
         if near.sum() < LEAST_OBJECTS / 2:
             continue
-        labels = trials.cut_view(area.labels, view)
-        found = extract_landmarks(labels, CLASSES, MINIMUM_AREA_M2 / view.scale**2)
+        labels = cut(area.labels, PIXELS, view)
+        found = extract_landmarks(labels, CLASSES, MINIMUM_AREA_M2 / view.pixel_size**2)
         if (~found.touches_edge).sum() >= LEAST_OBJECTS:
             return view, labels
 
 
-def attitude_of(view: trials.View, errors_deg: np.ndarray) -> Attitude:
+def attitude_of(view: View, errors_deg: np.ndarray) -> Attitude:
     """Roll and pitch of a view, plus errors."""
     tilt, direction = np.radians((view.tilt_deg, view.tilt_direction_deg))
     pitch = np.arcsin(np.sin(tilt) * np.cos(direction))
@@ -93,7 +94,7 @@ def attitude_of(view: trials.View, errors_deg: np.ndarray) -> Attitude:
     return Attitude(float(np.degrees(roll) + errors_deg[0]), float(np.degrees(pitch) + errors_deg[1]))
 
 
-def trial(area: constellation.Area, index, view: trials.View, labels: np.ndarray, errors_deg, seed: list) -> tuple:
+def trial(area: constellation.Area, index, view: View, labels: np.ndarray, errors_deg, seed: list) -> tuple:
     """(is a fix, error as a share of the footprint's edge, seconds of leveling)."""
     middle, seconds = 0j, 0.0
     if errors_deg is not None:
@@ -104,14 +105,14 @@ def trial(area: constellation.Area, index, view: trials.View, labels: np.ndarray
         seconds = time.process_time() - started
     height, width = labels.shape
     objects = extract_landmarks(labels, CLASSES, SMALLEST_PX)
-    population = replace(area.objects, areas_px=area.objects.areas_px / view.scale**2)
-    objects = trials.spoil_objects(objects, GOAL, np.random.default_rng(seed), population, (width, height))
+    population = replace(area.objects, areas_px=area.objects.areas_px / view.pixel_size**2)
+    objects = spoil_landmarks(objects, GOAL, np.random.default_rng(seed), population, (width, height))
     found = localize(objects, width, height, index, Prior(pixel_size_range=PIXEL_SIZES_M))
     if found.status != FIX:
         return False, np.nan, seconds
     place = found.place
     center = complex(*place.position) - turn_of(place.heading_deg, place.pixel_size_m) * middle
-    return True, abs(center - complex(view.column, -view.row)) / (IMAGE_PX * view.scale), seconds
+    return True, abs(center - complex(*view.position)) / (IMAGE_PX * view.pixel_size), seconds
 
 
 def print_row(start: str, outcomes: list) -> None:

@@ -57,15 +57,16 @@ from semref.core.constellation.hypotheses import Prior  # noqa: E402
 from semref.core.constellation.index import build_index  # noqa: E402
 from semref.core.constellation.solver import FIX, localize  # noqa: E402
 from semref.core.database.model import MapLandmarks  # noqa: E402
-from semref.core.evaluation.evaluation import ellipse_ratio  # noqa: E402
 from semref.core.evaluation.rates import wilson  # noqa: E402
+from semref.core.evaluation.trial import ellipse_ratio  # noqa: E402
 from semref.core.labels.sources import ArrayLabels  # noqa: E402
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks  # noqa: E402
-from semref.core.simulation import views as trials  # noqa: E402
+from semref.core.simulation.noise import LabelNoise, spoil_labels, spoil_landmarks  # noqa: E402
+from semref.core.simulation.views import PIXELS, cut, random_view  # noqa: E402
 
-GOAL = trials.ObjectNoise(missed=0.2, invented=0.2, misnamed=0.05, jitter_px=1.5, area=0.1)
-HARD = trials.ObjectNoise(missed=0.4, invented=0.4, misnamed=0.1, jitter_px=1.5, area=0.1)
-CLEAN = trials.ObjectNoise()
+GOAL = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05, center=1.5, log_area=0.1)
+HARD = LabelNoise(missed=0.4, spurious=0.4, mislabeled=0.1, center=1.5, log_area=0.1)
+CLEAN = LabelNoise()
 
 
 @dataclass(frozen=True)
@@ -73,11 +74,11 @@ class Row:
     """One line of the table: what the queries are like."""
 
     name: str
-    noise: trials.ObjectNoise = GOAL
+    noise: LabelNoise = GOAL
     scales: tuple = (0.8, 1.25)
     objects: tuple = (20, 10**9)
     tilt_deg: float = 0.0
-    labels: trials.LabelNoise | None = None
+    labels: LabelNoise | None = None
     elsewhere: str = ""
     share: float = 1.0
 
@@ -89,11 +90,11 @@ ROWS = {
     "clean": Row("no noise but the grid, scale 0.5–2", CLEAN, (0.5, 2.0)),
     "few": Row("20 / 20 / 5 %, 8–12 objects", objects=(8, 12)),
     "few_clean": Row("no noise, 8–12 objects", CLEAN, objects=(8, 12)),
-    "ragged": Row("edges ragged by 2 px", CLEAN, labels=trials.LabelNoise(ragged_px=2.0)),
+    "ragged": Row("edges ragged by 2 px", CLEAN, labels=LabelNoise(jitter=2.0)),
     "merged": Row(
         "edges ragged by 2 px, gaps ≤ 8 px closed in half of the image, 20 % of objects cut in two",
         CLEAN,
-        labels=trials.LabelNoise(ragged_px=2.0, merged=0.5, merge_gap_px=9, split=0.2),
+        labels=LabelNoise(jitter=2.0, merge_share=0.5, merge_gap=9, split=0.2),
     ),
     "tilt5": Row("20 / 20 / 5 %, camera tilted 5°", tilt_deg=5.0),
     "tilt10": Row("20 / 20 / 5 %, camera tilted 10°", tilt_deg=10.0),
@@ -187,7 +188,7 @@ class Area:
         height, width = labels.shape
         middle = int(np.median(self.objects.centers_xy[:, 1]))
         rows = {"north": (0, middle), "south": (middle, height), "both": (0, height)}[half]
-        self.extent = (0, rows[0], width, rows[1])
+        self.extent = (0, -rows[1], width, -rows[0])
 
     def references(self) -> MapLandmarks:
         objects = self.objects
@@ -196,25 +197,25 @@ class Area:
     def query(self, row: Row, rng: np.random.Generator) -> tuple:
         """A view with as many whole objects as the row asks for, and its objects after noise."""
         while True:
-            view = trials.random_view(rng, self.extent, (IMAGE_PX, IMAGE_PX), row.scales)
+            view = random_view(rng, self.extent, (IMAGE_PX, IMAGE_PX), row.scales)
             view = replace(view, tilt_deg=row.tilt_deg, tilt_direction_deg=float(rng.uniform(0, 360)))
-            near = np.abs(self.objects.centers_xy - (view.column, view.row)).max(axis=1) < IMAGE_PX * view.scale / 2
+            near = np.abs(self.objects.centers_xy - (view.x, -view.y)).max(axis=1) < IMAGE_PX * view.pixel_size / 2
             if near.sum() < 0.7 * row.objects[0]:
                 continue
-            labels = trials.cut_view(self.labels, view)
+            labels = cut(self.labels, PIXELS, view)
             whole = self._extract(labels)
-            whole = whole.select(~whole.touches_edge & (whole.areas_px * view.scale**2 >= MINIMUM_AREA_M2))
+            whole = whole.select(~whole.touches_edge & (whole.areas_px * view.pixel_size**2 >= MINIMUM_AREA_M2))
             if row.objects[0] <= len(whole) <= row.objects[1]:
                 if row.labels is not None:
-                    labels = trials.spoil_labels(labels, row.labels, rng, CLASSES)
+                    labels = spoil_labels(labels, row.labels, rng, CLASSES)
                 return view, self._spoil(self._extract(labels), view, row.noise, rng)
 
     def _extract(self, labels: np.ndarray) -> Landmarks:
         return extract_landmarks(labels, CLASSES, max(MINIMUM_AREA_M2 / PIXEL_SIZES_M[1] ** 2, 9))
 
     def _spoil(self, objects: Landmarks, view, noise, rng) -> Landmarks:
-        population = replace(self.objects, areas_px=self.objects.areas_px / view.scale**2)
-        return trials.spoil_objects(objects, noise, rng, population, (IMAGE_PX, IMAGE_PX))
+        population = replace(self.objects, areas_px=self.objects.areas_px / view.pixel_size**2)
+        return spoil_landmarks(objects, noise, rng, population, (IMAGE_PX, IMAGE_PX))
 
 
 def trial(area: Area, row: Row, index, rng: np.random.Generator, sample) -> Outcome:
@@ -234,13 +235,13 @@ def trial(area: Area, row: Row, index, rng: np.random.Generator, sample) -> Outc
         outcome.log_odds = found.place.log_odds
     if found.place is None or row.elsewhere:
         return outcome
-    off = complex(*found.place.position) - complex(view.column, -view.row)
+    off = complex(*found.place.position) - complex(*view.position)
     outcome.error_m = abs(off)
-    outcome.footprint_m = IMAGE_PX * view.scale
+    outcome.footprint_m = IMAGE_PX * view.pixel_size
     outcome.place_right = outcome.error_m <= (RIGHT_TILTED * outcome.footprint_m if view.tilt_deg else RIGHT_M)
     outcome.right = found.status == FIX and outcome.place_right
     outcome.heading_deg = abs((found.place.heading_deg - view.heading_deg + 180) % 360 - 180)
-    outcome.scale = abs(found.place.pixel_size_m / view.scale - 1)
+    outcome.scale = abs(found.place.pixel_size_m / view.pixel_size - 1)
     if found.uncertainty is not None:
         outcome.ratio = ellipse_ratio(off.real, off.imag, found.uncertainty)
     return outcome
@@ -303,8 +304,8 @@ def image_from_elsewhere(area: Area, regions: list, number: int, rng: np.random.
     tiles = regions[1:] or regions
     name, labels, scales = regions[0] if which % 2 else tiles[which // 2 % len(tiles)]
     height, width = labels.shape
-    view = trials.random_view(rng, (0.3 * width, 0.3 * height, 0.7 * width, 0.7 * height), (IMAGE_PX, IMAGE_PX), scales)
-    return name, extract_landmarks(trials.cut_view(ArrayLabels(labels), view), CLASSES, 16)
+    view = random_view(rng, (0.3 * width, -0.7 * height, 0.7 * width, -0.3 * height), (IMAGE_PX, IMAGE_PX), scales)
+    return name, extract_landmarks(cut(labels, PIXELS, view), CLASSES, 16)
 
 
 def dubai_regions() -> list:
@@ -342,8 +343,8 @@ def sample_labels(seed: int) -> np.ndarray:
 
 def sample_objects(labels: np.ndarray, rng: np.random.Generator) -> Landmarks:
     height, width = labels.shape
-    view = trials.random_view(rng, (700, 700, width - 700, height - 700), (IMAGE_PX, IMAGE_PX), (0.8, 1.25))
-    return extract_landmarks(trials.cut_view(ArrayLabels(labels), view), CLASSES, 16)
+    view = random_view(rng, (700, 700 - height, width - 700, -700), (IMAGE_PX, IMAGE_PX), (0.8, 1.25))
+    return extract_landmarks(cut(labels, PIXELS, view), CLASSES, 16)
 
 
 def rate_text(count: int, total: int) -> str:

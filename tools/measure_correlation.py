@@ -59,7 +59,7 @@ def load_package() -> None:
 
 
 load_package()
-from semref.core.constellation.solver import solver as constellation  # noqa: E402
+from semref.core.constellation import solver as constellation  # noqa: E402
 from semref.core.correlation.class_pyramid import MapPyramid  # noqa: E402
 from semref.core.correlation.decision import LEAST_NOISE, position_error_95  # noqa: E402
 from semref.core.correlation.places import (  # noqa: E402
@@ -82,11 +82,10 @@ from semref.core.labels.overview import most_frequent_labels  # noqa: E402
 from semref.core.labels.sources import ArrayLabels  # noqa: E402
 from semref.core.landmarks.landmarks import extract_landmarks  # noqa: E402
 from semref.core.localizer.localizer import AUTOMATIC, Localizer  # noqa: E402
-from semref.core.simulation import views as trials  # noqa: E402
-from semref.core.simulation.noise import MODEST, STRONG, degrade_labels  # noqa: E402
+from semref.core.simulation.noise import MODEST, STRONG, LabelNoise, spoil_labels  # noqa: E402
 
 OBJECT_CLASSES = (1, 2, 3)  # building, bare land, water
-OBJECT_NOISE = trials.ObjectNoise(missed=0.2, invented=0.2, misnamed=0.05)
+OBJECT_NOISE = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05)
 FEW_OBJECTS = (8, 12)
 AUTOMATIC_KINDS = ("objects", "few objects", "modest", "strong")
 NOISES = {"true labels": None, "modest": MODEST, "strong": STRONG}
@@ -130,6 +129,11 @@ def random_image(labels, rng, rows, size_wh, pixels, least_labeled):
             return image, center, heading, pixel
 
 
+def spoiled(labels: np.ndarray, pixel_m: float, noise: LabelNoise, seed: int) -> np.ndarray:
+    """A label image as a poor network would give it; its landmarks are buildings."""
+    return spoil_labels(labels, noise.in_pixels(pixel_m), np.random.default_rng(seed), (1,))
+
+
 def trial(job) -> dict:
     """One image localized; a JSON row."""
     kind, noise_name, seed, prior_m = job
@@ -148,7 +152,7 @@ def trial(job) -> dict:
     noise = NOISES[noise_name]
     meters = STATE["meters"]
     if noise is not None:
-        image = degrade_labels(image, pixel * meters, noise, seed)
+        image = spoiled(image, pixel * meters, noise, seed)
     prior = Prior()
     if prior_m:
         away = rng.uniform(-0.7, 0.7, 2) * prior_m
@@ -202,7 +206,7 @@ def radius_trial(job) -> dict:
     labels, center, heading, pixel = random_image(
         STATE["labels"], rng, STATE["rows"]["right"], (edge, edge), STATE["pixels"], STATE["least"]
     )
-    labels = degrade_labels(labels, pixel * STATE["meters"], NOISES[noise_name], seed)
+    labels = spoiled(labels, pixel * STATE["meters"], NOISES[noise_name], seed)
     pyramid = STATE["pyramids"]["right"]
     quiet = QUIET_ENERGY * pyramid.energy
     image = image_evidence(labels, pyramid)
@@ -286,9 +290,9 @@ def automatic_image(kind: str, seed: int):
     if noise == "objects":
         donor, _, _, _ = random_image(labels, rng, rows, size, (pixel, pixel), LEAST_LABELED)
         least = MINIMUM_AREA_M2 / pixel**2
-        image = trials.spoil_label_objects(image, OBJECT_NOISE, rng, OBJECT_CLASSES, donor, least)
+        image = spoil_labels(image, OBJECT_NOISE, rng, OBJECT_CLASSES, donor, least)
     else:
-        image = degrade_labels(image, pixel, NOISES[noise], seed)
+        image = spoiled(image, pixel, NOISES[noise], seed)
     return image, center, heading, pixel
 
 

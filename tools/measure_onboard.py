@@ -32,7 +32,8 @@ load_plugin_package()
 from semref.core.labels.sources import ArrayLabels  # noqa: E402
 from semref.core.landmarks.landmarks import extract_landmarks  # noqa: E402
 from semref.core.onboard.read import read_onboard  # noqa: E402
-from semref.core.simulation import views as trials  # noqa: E402
+from semref.core.simulation.noise import LabelNoise, spoil_labels  # noqa: E402
+from semref.core.simulation.views import PIXELS, View, cut, random_view  # noqa: E402
 
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 LAYER = DATA / "osm_liechtenstein_2021" / "li_landcover_2021.shp"
@@ -40,7 +41,7 @@ WINDOW, STRIDE, MINIMUM_AREA = 1280, 350, 100
 PAPERS_GRID = 23, 12  # 276 windows, as many as the paper's database has
 PAPERS_BYTES = 77_500
 LEAST_OBJECTS = 20
-RAGGED = trials.LabelNoise(ragged_px=2.0)
+RAGGED = LabelNoise(jitter=2.0)
 HEADER = (
     "| what | windows | references | bytes | bytes a window | bytes a reference | overview, header | windows alone |\n"
     "|---|---|---|---|---|---|---|---|"
@@ -167,13 +168,13 @@ def cut_images(labels: Path, folder: Path, options: argparse.Namespace, on_windo
     while number < options.images:
         if on_windows:
             column, row = (int(rng.integers((size - WINDOW) // STRIDE + 1)) * STRIDE for size in (width, height))
-            view = trials.View(column + WINDOW / 2, row + WINDOW / 2, 0.0, 1.0, WINDOW, WINDOW)
+            view = View(column + WINDOW / 2, -row - WINDOW / 2, 0.0, 1.0, WINDOW, WINDOW)
         else:
-            view = trials.random_view(rng, (0, 0, width, height), (WINDOW, WINDOW), (0.8, 1.25))
-        seen = trials.cut_view(source, view)
+            view = random_view(rng, (0, -height, width, 0), (WINDOW, WINDOW), (0.8, 1.25))
+        seen = cut(source, PIXELS, view)
         if len(extract_landmarks(seen, (1, 2, 3), MINIMUM_AREA)) < LEAST_OBJECTS:
             continue
-        cv2.imwrite(str(folder / f"{number:04d}.png"), trials.spoil_labels(seen, RAGGED, rng, (1, 2, 3)))
+        cv2.imwrite(str(folder / f"{number:04d}.png"), spoil_labels(seen, RAGGED, rng, (1, 2, 3)))
         number += 1
 
 

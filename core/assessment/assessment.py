@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Dict, List, Optional, Sequence, Tuple
+from typing import Dict, Iterable, List, Optional, Sequence, Tuple
 
 import cv2
 import numpy as np
@@ -16,10 +16,12 @@ import numpy as np
 from ..constellation.verification import DISTRACTORS, center_noise
 from ..correlation.solver import TOO_LITTLE_INFORMATION
 from ..database.model import ReferenceDatabase
-from ..localization import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES
+from ..evaluation.trial import Query, Trial
+from ..localization import AMBIGUOUS, NO_MATCH, TOO_FEW_REFERENCES
 from ..localizer.localizer import Localizer
-from .images import AssessmentNoise, ImageSimulator, SimulatedFix
-from .model import Chances, SuccessModel, fit_success, local_sums
+from ..simulation.noise import LabelNoise
+from .images import ImageSimulator
+from .model import SuccessModel, fit_success, local_sums
 
 WRONG = "wrong_fix"
 REASONS = (TOO_FEW_REFERENCES, AMBIGUOUS, NO_MATCH, WRONG)
@@ -42,25 +44,28 @@ LOCAL_FIXES = 0.5
 
 
 @dataclass(frozen=True)
-class PlannedTrial:
-    """An image to be simulated: its number, the place that it was drawn for, its center (map x, y), its heading."""
+class PlaceQuery(Query):
+    """An image to be simulated, drawn for the place of that number."""
 
-    number: int
-    place: int
-    x: float
-    y: float
-    heading_deg: float
+    place: int = 0
 
 
 @dataclass(frozen=True)
 class Estimates:
     """What to expect at P places, each (P,).
 
-    success: probability of a right fix; low, high: its 95 % interval; error: expected (median), map units, NaN where
-    hardly any image has a fix; trials: simulated for the place itself; objects: whole landmarks in view; classes: that
-    have any in view; look_alikes: share of the trials nearby that were refused because another place or the mirrored
-    image fits almost as well; wrong: share of the trials nearby with a wrong fix; reasons: of REASONS, what keeps most
-    of the others nearby from a fix, '' where none fails.
+    Attributes:
+        success: probability of a right fix
+        low: end of its 95 % interval
+        high: end of its 95 % interval
+        error: expected (median), map units; NaN where hardly any image has a fix
+        trials: simulated for the place itself
+        landmarks: whole in view
+        classes: that have any landmark in view
+        look_alikes: share of the trials nearby that were refused because another place or the mirrored image fits
+            almost as well
+        wrong: share of the trials nearby with a wrong fix
+        reasons: of REASONS, what keeps most of the others nearby from a fix, '' where none fails
     """
 
     success: np.ndarray
@@ -68,13 +73,13 @@ class Estimates:
     high: np.ndarray
     error: np.ndarray
     trials: np.ndarray
-    objects: np.ndarray
+    landmarks: np.ndarray
     classes: np.ndarray
     look_alikes: np.ndarray
     wrong: np.ndarray
     reasons: Tuple[str, ...]
 
-    def part(self, chosen: np.ndarray) -> "Estimates":
+    def part(self, chosen: np.ndarray) -> Estimates:
         """The estimates of some places, by their numbers."""
         arrays = {name: getattr(self, name)[chosen] for name in vars(self) if name != "reasons"}
         return Estimates(**arrays, reasons=tuple(self.reasons[n] for n in np.asarray(chosen).tolist()))
@@ -88,13 +93,26 @@ class Assessment:
         database: ReferenceDatabase,
         localizer: Localizer,
         footprint: float,
-        noise: AssessmentNoise,
+        noise: LabelNoise,
         seed: int,
         correlation: bool = False,
     ) -> None:
-        """footprint: edge of the ground that an image shows, map units; correlation: landmarks first, then map
-        correlation, as the method “automatic” does; needs the overview. Raises ParameterError and DatabaseError."""
-        self.simulator = ImageSimulator(localizer, database, footprint, noise)
+        """Prepares what all trials share.
+
+        Args:
+            database: what is assessed
+            localizer: of the database
+            footprint: edge of the ground that an image shows, map units
+            noise: how poor labels are taken to be, in map units
+            seed: with the same one, everything is the same
+            correlation: landmarks first, then map correlation, as the method “automatic” does; needs the overview
+
+        Raises:
+            ParameterError: for a footprint that is none.
+            DatabaseError: for a database without landmarks.
+        """
+        self.simulator = ImageSimulator(localizer, database, footprint)
+        self.noise = noise
         self.footprint = footprint
         self.correlation = correlation
         self._database = database
@@ -104,7 +122,7 @@ class Assessment:
         self.model: Optional[SuccessModel] = None
         """Of the last estimate, of landmarks alone."""
 
-    def plan(self, places: np.ndarray, spread: float, count: int) -> List[PlannedTrial]:
+    def plan(self, places: np.ndarray, spread: float, count: int) -> List[PlaceQuery]:
         """``count`` trials around places (P, 2), as evenly as may be: in squares of edge ``spread``, any heading."""
         rng = np.random.default_rng([self._seed, 0, round(1000 * self.footprint)])
         whole, rest = divmod(count, max(len(places), 1))
@@ -113,59 +131,62 @@ class Assessment:
         headings = rng.uniform(0, 360, len(chosen))
         centers = places[chosen] + offsets
         return [
-            PlannedTrial(number, place, x, y, heading)
+            PlaceQuery(self.simulator.view(x, y, heading), number=number, noise=self.noise, place=place)
             for number, (place, (x, y), heading) in enumerate(zip(chosen.tolist(), centers.tolist(), headings.tolist()))
         ]
 
-    def run(self, trial: PlannedTrial) -> SimulatedFix:
-        """The trial, localized by its landmarks."""
-        rng = np.random.default_rng([self._seed, 1, trial.number])
-        return self.simulator.constellation(trial.x, trial.y, trial.heading_deg, rng)
+    def run(self, query: PlaceQuery) -> Trial:
+        """The image, localized by its landmarks."""
+        return self.simulator.constellation(query, np.random.default_rng([self._seed, 1, query.number]))
 
-    def run_correlation(self, trial: PlannedTrial) -> SimulatedFix:
-        """The trial, localized by map correlation; takes seconds on a large map."""
-        rng = np.random.default_rng([self._seed, 2, trial.number])
-        return self.simulator.correlation(trial.x, trial.y, trial.heading_deg, rng)
+    def run_correlation(self, query: PlaceQuery) -> Trial:
+        """The image, localized by map correlation; takes seconds on a large map."""
+        return self.simulator.correlation(query, np.random.default_rng([self._seed, 2, query.number]))
 
-    def to_correlate(self, trials: Sequence[PlannedTrial], fixes: Sequence[SimulatedFix], most: int) -> List[int]:
+    def to_correlate(self, trials: Sequence[Trial], most: int) -> List[int]:
         """Numbers, in ``trials``, of those without a fix that map correlation is tried on: ``most``, evenly spread."""
-        failed = [n for n, fix in enumerate(fixes) if not fix.is_fix]
+        failed = [n for n, trial in enumerate(trials) if not trial.is_fix]
         order = np.random.default_rng([self._seed, 3]).permutation(len(failed))[:most]
         return [failed[n] for n in np.sort(order)]
 
     def estimate(
         self,
         places: np.ndarray,
-        trials: Sequence[PlannedTrial],
-        fixes: Sequence[SimulatedFix],
-        correlated: Optional[Dict[int, SimulatedFix]] = None,
+        trials: Sequence[Trial],
+        correlated: Optional[Dict[int, Trial]] = None,
         spread: float = 0.0,
     ) -> Estimates:
-        """What to expect at places (P, 2), or on average in squares of edge ``spread`` around them, after trials with
-        these fixes; correlated: those of map correlation by their number in ``trials``."""
-        centers = np.array([(trial.x, trial.y) for trial in trials]).reshape(-1, 2)
+        """What to expect after trials.
+
+        Args:
+            places: (P, 2) map x, y
+            trials: of landmarks, one for each planned query
+            correlated: those of map correlation, by their number in ``trials``
+            spread: edge of the squares around the places that estimates are averages of; 0 for the places alone
+        """
+        correlated = correlated or {}
+        centers = _centers(trials)
         parts, count = _parts(places, spread)
-        features, objects, classes = self.features(parts)
+        features, landmarks, classes = self.features(parts)
         trial_features = self.features(centers)[0]
-        right = np.array([fix.right for fix in fixes], bool)
-        self.model = fit_success(trial_features, centers, right, self.footprint)
+        self.model = fit_success(trial_features, centers, _right(trials), self.footprint)
         chances = self.model.chances(parts, features)
         if correlated:
-            chances = chances.either(self._correlation_chances(parts, features, trial_features, centers, correlated))
+            chosen = np.array(list(correlated))
+            right = _right(correlated.values())
+            second = fit_success(trial_features[chosen], centers[chosen], right, self.footprint)
+            chances = chances.either(second.chances(parts, features))
         chances = chances.averaged(count)
         low, high = chances.interval()
         reach = max(2 * self.model.reach, spread / 2)
-        causes = np.array([[_cause(fix) == reason for reason in REASONS] for fix in fixes], float)
-        counts, sums = local_sums(places, centers, reach, causes)
-        shares = sums / np.maximum(counts, 1e-9)[:, None]
-        reasons = tuple(REASONS[row.argmax()] if row.max() > 0 else "" for row in shares)
+        shares, reasons = _causes_near(places, trials, reach)
         return Estimates(
             chances.means,
             low,
             high,
-            self._errors(places, centers, [*fixes, *(correlated or {}).values()], correlated or {}, reach),
-            np.bincount([trial.place for trial in trials], minlength=len(places))[: len(places)],
-            objects.reshape(-1, count).mean(axis=1),
+            _errors_near(places, [*trials, *correlated.values()], reach),
+            np.bincount([trial.query.place for trial in trials], minlength=len(places))[: len(places)],
+            landmarks.reshape(-1, count).mean(axis=1),
             classes.reshape(-1, count).max(axis=1),
             shares[:, REASONS.index(AMBIGUOUS)],
             shares[:, REASONS.index(WRONG)],
@@ -173,58 +194,69 @@ class Assessment:
         )
 
     def features(self, places: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(P, F) numbers by which places are told to be alike, (P,) whole landmarks in view, (P,) their classes.
+        """What places show.
 
-        The numbers: ln(1 + landmarks), ln(1 + evidence they would be if all were found), spread of ln area,
-        share of the commonest class, share of the ground with labels, texture of class areas.
+        Args:
+            places: (P, 2) map x, y
+
+        Returns:
+            (P, F) numbers by which places are told to be alike, (P,) whole landmarks in view, (P,) their classes. The
+            numbers: ln(1 + landmarks), ln(1 + evidence they would be if all were found), spread of ln area, share of
+            the commonest class, share of the ground with labels, texture of class areas.
         """
         index = self._localizer.index
         pixel, references = self.simulator.pixel, self._database.references
         log_areas_px = index.log_areas - 2 * math.log(pixel)
         chance = 2 * math.pi * center_noise(log_areas_px, pixel) ** 2 * index.densities
         gains = np.log(DISTRACTORS + (1 - DISTRACTORS) / np.maximum(chance, 1e-12))
-        numbers, objects, classes = [], np.empty(len(places)), np.empty(len(places))
+        numbers, landmarks, classes = [], np.empty(len(places)), np.empty(len(places))
         for n, (x, y) in enumerate(places.tolist()):
-            views = [self.simulator.whole_objects(x, y, heading)[0] for heading in HEADINGS_DEG]
-            seen = np.concatenate(views)
-            objects[n] = len(seen) / len(views)
+            views = [self.simulator.view(x, y, heading) for heading in HEADINGS_DEG]
+            seen = np.concatenate([self.simulator.whole_landmarks(view)[0] for view in views])
+            landmarks[n] = len(seen) / len(views)
             names, counts = np.unique(references.classes[seen], return_counts=True)
             classes[n] = len(names)
             evidence = float(gains[seen].sum()) / len(views)
             spread = float(index.log_areas[seen].std()) if len(seen) else 0.0
             commonest = float(counts.max() / counts.sum()) if len(seen) else 1.0
-            numbers.append((math.log1p(objects[n]), math.log1p(max(evidence, 0)), spread, commonest))
-        return np.column_stack([np.array(numbers).reshape(-1, 4), self._texture.at(places)]), objects, classes
+            numbers.append((math.log1p(landmarks[n]), math.log1p(max(evidence, 0)), spread, commonest))
+        return np.column_stack([np.array(numbers).reshape(-1, 4), self._texture.at(places)]), landmarks, classes
 
-    def _correlation_chances(
-        self,
-        places: np.ndarray,
-        features: np.ndarray,
-        trial_features: np.ndarray,
-        centers: np.ndarray,
-        correlated: Dict[int, SimulatedFix],
-    ) -> Chances:
-        chosen = np.array(list(correlated))
-        right = np.array([fix.right for fix in correlated.values()], bool)
-        return fit_success(trial_features[chosen], centers[chosen], right, self.footprint).chances(places, features)
 
-    def _errors(
-        self,
-        places: np.ndarray,
-        centers: np.ndarray,
-        fixes: Sequence[SimulatedFix],
-        correlated: Dict[int, SimulatedFix],
-        reach: float,
-    ) -> np.ndarray:
-        """(P,) expected errors: the mean logarithm of right fixes nearby, drawn to that of all."""
-        where = np.concatenate([np.arange(len(centers)), np.array(list(correlated), int)])
-        right = np.array([fix.right for fix in fixes], bool)
-        if not right.any():
-            return np.full(len(places), np.nan)
-        logs = np.log([max(fix.error, 1e-6) for fix in fixes if fix.right])
-        counts, sums = local_sums(places, centers[where[right]], reach, logs)
-        expected = np.exp((sums + ERROR_STRENGTH * np.median(logs)) / (counts + ERROR_STRENGTH))
-        return np.where(counts >= LOCAL_FIXES, expected, np.nan)
+def _centers(trials: Sequence[Trial]) -> np.ndarray:
+    """(T, 2) map x, y where the images were taken."""
+    return np.array([trial.query.view.position for trial in trials]).reshape(-1, 2)
+
+
+def _right(trials: Iterable[Trial]) -> np.ndarray:
+    """(T,) bool."""
+    return np.array([trial.is_right for trial in trials], bool)
+
+
+def _causes_near(places: np.ndarray, trials: Sequence[Trial], reach: float) -> Tuple[np.ndarray, Tuple[str, ...]]:
+    """(P, R) shares of the trials near places (P, 2) that failed for each of REASONS, and the commonest one of each."""
+    causes = np.array([[_cause(trial) == reason for reason in REASONS] for trial in trials], float)
+    counts, sums = local_sums(places, _centers(trials), reach, causes)
+    shares = sums / np.maximum(counts, 1e-9)[:, None]
+    return shares, tuple(REASONS[row.argmax()] if row.max() > 0 else "" for row in shares)
+
+
+def _cause(trial: Trial) -> str:
+    """Of REASONS, '' for a right fix."""
+    if trial.is_fix:
+        return "" if trial.is_right else WRONG
+    return TOO_FEW_REFERENCES if trial.status == TOO_LITTLE_INFORMATION else trial.status
+
+
+def _errors_near(places: np.ndarray, trials: Sequence[Trial], reach: float) -> np.ndarray:
+    """(P,) expected errors: the mean logarithm of right fixes nearby, drawn to that of all; NaN without."""
+    right = [trial for trial in trials if trial.is_right]
+    if not right:
+        return np.full(len(places), np.nan)
+    logs = np.log([max(trial.error, 1e-6) for trial in right])
+    counts, sums = local_sums(places, _centers(right), reach, logs)
+    expected = np.exp((sums + ERROR_STRENGTH * np.median(logs)) / (counts + ERROR_STRENGTH))
+    return np.where(counts >= LOCAL_FIXES, expected, np.nan)
 
 
 def _parts(places: np.ndarray, spread: float) -> Tuple[np.ndarray, int]:
@@ -233,13 +265,6 @@ def _parts(places: np.ndarray, spread: float) -> Tuple[np.ndarray, int]:
     steps = ((np.arange(edge) + 0.5) / edge - 0.5) * spread
     offsets = np.stack(np.meshgrid(steps, steps), axis=-1).reshape(1, -1, 2)
     return (places[:, None] + offsets).reshape(-1, 2), edge * edge
-
-
-def _cause(fix: SimulatedFix) -> str:
-    """Of REASONS, '' for a right fix."""
-    if fix.status == FIX:
-        return "" if fix.right else WRONG
-    return TOO_FEW_REFERENCES if fix.status == TOO_LITTLE_INFORMATION else fix.status
 
 
 @dataclass(frozen=True)

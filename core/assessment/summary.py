@@ -6,9 +6,8 @@ from typing import List, Optional, Sequence
 
 import numpy as np
 
-from ..evaluation.rates import rate_of
-from ..evaluation.summary import RateAt
-from .images import SimulatedFix
+from ..evaluation.rates import RateAt, binned
+from ..evaluation.trial import Trial
 
 LANDMARK_BINS = (0, 3, 6, 10, 15, 20, 40, 80)
 """Whole landmarks in view, from each number to the next, the last without end."""
@@ -16,22 +15,9 @@ LANDMARK_BINS = (0, 3, 6, 10, 15, 20, 40, 80)
 PROBABILITY_BINS = tuple(np.linspace(0, 1, 11).tolist())
 
 
-def binned(values: np.ndarray, right: np.ndarray, edges: Sequence[float]) -> List[RateAt]:
-    """A rate for each bin that has values; values (n,), right (n,) bool; the last bin includes its end."""
-    edges = np.asarray(edges, float)
-    numbers = np.clip(np.searchsorted(edges, values, side="right") - 1, 0, len(edges) - 2)
-    found = []
-    for number in np.unique(numbers):
-        inside = numbers == number
-        rate = rate_of(right[inside].tolist())
-        found.append(RateAt(float(values[inside].mean()), float(edges[number]), float(edges[number + 1]), rate))
-    return found
-
-
-def success_by_landmarks(fixes: Sequence[SimulatedFix]) -> List[RateAt]:
+def success_by_landmarks(trials: Sequence[Trial]) -> List[RateAt]:
     """Right fixes of simulated images by the landmarks in view."""
-    values = np.array([fix.objects for fix in fixes], float)
-    return binned(values, np.array([fix.right for fix in fixes], bool), (*LANDMARK_BINS, np.inf))
+    return binned([t.landmarks for t in trials], [t.is_right for t in trials], (*LANDMARK_BINS, np.inf))
 
 
 def calibration(predicted: np.ndarray, right: np.ndarray) -> List[RateAt]:

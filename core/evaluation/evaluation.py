@@ -1,13 +1,13 @@
 """How well a database localizes: seeded queries with known truth, tried with one method or several.
 
-Queries are cut from a label map around windows of the database, spoilt, and judged against where they were cut.
+Queries are cut from a label map around windows of the database, spoiled, and judged against where they were cut.
 A query is made from (seed, part, number) alone, so every method sees the same ones and any of them can be repeated.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
@@ -15,10 +15,12 @@ import numpy as np
 from ..database.model import ReferenceDatabase
 from ..errors import ParameterError
 from ..geometry.frame import MapFrame
-from ..geometry.pose import PoseUncertainty
 from ..labels.sources import LabelSource
-from ..localizer.localizer import FIX, TOPOLOGY_VECTOR, Localization, Localizer
-from ..simulation.views import LabelNoise, ObjectNoise, View, cut_view, spoil_label_objects, spoil_labels
+from ..localization import TOPOLOGY_VECTOR, Localization
+from ..localizer.localizer import Localizer
+from ..simulation.noise import LabelNoise, spoil_labels
+from ..simulation.views import View, cut
+from .trial import Query, Trial, judge
 
 MAP, MIRRORED, NOISE, SCALING, ROTATION, OFFSET = PARTS = ("map", "mirrored", "noise", "scaling", "rotation", "offset")
 """Parts of an evaluation: images of the map, mirrored ones that can't be right, the grid of noise, the paper's
@@ -37,7 +39,7 @@ CLEAN = dict.fromkeys(("offset", "missed", "invented", "misnamed", "ragged", "ro
 """Ranges of a query that shows a window as it is, but for its scale."""
 
 NOISE_LEVELS = (0.0, 20.0, 40.0, 60.0)
-"""Percent of objects missed, and of objects invented, of the grid of noise."""
+"""Percent of landmarks missed, and of landmarks spurious, of the grid of noise."""
 
 TABLE_WINDOWS = 3
 """Windows that are scaled and turned for the two tables."""
@@ -45,22 +47,22 @@ TABLE_WINDOWS = 3
 LARGEST_IMAGE_PX = 2000
 """Edge of a query; larger windows are shown with larger pixels."""
 
-RIGHT_SHARE = 0.02
-"""A position counts as right within this share of the ground's edge, unless told otherwise."""
-
-SMALLEST_AXIS = 1e-6
-"""Axes of an ellipse, map units, are taken to be at least so long."""
-
 
 @dataclass(frozen=True)
 class TrialRanges:
-    """What a trial draws its values from, each (smallest, largest).
+    """What a trial draws its values from, each (smallest, largest); named as the parameters are.
 
-    scale: ground shown, as a multiple of a window's edge (uniform in its logarithm); rotation: heading, degrees;
-    offset: of the image's center from the nearest window's, as a share of the stride, the larger of both axes;
-    missed, invented, misnamed: percent of the objects; ragged: standard deviation of the edges' displacement, map
-    units.
-    Raises ParameterError for values that can't be.
+    Attributes:
+        scale: ground shown, as a multiple of a window's edge (uniform in its logarithm)
+        rotation: heading, degrees
+        offset: of the image's center from the nearest window's, as a share of the stride, the larger of both axes
+        missed: percent of the landmarks
+        invented: spurious landmarks, percent of those that are there
+        misnamed: percent of the landmarks that are mislabeled
+        ragged: boundary jitter, its standard deviation in map units
+
+    Raises:
+        ParameterError: for values that can't be.
     """
 
     scale: Tuple[float, float] = (0.8, 1.25)
@@ -84,49 +86,20 @@ class TrialRanges:
 
 
 @dataclass(frozen=True)
-class Query:
-    """One image to be localized, before it is cut: what it shows and how it is spoilt.
+class WindowQuery(Query):
+    """An image that lies around a window of the database.
 
-    position: map coordinates of its center; scale: ground shown in windows; offset: share of the stride;
-    view: in pixels of the label map; ragged: map units; window: name of the window it was drawn around, which has
-    so many ``landmarks`` in the database.
+    Attributes:
+        window: the window's name
+        landmarks: so many the database has in it
+        scale: ground shown, in edges of the window
+        offset: of the image's center from the window's, as a share of the stride, the larger of both axes
     """
 
-    part: str
-    number: int
-    window: str
-    landmarks: int
-    position: Tuple[float, float]
-    heading_deg: float
-    scale: float
-    offset: float
-    noise: ObjectNoise
-    ragged: float
-    view: View
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What came of a query with a method. Without a position errors are None; scale_error is relative.
-
-    right: a fix at the right place (for topology vectors: the window nearest to the image's center);
-    window: that was matched, else the window nearest to the position found;
-    ellipse_ratio: error in units of the 95 % ellipse, or circle, that was told; at most 1 inside.
-    """
-
-    query: Query
-    method: str
-    result: Localization
-    right: bool = False
-    error: Optional[float] = None
-    heading_error_deg: Optional[float] = None
-    scale_error: Optional[float] = None
-    ellipse_ratio: Optional[float] = None
-    window: Optional[str] = None
-
-    @property
-    def is_fix(self) -> bool:
-        return self.result.status == FIX
+    window: str = ""
+    landmarks: int = 0
+    scale: float = 1.0
+    offset: float = 0.0
 
 
 class Evaluation:
@@ -142,10 +115,19 @@ class Evaluation:
         minimum_references: int = 3,
         right_within: Optional[float] = None,
     ) -> None:
-        """source, frame: a label map in the database's CRS and classes, its pixels of any size.
+        """Chooses the windows that images are taken around.
 
-        minimum_references: a window has to have so many for trials to lie around it; right_within: map units,
-        None for RIGHT_SHARE of the ground's edge. Raises ParameterError when no window will do.
+        Args:
+            database: what is tried
+            source: a label map in the database's CRS and classes, its pixels of any size
+            frame: where it lies
+            ranges: what queries draw their values from
+            seed: with the same one, everything is the same
+            minimum_references: landmarks that a window has to have for trials to lie around it
+            right_within: map units that a right position may be off; None for RIGHT_SHARE of the footprint
+
+        Raises:
+            ParameterError: when no window will do.
         """
         self._database = database
         self._source = source
@@ -163,26 +145,26 @@ class Evaluation:
                 "label map of the same ground, or a smaller MINIMUM_REFERENCES."
             )
 
-    def trials(self, count: int, mirrored: int) -> Iterator[Query]:
+    def trials(self, count: int, mirrored: int) -> Iterator[WindowQuery]:
         """``count`` queries of the map, then ``mirrored`` mirrored ones."""
         for part, wanted in ((MAP, count), (MIRRORED, mirrored)):
             for number in range(wanted):
                 yield self._draw(part, number)
 
-    def noise_grid(self, count: int) -> Iterator[Query]:
-        """``count`` queries for each pair of NOISE_LEVELS, missed and invented; the same places for every pair."""
+    def noise_grid(self, count: int) -> Iterator[WindowQuery]:
+        """``count`` queries for each pair of NOISE_LEVELS, missed and spurious; the same places for every pair."""
         for missed in NOISE_LEVELS:
             for invented in NOISE_LEVELS:
                 for number in range(count):
                     yield self._draw(NOISE, number, {"missed": (missed, missed), "invented": (invented, invented)})
 
-    def moves(self, count: int) -> Iterator[Query]:
+    def moves(self, count: int) -> Iterator[WindowQuery]:
         """``count`` windows moved by each of OFFSETS, without noise, neither scaled nor turned."""
         for offset in OFFSETS:
             for number in range(count):
                 yield self._draw(OFFSET, number, {**CLEAN, "scale": (1, 1), "offset": (offset, offset)})
 
-    def tables(self) -> Iterator[Query]:
+    def tables(self) -> Iterator[WindowQuery]:
         """The paper's Tables 4 and 5: windows without noise, scaled and turned about their centers."""
         for window in self._table_windows():
             for scale in SCALES:
@@ -190,19 +172,18 @@ class Evaluation:
             for angle in ROTATIONS_DEG:
                 yield self._draw(ROTATION, 0, {**CLEAN, "scale": (1, 1), "rotation": (angle, angle)}, window)
 
-    def image(self, query: Query) -> np.ndarray:
-        """(H, W) uint8 labels of a query, spoilt."""
-        rng = self._rng(query.part, query.number, 1)
-        labels = cut_view(self._source, query.view)
+    def image(self, query: WindowQuery) -> np.ndarray:
+        """(H, W) uint8 labels of a query, spoiled; the noise is drawn before the image is mirrored."""
+        rng = self._rng(query.kind, query.number, 1)
+        noise = query.noise.in_pixels(query.view.pixel_size)
+        donor = self._donor(query, rng) if noise.changes_landmarks else None
+        smallest = self._database.parameters.minimum_area / query.view.pixel_size**2
+        labels = cut(self._source, self._frame, query.view.plain())
         values = self._database.class_table.reference_values
-        pixel_size = self._edge * query.scale / self.image_px
-        if query.noise != ObjectNoise():
-            smallest = self._database.parameters.minimum_area / pixel_size**2
-            labels = spoil_label_objects(labels, query.noise, rng, values, self._donor(query, rng), smallest)
-        labels = spoil_labels(labels, LabelNoise(ragged_px=query.ragged / pixel_size), rng, values)
-        return np.ascontiguousarray(labels[:, ::-1]) if query.part == MIRRORED else labels
+        labels = spoil_labels(labels, noise, rng, values, donor, smallest)
+        return np.ascontiguousarray(labels[:, ::-1]) if query.view.is_mirrored else labels
 
-    def run(self, query: Query, methods: Sequence[str]) -> List[Outcome]:
+    def run(self, query: WindowQuery, methods: Sequence[str]) -> List[Trial]:
         """The query tried with each of ``methods``, in their order."""
         labels = self.image(query)
         return [self._judge(query, method, self.localizer.localize(labels, method)) for method in methods]
@@ -234,7 +215,7 @@ class Evaluation:
         part, *numbers = key
         return np.random.default_rng([self._seed, PARTS.index(part), *numbers])
 
-    def _draw(self, part: str, number: int, fixed: Optional[dict] = None, window: Optional[int] = None) -> Query:
+    def _draw(self, part: str, number: int, fixed: Optional[dict] = None, window: Optional[int] = None) -> WindowQuery:
         """A query with values drawn from the ranges, those ``fixed`` from theirs; around ``window`` if given."""
         rng = self._rng(part, number, 0)
         ranges = {**vars(self._ranges), **(fixed or {})}
@@ -247,50 +228,36 @@ class Evaluation:
         )
         windows = self._database.windows
         x, y = windows.centers[window] + self._database.parameters.stride * offset_xy
-        return Query(
+        return WindowQuery(
+            self._view(x, y, heading, scale, part == MIRRORED),
             part,
             number,
-            windows.name(window),
-            int(windows.counts[window]),
-            (float(x), float(y)),
-            heading,
-            scale,
-            float(np.abs(offset_xy).max()),
-            ObjectNoise(missed / 100, invented / 100, misnamed / 100),
-            ragged,
-            self._view(x, y, heading, scale),
+            LabelNoise(missed / 100, invented / 100, misnamed / 100, ragged),
+            window=windows.name(window),
+            landmarks=int(windows.counts[window]),
+            scale=scale,
+            offset=float(np.abs(offset_xy).max()),
         )
 
-    def _view(self, x: float, y: float, heading_deg: float, scale: float) -> View:
-        column, row = self._frame.to_pixels((x, y)).tolist()
-        map_px_per_px = self._edge * scale / self.image_px / self._frame.pixel_size
-        return View(column, row, heading_deg, map_px_per_px, self.image_px, self.image_px)
+    def _view(self, x: float, y: float, heading_deg: float, scale: float, is_mirrored: bool = False) -> View:
+        size = self.image_px
+        pixel_size = self._edge * scale / size
+        return View(float(x), float(y), heading_deg, pixel_size, size, size, is_mirrored=is_mirrored)
 
-    def _donor(self, query: Query, rng: np.random.Generator) -> np.ndarray:
-        """Labels of another place at the query's scale, whose objects are invented."""
+    def _donor(self, query: WindowQuery, rng: np.random.Generator) -> np.ndarray:
+        """Labels of another place at the query's scale, whose landmarks are the spurious ones."""
         x, y = self._database.windows.centers[rng.choice(self._windows)]
-        return cut_view(self._source, self._view(x, y, float(rng.uniform(0, 360)), query.scale))
+        return cut(self._source, self._frame, self._view(x, y, float(rng.uniform(0, 360)), query.scale))
 
-    def _judge(self, query: Query, method: str, result: Localization) -> Outcome:
+    def _judge(self, query: WindowQuery, method: str, result: Localization) -> Trial:
+        trial = judge(query, method, result, self._right_within, query.landmarks)
         if result.position is None:
-            return Outcome(query, method, result)
-        x, y = result.position[0] - query.position[0], result.position[1] - query.position[1]
-        error = math.hypot(x, y)
-        edge = self._edge * query.scale
+            return trial
         if result.method == TOPOLOGY_VECTOR:
-            place_right = self._is_nearest(result.window_index, query.position)
-        else:
-            place_right = error <= (RIGHT_SHARE * edge if self._right_within is None else self._right_within)
-        known = {"window": result.window or self._nearest_window(result.position)}
-        if result.heading_deg is not None:
-            known["heading_error_deg"] = abs((result.heading_deg - query.heading_deg + 180) % 360 - 180)
-            known["scale_error"] = abs(result.pixel_size_m * self.image_px / edge - 1)
-        if result.uncertainty is not None:
-            known["ellipse_ratio"] = ellipse_ratio(x, y, result.uncertainty)
-        elif result.error_95_m:
-            known["ellipse_ratio"] = error / result.error_95_m
-        right = query.part != MIRRORED and result.status == FIX and place_right
-        return Outcome(query, method, result, right, error, **known)
+            # It knows only windows, so it is right when it names the nearest one.
+            is_nearest = self._is_nearest(result.window_index, query.view.position)
+            trial = replace(trial, is_right=query.can_be_right and trial.is_fix and is_nearest)
+        return replace(trial, window=result.window or self._nearest_window(result.position))
 
     def _is_nearest(self, window: int, position: Tuple[float, float]) -> bool:
         """Whether no window of its size has its center nearer to ``position``."""
@@ -308,11 +275,3 @@ def _offset(limits: Tuple[float, float], rng: np.random.Generator) -> np.ndarray
     reach = math.sqrt(rng.uniform(limits[0] ** 2, limits[1] ** 2))
     offset = np.array([reach * rng.choice([-1, 1]), rng.uniform(-reach, reach)])
     return offset[::-1] if rng.random() < 0.5 else offset
-
-
-def ellipse_ratio(x: float, y: float, uncertainty: PoseUncertainty) -> float:
-    """Length of an error (x, y), map units, in units of the 95 % ellipse in its direction; at most 1 inside."""
-    along = complex(x, y) * np.exp(-1j * np.radians(90 - uncertainty.orientation_deg))
-    # Objects without any noise give an ellipse without extent.
-    major, minor = max(uncertainty.semi_major, SMALLEST_AXIS), max(uncertainty.semi_minor, SMALLEST_AXIS)
-    return float(np.hypot(along.real / major, along.imag / minor))

@@ -1,10 +1,12 @@
-"""Shares of trials with the interval that their number allows (Wilson 1927)."""
+"""Shares of trials with the interval that their number allows (Wilson 1927), also bin by bin."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Iterable, Optional, Tuple
+from typing import Iterable, List, Optional, Sequence, Tuple
+
+import numpy as np
 
 Z_95 = 1.959964
 """Two-sided 95 % quantile of the normal distribution."""
@@ -34,10 +36,49 @@ class Rate:
 
     @property
     def interval(self) -> Tuple[float, float]:
+        """The 95 % interval of the share."""
         return wilson(self.successes, self.trials)
+
+
+@dataclass(frozen=True)
+class RateAt:
+    """A rate of trials whose value lies in a bin.
+
+    Attributes:
+        at: mean of the values
+        low: the bin's beginning
+        high: its end
+        rate: of the trials in it
+    """
+
+    at: float
+    low: float
+    high: float
+    rate: Rate
 
 
 def rate_of(successes: Iterable[bool]) -> Rate:
     """The rate of True among the trials."""
     found = [bool(success) for success in successes]
     return Rate(sum(found), len(found))
+
+
+def binned(values: Sequence[float], successes: Sequence[bool], edges: Sequence[float]) -> List[RateAt]:
+    """One rate for each bin that has values.
+
+    Args:
+        values: (n,) what the trials are sorted by
+        successes: (n,) whether each was one
+        edges: ends of the bins, rising; the last bin includes its end, and takes what lies beyond
+    """
+    values, successes = np.asarray(values, float), np.asarray(successes, bool)
+    numbers = np.clip(np.searchsorted(edges, values, side="right") - 1, 0, len(edges) - 2)
+    return [
+        RateAt(
+            float(values[numbers == number].mean()),
+            float(edges[number]),
+            float(edges[number + 1]),
+            rate_of(successes[numbers == number].tolist()),
+        )
+        for number in np.unique(numbers)
+    ]

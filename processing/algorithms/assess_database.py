@@ -142,12 +142,10 @@ class AssessDatabase(AssessAlgorithm):
 
         assessment = self.assessment(parameters, context, database, localizer, footprint, feedback)
         count = self.parameterAsInt(parameters, self.TRIALS, context)
-        trials = assessment.plan(cells.centers, cells.size, count)
-        fixes, correlated = self.simulate(assessment, trials, feedback, *share)
-        estimates = cancelable(
-            assessment.estimate, cells.centers, trials, fixes, correlated, cells.size, feedback=feedback
-        )
-        return AssessedFootprint(footprint, estimates, fixes, correlated, assessment.model)
+        queries = assessment.plan(cells.centers, cells.size, count)
+        trials, correlated = self.simulate(assessment, queries, feedback, *share)
+        estimates = cancelable(assessment.estimate, cells.centers, trials, correlated, cells.size, feedback=feedback)
+        return AssessedFootprint(footprint, estimates, trials, correlated, assessment.model)
 
     def _write_report(self, parameters, context, database, cells, results):
         from ...storage.files import written_beside
@@ -212,14 +210,14 @@ def _values(result, n: int, distinctiveness: float, threshold: float) -> dict:
         "success_low": float(estimates.low[n]),
         "success_high": float(estimates.high[n]),
         "error": error if np.isfinite(error) else None,
-        "objects": float(estimates.objects[n]),
+        "objects": float(estimates.landmarks[n]),
         "classes": int(estimates.classes[n]),
         "distinctiveness": distinctiveness if np.isfinite(distinctiveness) else None,
         "look_alikes": float(estimates.look_alikes[n]),
         "wrong": float(estimates.wrong[n]),
         "trials": int(estimates.trials[n]),
         "verdict": VERDICTS[verdict],
-        "reason": "" if success >= threshold else reason_text(estimates.reasons[n], float(estimates.objects[n])),
+        "reason": "" if success >= threshold else reason_text(estimates.reasons[n], float(estimates.landmarks[n])),
     }
 
 

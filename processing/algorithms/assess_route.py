@@ -193,9 +193,9 @@ class AssessRoute(AssessAlgorithm):
         return self.parameterAsDouble(parameters, key, context)
 
     def _estimated(self, assessment, places, reach, count, feedback, share):
-        trials = assessment.plan(places, reach, count * len(places))
-        fixes, correlated = self.simulate(assessment, trials, feedback, *share)
-        return cancelable(assessment.estimate, places, trials, fixes, correlated, feedback=feedback)
+        queries = assessment.plan(places, reach, count * len(places))
+        trials, correlated = self.simulate(assessment, queries, feedback, *share)
+        return cancelable(assessment.estimate, places, trials, correlated, feedback=feedback)
 
     def _hints(self, assessment, points, estimates, stretches, largest, count, feedback):
         """A hint, or None, for each stretch: all shifts of all stretches are simulated together."""
@@ -293,7 +293,7 @@ def _inside(extent, places: np.ndarray) -> np.ndarray:
 def _values(route, n: int, gap, hint) -> dict:
     points, estimates = route.points, route.estimates
     success, error = float(estimates.success[n]), float(estimates.error[n])
-    reason = reason_text(estimates.reasons[n], float(estimates.objects[n])) if route.inside[n] else OUTSIDE
+    reason = reason_text(estimates.reasons[n], float(estimates.landmarks[n])) if route.inside[n] else OUTSIDE
     return {
         "route": int(points.lines[n]) + 1,
         "along": float(points.along[n]),
@@ -302,7 +302,7 @@ def _values(route, n: int, gap, hint) -> dict:
         "success_low": float(estimates.low[n]),
         "success_high": float(estimates.high[n]),
         "error": error if np.isfinite(error) and route.inside[n] else None,
-        "objects": float(estimates.objects[n]),
+        "objects": float(estimates.landmarks[n]),
         "classes": int(estimates.classes[n]),
         "look_alikes": float(estimates.look_alikes[n]),
         "wrong": float(estimates.wrong[n]),

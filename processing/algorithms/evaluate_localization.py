@@ -249,24 +249,24 @@ class EvaluateLocalization(SemRefAlgorithm):
         for method in methods:
             evaluation.localizer.check(method)
         report, numbers = (self.parameterAsFileOutput(parameters, key, context) for key in (self.REPORT, self.JSON))
-        trials = self.parameterAsInt(parameters, self.TRIALS, context)
-        mirrored = min(round(trials * self.parameterAsDouble(parameters, self.MIRRORED, context) / 100), trials - 1)
-        jobs = [(query, list(methods)) for query in evaluation.trials(trials - mirrored, mirrored)]
+        count = self.parameterAsInt(parameters, self.TRIALS, context)
+        mirrored = min(round(count * self.parameterAsDouble(parameters, self.MIRRORED, context) / 100), count - 1)
+        jobs = [(query, list(methods)) for query in evaluation.trials(count - mirrored, mirrored)]
         if report or numbers:
-            a_cell = min(max(trials // GRID_CELLS, 2), MOST_IN_A_CELL)
+            a_cell = min(max(count // GRID_CELLS, 2), MOST_IN_A_CELL)
             jobs += [(query, list(methods)[:1]) for query in evaluation.noise_grid(a_cell)]
             jobs += [(query, list(methods)) for query in evaluation.moves(a_cell)]
             jobs += [(query, list(methods)) for query in evaluation.tables()]
-        outcomes = self._try(evaluation, jobs, feedback)
-        first = summarize(outcomes, next(iter(methods)))
+        trials = self._try(evaluation, jobs, feedback)
+        first = summarize(trials, next(iter(methods)))
         # Everything is written last: a cancel before leaves nothing behind.
         check_canceled(feedback)
-        results = self._write_texts(parameters, context, outcomes, methods, report, numbers, database)
-        results[self.OUTPUT] = self._write_points(parameters, context, outcomes, crs)
+        results = self._write_texts(parameters, context, trials, methods, report, numbers, database)
+        results[self.OUTPUT] = self._write_points(parameters, context, trials, crs)
         results[self.SUCCESS_RATE] = first.right.share
         results[self.MEDIAN_ERROR] = first.median_error
         results[self.FALSE_ACCEPT_RATE] = first.false_accepts.share
-        self._say(outcomes, methods, feedback)
+        self._say(trials, methods, feedback)
         return results
 
     def _methods(self, parameters, context):
@@ -324,18 +324,18 @@ class EvaluateLocalization(SemRefAlgorithm):
                 )
 
     def _try(self, evaluation, jobs, feedback):
-        """All outcomes; raises Canceled within a moment."""
+        """All trials; raises Canceled within a moment."""
         feedback.pushInfo(tr("{count} images to localize.").format(count=len(jobs)))
         feedback.setProgressText(tr("Localizing"))
-        outcomes, started = [], time.monotonic()
+        trials, started = [], time.monotonic()
         for n, (query, methods) in enumerate(jobs):
             check_canceled(feedback)
-            outcomes += cancelable(evaluation.run, query, methods, feedback=feedback)
+            trials += cancelable(evaluation.run, query, methods, feedback=feedback)
             feedback.setProgress(98 * (n + 1) / len(jobs))
         feedback.pushInfo(tr("{seconds:.0f} s.").format(seconds=time.monotonic() - started))
-        return outcomes
+        return trials
 
-    def _write_texts(self, parameters, context, outcomes, methods, report, numbers, database):
+    def _write_texts(self, parameters, context, trials, methods, report, numbers, database):
         """Report and JSON where they are wanted; their paths by key."""
         from ...storage.files import written_beside
         from ..reports.evaluation_json import evaluation_json
@@ -347,10 +347,10 @@ class EvaluateLocalization(SemRefAlgorithm):
         if report:
             titles = {p.name(): p.description() for p in self.parameterDefinitions()}
             settings = [(titles[key], _setting_text(value)) for key, value in given.items()]
-            written[self.REPORT] = report, EvaluationReport(*names, outcomes, methods, settings).html()
+            written[self.REPORT] = report, EvaluationReport(*names, trials, methods, settings).html()
         if numbers:
             settings = {self.DATABASE: names[0], self.LABELS: names[1], **given}
-            written[self.JSON] = numbers, evaluation_json(outcomes, list(methods), settings)
+            written[self.JSON] = numbers, evaluation_json(trials, list(methods), settings)
         for path, text in written.values():
             with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
                 file.write(text)
@@ -374,22 +374,22 @@ class EvaluateLocalization(SemRefAlgorithm):
             return None
         return self.parameterAsDouble(parameters, self.RIGHT_WITHIN, context)
 
-    def _write_points(self, parameters, context, outcomes, crs):
+    def _write_points(self, parameters, context, trials, crs):
         from ...core.evaluation.evaluation import MAP, MIRRORED
         from ..reports.evaluation_json import values_of
 
         sink = Sink(self, parameters, self.OUTPUT, context, FIELDS, POINT, crs)
-        for outcome in outcomes:
-            if outcome.query.part in (MAP, MIRRORED):
-                sink.add(QgsGeometry.fromPointXY(QgsPointXY(*outcome.query.position)), values_of(outcome))
+        for trial in trials:
+            if trial.query.kind in (MAP, MIRRORED):
+                sink.add(QgsGeometry.fromPointXY(QgsPointXY(*trial.query.view.position)), values_of(trial))
         return sink.close()
 
-    def _say(self, outcomes, methods, feedback):
+    def _say(self, trials, methods, feedback):
         from ...core.evaluation.summary import summarize
         from ..reports.page import number, rate_text
 
         for method, title in methods.items():
-            summary = summarize(outcomes, method)
+            summary = summarize(trials, method)
             feedback.pushInfo(
                 tr("{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}").format(
                     method=title,

@@ -76,12 +76,12 @@ class AssessAlgorithm(SemRefAlgorithm):
         )
 
     def noise(self, parameters, context):
-        """Raises ParameterError for noise that can't be."""
-        from ...core.assessment.images import AssessmentNoise
+        """How poor labels are taken to be, in map units. Raises ParameterError for noise that can't be."""
+        from ...core.simulation.noise import LabelNoise
 
         keys = self.MISSED, self.INVENTED, self.MISNAMED
         shares = [self.parameterAsDouble(parameters, key, context) / 100 for key in keys]
-        return AssessmentNoise(*shares, self.parameterAsDouble(parameters, self.RAGGED, context))
+        return LabelNoise(*shares, self.parameterAsDouble(parameters, self.RAGGED, context))
 
     def threshold(self, parameters, context) -> float:
         """0…1."""
@@ -137,28 +137,28 @@ class AssessAlgorithm(SemRefAlgorithm):
         feedback.setProgressText(tr("Preparing the landmarks"))
         cancelable(lambda: localizer.index, feedback=feedback)
 
-    def simulate(self, assessment, trials: Sequence, feedback, first: float, last: float) -> Tuple[List, Dict]:
-        """What came of the trials, and of those that map correlation was tried on by their numbers in ``trials``."""
+    def simulate(self, assessment, queries: Sequence, feedback, first: float, last: float) -> Tuple[List, Dict]:
+        """The trials, and those that map correlation was tried on by their numbers in ``queries``."""
         feedback.setProgressText(tr("Localizing simulated images"))
         middle = first + (last - first) * (0.3 if assessment.correlation else 1.0)
-        started, fixes, correlated = time.monotonic(), [], {}
-        for trial in trials:
+        started, trials, correlated = time.monotonic(), [], {}
+        for query in queries:
             check_canceled(feedback)
             # Milliseconds each, so that a thread for every one would cost more than it helps.
-            fixes.append(assessment.run(trial))
-            feedback.setProgress(first + (middle - first) * len(fixes) / len(trials))
+            trials.append(assessment.run(query))
+            feedback.setProgress(first + (middle - first) * len(trials) / len(queries))
         if assessment.correlation:
-            chosen = assessment.to_correlate(trials, fixes, max(len(trials) // CORRELATED_SHARE, 1))
+            chosen = assessment.to_correlate(trials, max(len(trials) // CORRELATED_SHARE, 1))
             for n, number in enumerate(chosen):
                 check_canceled(feedback)
-                correlated[number] = cancelable(assessment.run_correlation, trials[number], feedback=feedback)
+                correlated[number] = cancelable(assessment.run_correlation, queries[number], feedback=feedback)
                 feedback.setProgress(middle + (last - middle) * (n + 1) / len(chosen))
         feedback.pushInfo(
             tr("{count} images simulated in {seconds:.0f} s.").format(
-                count=len(fixes) + len(correlated), seconds=time.monotonic() - started
+                count=len(trials) + len(correlated), seconds=time.monotonic() - started
             )
         )
-        return fixes, correlated
+        return trials, correlated
 
 
 def method_title(correlation: bool) -> str:
@@ -170,9 +170,9 @@ def setting_rows(noise, threshold: float, correlation: bool, seed: int) -> List[
     return [
         (tr("Method"), method_title(correlation)),
         (tr("Landmarks missed (%)"), f"{100 * noise.missed:g}"),
-        (tr("Landmarks invented (%)"), f"{100 * noise.invented:g}"),
-        (tr("Landmarks misnamed (%)"), f"{100 * noise.misnamed:g}"),
-        (tr("Ragged edges (map units)"), f"{noise.ragged:g}"),
+        (tr("Landmarks invented (%)"), f"{100 * noise.spurious:g}"),
+        (tr("Landmarks misnamed (%)"), f"{100 * noise.mislabeled:g}"),
+        (tr("Ragged edges (map units)"), f"{noise.jitter:g}"),
         (tr("Good enough from (%)"), f"{100 * threshold:g}"),
         (tr("Seed"), str(seed)),
     ]

@@ -10,11 +10,12 @@ import numpy as np
 
 from ...core.assessment.assessment import Estimates
 from ...core.assessment.cells import Cells
-from ...core.assessment.images import AssessmentNoise, SimulatedFix
 from ...core.assessment.model import SuccessModel
 from ...core.assessment.summary import brier_score, calibration, success_by_landmarks
 from ...core.database.model import ReferenceDatabase
 from ...core.evaluation.rates import rate_of
+from ...core.evaluation.trial import Trial
+from ...core.simulation.noise import LabelNoise
 from ..exchange.assessment_styles import success_classes
 from ..translation import tr
 from . import charts, page
@@ -24,12 +25,12 @@ from .charts import rate_series
 
 @dataclass(frozen=True)
 class AssessedFootprint:
-    """A footprint's estimates, and the trials that they come from; correlated: fixes of map correlation by trial."""
+    """A footprint's estimates, and the trials that they come from; correlated: those of map correlation, by number."""
 
     footprint: float
     estimates: Estimates
-    fixes: Sequence[SimulatedFix]
-    correlated: Dict[int, SimulatedFix]
+    trials: Sequence[Trial]
+    correlated: Dict[int, Trial]
     model: SuccessModel
 
     def title(self) -> str:
@@ -43,7 +44,7 @@ class AssessmentReport:
     database: ReferenceDatabase
     cells: Cells
     results: Sequence[AssessedFootprint]
-    noise: AssessmentNoise
+    noise: LabelNoise
     threshold: float
     correlation: bool
     settings: Sequence[Tuple[str, str]]
@@ -65,7 +66,7 @@ class AssessmentReport:
 
     def _key_figures(self, first: AssessedFootprint) -> str:
         success = first.estimates.success
-        wrong = rate_of(fix.is_fix and not fix.right for fix in first.fixes)
+        wrong = rate_of(trial.is_wrong for trial in first.trials)
         at_least = tr("{threshold} or more expected").format(threshold=page.percent(self.threshold, 0))
         return page.key_figures(
             [
@@ -105,10 +106,10 @@ class AssessmentReport:
                 page.percent(float((r.estimates.success >= self.threshold).mean())),
                 page.percent(float(r.estimates.success.mean())),
                 page.number(_median(r.estimates.error), "m"),
-                f"{np.median(r.estimates.objects):.0f} ({np.percentile(r.estimates.objects, 10):.0f}{page.DASH}"
-                f"{np.percentile(r.estimates.objects, 90):.0f})",
-                page.rate_text(rate_of(fix.right for fix in r.fixes)),
-                page.rate_text(rate_of(fix.is_fix and not fix.right for fix in r.fixes)),
+                f"{np.median(r.estimates.landmarks):.0f} ({np.percentile(r.estimates.landmarks, 10):.0f}{page.DASH}"
+                f"{np.percentile(r.estimates.landmarks, 90):.0f})",
+                page.rate_text(rate_of(trial.is_right for trial in r.trials)),
+                page.rate_text(rate_of(trial.is_wrong for trial in r.trials)),
             ]
             for r in self.results
         ]
@@ -116,7 +117,7 @@ class AssessmentReport:
         return page.table(header, rows) + page.paragraph(note)
 
     def _landmarks_chart(self) -> str:
-        found = {r.title(): success_by_landmarks(r.fixes) for r in self.results}
+        found = {r.title(): success_by_landmarks(r.trials) for r in self.results}
         bins = sorted({(one.low, one.high) for rates in found.values() for one in rates})
         groups = [f"{low:.0f}–{high - 1:.0f}" if np.isfinite(high) else f"≥ {low:.0f}" for low, high in bins]
         series = [
@@ -181,7 +182,7 @@ def trust(results: Sequence[AssessedFootprint]) -> List[str]:
     return [page.figure(chart, text.format(scores="; ".join(scores)))]
 
 
-def assumed(noise: AssessmentNoise, correlation: bool) -> str:
+def assumed(noise: LabelNoise, correlation: bool) -> str:
     """The sentence of what was assumed."""
     text = tr(
         "Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} "
@@ -191,9 +192,9 @@ def assumed(noise: AssessmentNoise, correlation: bool) -> str:
     method = tr("constellation, then map correlation") if correlation else tr("constellation alone")
     return text.format(
         missed=page.percent(noise.missed, 0),
-        invented=page.percent(noise.invented, 0),
-        misnamed=page.percent(noise.misnamed, 0),
-        ragged=noise.ragged,
+        invented=page.percent(noise.spurious, 0),
+        misnamed=page.percent(noise.mislabeled, 0),
+        ragged=noise.jitter,
         method=method,
     )
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import List, Optional, Sequence, Tuple
 
-from ...core.evaluation.summary import RateAt
+from ...core.evaluation.rates import RateAt
 
 WIDTH, HEIGHT = 480, 300
 LEFT, RIGHT, TOP, BOTTOM = 64, 24, 14, 44

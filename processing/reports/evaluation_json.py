@@ -6,10 +6,9 @@ import json
 from dataclasses import asdict
 from typing import Any, Dict, Sequence
 
-from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING, Outcome
-from ...core.evaluation.rates import Rate
+from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING
+from ...core.evaluation.rates import Rate, RateAt
 from ...core.evaluation.summary import (
-    RateAt,
     noise_rates,
     of_method,
     reliability,
@@ -17,56 +16,57 @@ from ...core.evaluation.summary import (
     success_by_offset,
     summarize,
 )
+from ...core.evaluation.trial import Trial
 
 FORMAT = "semref evaluation 1"
 
 
-def evaluation_json(outcomes: Sequence[Outcome], methods: Sequence[str], settings: Dict[str, Any]) -> str:
+def evaluation_json(trials: Sequence[Trial], methods: Sequence[str], settings: Dict[str, Any]) -> str:
     """settings: as they were given; methods: the most important first, whose grid of noise it is."""
     content = {
         "format": FORMAT,
         "settings": settings,
-        "methods": {method: _method(outcomes, method) for method in methods},
+        "methods": {method: _method(trials, method) for method in methods},
         "noise": {
             "method": methods[0],
             "percent": NOISE_LEVELS,
-            "missed_by_invented": [[_rate(rate) for rate in row] for row in noise_rates(outcomes)],
+            "missed_by_invented": [[_rate(rate) for rate in row] for row in noise_rates(trials)],
         },
-        "trials": [values_of(o) for method in methods for o in of_method(outcomes, method, MAP, MIRRORED)],
-        "scaling": [values_of(o) for method in methods for o in of_method(outcomes, method, SCALING)],
-        "rotation": [values_of(o) for method in methods for o in of_method(outcomes, method, ROTATION)],
+        "trials": [values_of(t) for method in methods for t in of_method(trials, method, MAP, MIRRORED)],
+        "scaling": [values_of(t) for method in methods for t in of_method(trials, method, SCALING)],
+        "rotation": [values_of(t) for method in methods for t in of_method(trials, method, ROTATION)],
     }
     return json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False)
 
 
-def values_of(outcome: Outcome) -> Dict[str, Any]:
-    """One outcome by the names of OUTPUT's columns."""
-    query, result = outcome.query, outcome.result
+def values_of(trial: Trial) -> Dict[str, Any]:
+    """One trial by the names of OUTPUT's columns."""
+    query, view, result = trial.query, trial.query.view, trial.result
     x, y = result.position or (None, None)
     return {
         "trial": query.number,
-        "kind": query.part,
-        "method": outcome.method,
+        "kind": query.kind,
+        "method": trial.method,
         "status": result.status,
-        "right": int(outcome.right),
-        "error": outcome.error,
-        "heading_error": outcome.heading_error_deg,
-        "scale_error": outcome.scale_error,
+        "right": int(trial.is_right),
+        "error": trial.error,
+        "heading_error": trial.heading_error_deg,
+        "scale_error": trial.scale_error,
         "confidence": result.confidence,
         "error_95": result.error_95_m,
-        "true_x": query.position[0],
-        "true_y": query.position[1],
+        "true_x": view.x,
+        "true_y": view.y,
         "x": x,
         "y": y,
-        "window": outcome.window,
-        "heading": query.heading_deg,
+        "window": trial.window,
+        "heading": view.heading_deg,
         "scale": query.scale,
         "offset": query.offset,
         "missed": 100 * query.noise.missed,
-        "invented": 100 * query.noise.invented,
-        "misnamed": 100 * query.noise.misnamed,
-        "ragged": query.ragged,
-        "landmarks": query.landmarks,
+        "invented": 100 * query.noise.spurious,
+        "misnamed": 100 * query.noise.mislabeled,
+        "ragged": query.noise.jitter,
+        "landmarks": trial.landmarks,
         "references": result.references,
         "inliers": result.inliers,
         "distance": result.distance,
@@ -75,12 +75,12 @@ def values_of(outcome: Outcome) -> Dict[str, Any]:
     }
 
 
-def _method(outcomes: Sequence[Outcome], method: str) -> Dict[str, Any]:
-    summary = summarize(outcomes, method)
+def _method(trials: Sequence[Trial], method: str) -> Dict[str, Any]:
+    summary = summarize(trials, method)
     values = {name: _rate(value) if isinstance(value, Rate) else value for name, value in vars(summary).items()}
-    values["success_by_offset"] = [_rate_at(one) for one in success_by_offset(outcomes, method)]
-    values["success_by_landmarks"] = [_rate_at(one) for one in success_by_landmarks(outcomes, method)]
-    values["reliability"] = [_rate_at(one) for one in reliability(outcomes, method)]
+    values["success_by_offset"] = [_rate_at(one) for one in success_by_offset(trials, method)]
+    values["success_by_landmarks"] = [_rate_at(one) for one in success_by_landmarks(trials, method)]
+    values["reliability"] = [_rate_at(one) for one in reliability(trials, method)]
     return values
 
 

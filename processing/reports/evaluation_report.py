@@ -7,7 +7,7 @@ from typing import Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from ...core.evaluation.evaluation import NOISE_LEVELS, ROTATION, SCALING, Outcome
+from ...core.evaluation.evaluation import NOISE_LEVELS, ROTATION, SCALING
 from ...core.evaluation.summary import (
     MethodSummary,
     error_curve,
@@ -18,6 +18,7 @@ from ...core.evaluation.summary import (
     success_by_offset,
     summarize,
 )
+from ...core.evaluation.trial import Trial
 from ..translation import tr
 from . import charts, page
 from .charts import Series, rate_series
@@ -30,13 +31,13 @@ class EvaluationReport:
 
     database: str
     labels: str
-    outcomes: Sequence[Outcome]
+    trials: Sequence[Trial]
     methods: Dict[str, str]
     settings: Sequence[Tuple[str, str]]
 
     def html(self) -> str:
         """The whole page."""
-        summaries = [summarize(self.outcomes, method) for method in self.methods]
+        summaries = [summarize(self.trials, method) for method in self.methods]
         return page.page(
             tr("Evaluation of localization"),
             tr("{database}, images cut from {labels}").format(database=self.database, labels=self.labels),
@@ -74,7 +75,7 @@ class EvaluationReport:
             page.section(
                 tr("Rotation (Table 5 of He & Wu 2025)"),
                 page.paragraph(tr("The same windows, turned about their centers.")),
-                self._paper_table(ROTATION, tr("Rotation"), lambda query: f"{query.heading_deg:.0f}°"),
+                self._paper_table(ROTATION, tr("Rotation"), lambda query: f"{query.view.heading_deg:.0f}°"),
             ),
             page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], self.settings)),
         )
@@ -119,11 +120,11 @@ class EvaluationReport:
         return page.table(header, rows)
 
     def _rates_chart(self, rates_of, x_axis, name: str, caption: str) -> str:
-        series = [rate_series(title, rates_of(self.outcomes, method)) for method, title in self.methods.items()]
+        series = [rate_series(title, rates_of(self.trials, method)) for method, title in self.methods.items()]
         return page.figure(charts.line_chart(series, x_axis, charts.percent_axis(tr("right fixes")), name), caption)
 
     def _landmarks_chart(self) -> str:
-        found = {method: success_by_landmarks(self.outcomes, method) for method in self.methods}
+        found = {method: success_by_landmarks(self.trials, method) for method in self.methods}
         bins = sorted({(one.low, one.high) for rates in found.values() for one in rates})
         groups = [f"{low:.0f}–{high - 1:.0f}" if np.isfinite(high) else f"≥ {low:.0f}" for low, high in bins]
         series = [
@@ -135,7 +136,7 @@ class EvaluationReport:
         return page.figure(chart, tr("Right fixes by the number of landmarks the database has there."))
 
     def _error_chart(self) -> str:
-        curves = {method: error_curve(self.outcomes, method) for method in self.methods}
+        curves = {method: error_curve(self.trials, method) for method in self.methods}
         errors = np.concatenate([errors for errors, _ in curves.values()])
         errors = np.maximum(errors, 0.01) if len(errors) else np.array([0.1, 10.0])
         series = [
@@ -147,7 +148,7 @@ class EvaluationReport:
         return page.figure(chart, tr("Share of the map’s images with a fix at most so far off, right or wrong."))
 
     def _noise_map(self) -> str:
-        rates = noise_rates(self.outcomes)
+        rates = noise_rates(self.trials)
         names = [f"{level:.0f} %" for level in NOISE_LEVELS]
         shares = [[rate.share for rate in row] for row in rates]
         texts = [[page.percent(rate.share, 0) for rate in row] for row in rates]
@@ -159,7 +160,7 @@ class EvaluationReport:
         return page.figure(chart, caption.format(method=method, count=rates[0][0].trials))
 
     def _reliability_chart(self) -> str:
-        series = [rate_series(title, reliability(self.outcomes, method)) for method, title in self.methods.items()]
+        series = [rate_series(title, reliability(self.trials, method)) for method, title in self.methods.items()]
         chart = charts.reliability_diagram(
             series, tr("confidence told"), tr("right among the fixes"), tr("Reliability of the confidence")
         )
@@ -176,10 +177,10 @@ class EvaluationReport:
 
     def _paper_table(self, part: str, title: str, value_of) -> str:
         """One row a scale or rotation and window; per method what was found, how far off or how distant, confidence."""
-        by_method = [of_method(self.outcomes, method, part) for method in self.methods]
+        by_method = [of_method(self.trials, method, part) for method in self.methods]
         header, numbers = [title, tr("Window")], []
-        for name, outcomes in zip(self.methods.values(), by_method):
-            added = [tr("error"), *([tr("distance")] if _has_distances(outcomes) else []), tr("confidence")]
+        for name, trials in zip(self.methods.values(), by_method):
+            added = [tr("error"), *([tr("distance")] if _has_distances(trials) else []), tr("confidence")]
             numbers += range(len(header) + 1, len(header) + 1 + len(added))
             header += [name, *added]
         order = {id(o): n for n, o in enumerate(by_method[0])}
@@ -189,12 +190,16 @@ class EvaluationReport:
         ]
         return page.table(header, rows, numbers)
 
-    def _found(self, same: Sequence[Outcome], by_method: Sequence[Sequence[Outcome]]) -> List[str]:
+    def _found(self, same: Sequence[Trial], by_method: Sequence[Sequence[Trial]]) -> List[str]:
         cells = []
-        for one, outcomes in zip(same, by_method):
+        for one, trials in zip(same, by_method):
             result = one.result
-            found = page.Marked(f"{'✓' if one.right else '✗'} {one.window}", one.right) if one.is_fix else result.status
-            distance = [_fixed(result.distance, 3)] if _has_distances(outcomes) else []
+            found = (
+                page.Marked(f"{'✓' if one.is_right else '✗'} {one.window}", one.is_right)
+                if one.is_fix
+                else result.status
+            )
+            distance = [_fixed(result.distance, 3)] if _has_distances(trials) else []
             confidence = _fixed(result.confidence if one.is_fix else None, 2)
             cells += [found, page.number(one.error, "m"), *distance, confidence]
         return cells
@@ -209,9 +214,9 @@ def _how_judged() -> str:
     )
 
 
-def _has_distances(outcomes: Sequence[Outcome]) -> bool:
+def _has_distances(trials: Sequence[Trial]) -> bool:
     """Whether the method compares vectors."""
-    return any(one.result.distance is not None for one in outcomes)
+    return any(one.result.distance is not None for one in trials)
 
 
 def _fixed(value: Optional[float], decimals: int) -> str:
@@ -220,7 +225,7 @@ def _fixed(value: Optional[float], decimals: int) -> str:
 
 def _turn_order(query) -> Tuple[float, float]:
     """Rows go down in scale and up in angle, as in the paper."""
-    return -query.scale, query.heading_deg
+    return -query.scale, query.view.heading_deg
 
 
 def _thinned(x: np.ndarray, y: np.ndarray, most: int = 400) -> Tuple[np.ndarray, np.ndarray]:

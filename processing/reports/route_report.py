@@ -10,8 +10,8 @@ from typing import List, Optional, Sequence, Tuple
 import numpy as np
 
 from ...core.assessment.assessment import Estimates
-from ...core.assessment.images import AssessmentNoise
 from ...core.assessment.route import Gap, RoutePoints, ShiftHint
+from ...core.simulation.noise import LabelNoise
 from ..translation import tr
 from . import page
 from .assessment_report import assumed, reason_titles
@@ -39,7 +39,7 @@ class AssessedRoute:
 def route_html(
     route: AssessedRoute,
     name: str,
-    noise: AssessmentNoise,
+    noise: LabelNoise,
     correlation: bool,
     settings: Sequence[Tuple[str, str]],
 ) -> str:
@@ -69,7 +69,7 @@ def profile(route: AssessedRoute, line: int) -> str:
     members = np.flatnonzero(route.points.lines == line)
     along, estimates = route.points.along[members], route.estimates.part(members)
     length = max(route.points.lengths[line], 1e-9)
-    most = _round_up(float(estimates.objects.max()))
+    most = _round_up(float(estimates.landmarks.max()))
     right, bottom = WIDTH - RIGHT, HEIGHT - BOTTOM
 
     def x(meters: float) -> float:
@@ -97,7 +97,7 @@ def profile(route: AssessedRoute, line: int) -> str:
     upper = [f"{x(a):.1f} {y(v):.1f}" for a, v in zip(along, estimates.high)]
     lower = [f"{x(a):.1f} {y(v):.1f}" for a, v in zip(along, estimates.low)]
     parts.append(f'<path d="M{"L".join(upper + lower[::-1])}Z" style="fill:var(--s0);opacity:0.18"/>')
-    seen = "L".join(f"{x(a):.1f} {y(v / most):.1f}" for a, v in zip(along, estimates.objects))
+    seen = "L".join(f"{x(a):.1f} {y(v / most):.1f}" for a, v in zip(along, estimates.landmarks))
     parts.append(f'<path d="M{seen}" style="fill:none;stroke:var(--s1);stroke-width:1.4;stroke-dasharray:5,3"/>')
     line_path = "L".join(f"{x(a):.1f} {y(v):.1f}" for a, v in zip(along, estimates.success))
     parts.append(f'<path d="M{line_path}" style="fill:none;stroke:var(--s0);stroke-width:2.4"/>')
@@ -155,7 +155,7 @@ def _gap_table(route: AssessedRoute) -> List[str]:
                 f"{gap.end:.0f}",
                 f"{gap.length:.0f}",
                 *([f"{gap.length / route.speed:.0f}"] if route.speed else []),
-                f"{route.estimates.objects[gap.points].mean():.0f}",
+                f"{route.estimates.landmarks[gap.points].mean():.0f}",
                 _reason(route, gap),
                 _hint(hint),
             ]

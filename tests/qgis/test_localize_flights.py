@@ -8,8 +8,8 @@ from made_inputs import NORTH, WEST, scattered_objects, write_raster, write_text
 from osgeo import ogr
 from qgis.core import QgsProcessingException
 
-from semref.core.labels.sources import ArrayLabels
-from semref.core.simulation.views import View, cut_view, map_coordinates
+from semref.core.geometry.frame import MapFrame
+from semref.core.simulation.views import View, cut, map_coordinates
 
 LOCALIZE = "semref:localizeimages"
 LABELS = scattered_objects(900, 1000, 1300, seed=5)
@@ -39,7 +39,7 @@ def localize(run_algorithm, database, tmp_path, feedback):
     def run(views, table="", **parameters):
         (tmp_path / "flight").mkdir(exist_ok=True)
         for number, view in enumerate(views):
-            image = cut_view(ArrayLabels(LABELS), view)
+            image = cut(LABELS, MapFrame.at((WEST, NORTH), 1.0), view)
             write_raster(tmp_path / "flight" / f"{number}.png", image, transform=None)
         if table:
             parameters["ATTITUDE"] = str(write_text(tmp_path / "cameras.csv", table))
@@ -56,7 +56,7 @@ def localize(run_algorithm, database, tmp_path, feedback):
 
 def ahead(column=450.0, row=520.0, heading=30.0, tilt=TILT) -> View:
     """A camera tilted towards the image's top."""
-    return View(column, row, heading, 1.0, SIZE, SIZE, tilt_deg=tilt)
+    return View(WEST + column, NORTH - row, heading, 1.0, SIZE, SIZE, tilt_deg=tilt)
 
 
 TABLE = f"image,roll,pitch,field_of_view\n0.png,0,{TILT},60\n"
@@ -66,10 +66,10 @@ def test_a_tilted_image_is_leveled_and_found(localize, feedback):
     view = ahead()
     (found,), (footprint,), _ = localize([view], TABLE)
     assert (found["status"], found["heading"]) == ("fix", pytest.approx(30, abs=0.5))
-    assert (found["x"], found["y"]) == pytest.approx((WEST + view.column, NORTH - view.row), abs=2)
+    assert (found["x"], found["y"]) == pytest.approx(view.position, abs=2)
     assert found["pixel_size"] == pytest.approx(1.0, rel=0.01)
-    columns, rows = map_coordinates(view, np.array([0, SIZE, SIZE, 0]), np.array([0, 0, SIZE, SIZE]))
-    np.testing.assert_allclose(footprint[:4], np.column_stack([WEST + columns, NORTH - rows]), atol=4)
+    x, y = map_coordinates(view, np.array([0, SIZE, SIZE, 0]), np.array([0, 0, SIZE, SIZE]))
+    np.testing.assert_allclose(footprint[:4], np.column_stack([x, y]), atol=4)
     assert "0.png: Leveled: roll 0.0°, pitch 25.0° (cameras.csv)." in feedback.textLog()
 
 
@@ -90,7 +90,7 @@ def test_what_is_not_leveled_has_no_camera_position(localize):
 
 def test_a_radius_is_about_the_center_of_the_image_though_it_is_tilted(localize):
     view = ahead()
-    point = f"{WEST + view.column},{NORTH - view.row} [EPSG:32632]"
+    point = f"{view.x},{view.y} [EPSG:32632]"
     (found,), _, _ = localize([view], TABLE, PRIOR_POINT=point, PRIOR_RADIUS=5)
     assert found["status"] == "fix"
 
@@ -105,7 +105,7 @@ def test_map_correlation_levels_too(localize):
     view = ahead(tilt=15)
     (found,), _, _ = localize([view], TABLE.replace(str(TILT), "15"), METHOD=3)
     assert found["method"] == "map correlation" and found["camera_x"] is not None
-    assert (found["x"], found["y"]) == pytest.approx((WEST + view.column, NORTH - view.row), abs=6)
+    assert (found["x"], found["y"]) == pytest.approx(view.position, abs=6)
 
 
 def test_a_view_of_the_horizon_is_an_error_of_its_row(localize):
@@ -150,7 +150,9 @@ def test_a_flight_within_its_speed_has_no_jumps(localize):
 
 
 def test_without_time_without_fix_or_without_speed_nothing_is_checked(localize):
-    rows, _, _ = localize([*FLIGHT[:2], View(-900, 0, 0, 1.0, SIZE, SIZE)], "image,time\n0,0\n2,2\n", MAXIMUM_SPEED=25)
+    rows, _, _ = localize(
+        [*FLIGHT[:2], View(WEST - 900, NORTH, 0, 1.0, SIZE, SIZE)], "image,time\n0,0\n2,2\n", MAXIMUM_SPEED=25
+    )
     assert [row["jump"] for row in rows] == [0, None, None]
     rows, _, _ = localize(FLIGHT[:2], TIMES)
     assert [row["jump"] for row in rows] == [None] * 3

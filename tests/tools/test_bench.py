@@ -102,7 +102,7 @@ def test_errors_are_those_from_the_truth_in_map_units(bench, pixel, heading_deg)
     trials = bench("localization_trials")
     area = trials.QueryMap.__new__(trials.QueryMap)
     area.origin, area.pixel_size = (5000.0, 9000.0), pixel
-    view = SimpleNamespace(column=100.0, row=50.0, heading_deg=heading_deg, scale=1.25, width_px=640)
+    view = SimpleNamespace(x=100.0, y=-50.0, heading_deg=heading_deg, pixel_size=1.25, width_px=640)
     x, y = 5000 + 100 * pixel + 3, 9000 - 50 * pixel - 4
     ellipse = SimpleNamespace(semi_major=10.0, semi_minor=10.0, orientation_deg=0.0)
     place = SimpleNamespace(position=(x, y), heading_deg=0.0, pixel_size_m=1.25 * pixel * 1.01)
@@ -117,7 +117,7 @@ def test_without_a_fix_there_is_no_error_and_nothing_right(bench):
     trials = bench("localization_trials")
     area = trials.QueryMap.__new__(trials.QueryMap)
     area.pixel_size = 1.0
-    view = SimpleNamespace(column=0.0, row=0.0, heading_deg=0.0, scale=1.0, width_px=10)
+    view = SimpleNamespace(x=0.0, y=0.0, heading_deg=0.0, pixel_size=1.0, width_px=10)
     judged = area.judge(view, SimpleNamespace(status="no_match", references=7), None, 12, 0.1)
     assert np.isnan(judged.error_m) and not judged.is_right(np.inf)
 

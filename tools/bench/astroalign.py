@@ -68,7 +68,7 @@ class Query:
 
     @property
     def place(self) -> complex:
-        return complex(self.view.column, -self.view.row)
+        return complex(*self.view.position)
 
 
 @dataclass(frozen=True)
@@ -230,6 +230,6 @@ def _index(references):
 
 def _piece(references, view, edge: float):
     """The catalogue's objects in an upright square around a view."""
-    away = np.abs(references.positions - (view.column, -view.row)).max(axis=1)
-    near = away < edge * IMAGE_PX * view.scale / 2
+    away = np.abs(references.positions - view.position).max(axis=1)
+    near = away < edge * IMAGE_PX * view.pixel_size / 2
     return replace(references, **{name: getattr(references, name)[near] for name in vars(references)})

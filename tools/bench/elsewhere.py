@@ -85,7 +85,7 @@ def _index(area, kind: str):
 
     references = area.references()
     if kind == OTHER_HALF:
-        northern = -references.positions[:, 1] < area.extent[1] - REACH_PX
+        northern = references.positions[:, 1] > area.extent[3] + REACH_PX
         references = replace(references, **{k: v[northern] for k, v in vars(references).items() if v is not None})
     return build_index(references, 1.0)
 

@@ -80,8 +80,8 @@ def query_map(run: inputs.Run, southern: bool) -> QueryMap:
     size = round(run.area.window_size / inputs.PIXEL_SIZE)
     area = QueryMap(labels, run.database(run.area.stride), size)
     if southern:
-        left, _, right, bottom = area.extent
-        area.extent = left, int(np.median(area.objects.centers_xy[:, 1])), right, bottom
+        left, bottom, right, _ = area.extent
+        area.extent = left, bottom, right, -int(np.median(area.objects.centers_xy[:, 1]))
     return area
 
 
@@ -145,27 +145,25 @@ def attempt(area: QueryMap, case: Case, rng: np.random.Generator) -> Outcome:
 
 def spoil(area: QueryMap, case: Case, view, labels: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     """The label image with the case's noise; invented objects are of another view at about this scale."""
-    from semref.core.simulation import views as trials
+    from semref.core.simulation.noise import LabelNoise, spoil_labels
 
-    missed, invented, misnamed = NOISES[case.noise]
-    if not missed:
+    if not NOISES[case.noise][0]:
         return labels
-    noise = trials.ObjectNoise(missed, invented, misnamed)
-    donor = area.draw(Wanted((view.scale, view.scale), objects=(4, 10**9)), rng)[1]
-    smallest = max(area.minimum_area_px / view.scale**2, 1.0)
-    labels = trials.spoil_label_objects(labels, noise, rng, area.values, donor, smallest)
-    return trials.spoil_labels(labels, trials.LabelNoise(ragged_px=RAGGED_PX), rng, area.values)
+    noise = LabelNoise(*NOISES[case.noise], jitter=RAGGED_PX)
+    donor = area.draw(Wanted((view.pixel_size, view.pixel_size), objects=(4, 10**9)), rng)[1]
+    smallest = max(area.minimum_area_px / view.pixel_size**2, 1.0)
+    return spoil_labels(labels, noise, rng, area.values, donor, smallest)
 
 
 def _localize_objects(area: QueryMap, case: Case, view, labels, count: int, rng: np.random.Generator) -> Outcome:
     from semref.core.constellation.solver import localize
     from semref.core.localizer.localizer import SCALES, Prior
-    from semref.core.simulation import views as trials
+    from semref.core.simulation.noise import LabelNoise, spoil_landmarks
 
     size = (view.width_px, view.height_px)
-    noise = trials.ObjectNoise(*NOISES[case.noise], jitter_px=JITTER_PX, area=AREA_NOISE)
-    population = replace(area.objects, areas_px=area.objects.areas_px / view.scale**2)
-    objects = trials.spoil_objects(area.objects_of(labels, view.scale), noise, rng, population, size)
+    noise = LabelNoise(*NOISES[case.noise], center=JITTER_PX, log_area=AREA_NOISE)
+    population = replace(area.objects, areas_px=area.objects.areas_px / view.pixel_size**2)
+    objects = spoil_landmarks(area.objects_of(labels, view.pixel_size), noise, rng, population, size)
     prior = Prior(pixel_size_range=area.localizer.pixel_sizes(labels.shape, SCALES))
     index = area.localizer.index
     started = time.process_time()

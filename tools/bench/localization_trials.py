@@ -91,16 +91,16 @@ class QueryMap:
         self.objects = extract_landmarks(labels_hw, self.values, self.minimum_area_px)
         height, width = labels_hw.shape
         first, last = rows or (0, height)
-        self.extent = 0, first, width, last
+        self.extent = 0, -last, width, -first
 
     def draw(self, wanted: Wanted, rng: np.random.Generator) -> tuple[View, np.ndarray, int]:
         """A view as wanted, its (H, W) labels and how many whole objects it shows; ValueError where there is none."""
         from dataclasses import replace
 
-        from semref.core.simulation import views as trials
+        from semref.core.simulation.views import PIXELS, cut, random_view
 
         for _ in range(LARGEST_TRIES):
-            view = trials.random_view(rng, self.extent, (self.size_px, self.size_px), wanted.scales)
+            view = random_view(rng, self.extent, (self.size_px, self.size_px), wanted.scales)
             if wanted.headings_deg:
                 view = replace(view, heading_deg=float(rng.choice(wanted.headings_deg)))
             if wanted.tilt_deg:
@@ -108,8 +108,8 @@ class QueryMap:
                 view = replace(view, tilt_deg=wanted.tilt_deg, tilt_direction_deg=direction)
             if self._count_near(view) < 0.7 * wanted.objects[0]:
                 continue
-            labels = trials.cut_view(self.labels, view)
-            count = len(self.whole_objects(labels, view.scale))
+            labels = cut(self.labels, PIXELS, view)
+            count = len(self.whole_objects(labels, view.pixel_size))
             if wanted.objects[0] <= count <= wanted.objects[1] and (labels > 0).mean() >= wanted.labeled:
                 return view, labels, count
         raise ValueError(f"{LARGEST_TRIES} places of the map have no view with {wanted.objects[0]} objects.")
@@ -128,7 +128,7 @@ class QueryMap:
 
     def position(self, view: View) -> tuple[float, float]:
         """Map coordinates of a view's center."""
-        return self.origin[0] + view.column * self.pixel_size, self.origin[1] - view.row * self.pixel_size
+        return self.origin[0] + view.x * self.pixel_size, self.origin[1] + view.y * self.pixel_size
 
     def localize(self, view: View, labels_hw: np.ndarray, count: int, method: str) -> Outcome:
         """A label image in, what came of it out."""
@@ -140,9 +140,9 @@ class QueryMap:
         self, view: View, found: Union[Localization, ConstellationResult], place, count: int, seconds: float
     ) -> Outcome:
         """How far ``place`` (position, heading_deg, pixel_size_m), of a fix, is from where the view really is."""
-        from semref.core.evaluation.evaluation import ellipse_ratio
+        from semref.core.evaluation.trial import ellipse_ratio
 
-        footprint = view.width_px * view.scale * self.pixel_size
+        footprint = view.width_px * view.pixel_size * self.pixel_size
         known = {"objects": count, "references": found.references, "seconds": seconds, "footprint_m": footprint}
         if found.status != "fix":
             return Outcome(found.status, **known)
@@ -150,15 +150,15 @@ class QueryMap:
         known["error_m"] = float(np.hypot(x, y))
         if place.heading_deg is not None:
             known["heading_deg"] = abs((place.heading_deg - view.heading_deg + 180) % 360 - 180)
-            known["scale"] = abs(place.pixel_size_m / (view.scale * self.pixel_size) - 1)
+            known["scale"] = abs(place.pixel_size_m / (view.pixel_size * self.pixel_size) - 1)
         if found.uncertainty is not None:
             known["ratio"] = ellipse_ratio(x, y, found.uncertainty)
         return Outcome(found.status, **known)
 
     def _count_near(self, view: View) -> int:
         """Objects in the upright square of the view's size: a quick look before it is cut."""
-        away = np.abs(self.objects.centers_xy - (view.column, view.row)).max(axis=1)
-        return int((away < self.size_px * view.scale / 2).sum())
+        away = np.abs(self.objects.centers_xy - (view.x, -view.y)).max(axis=1)
+        return int((away < self.size_px * view.pixel_size / 2).sum())
 
 
 def rate(successes: int, trials: int) -> str:

@@ -13,13 +13,14 @@ from semref.core.database.model import MapLandmarks
 from semref.core.geometry.pose import Pose, fit_similarity, pose_uncertainty, tilted_uncertainty
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
-from semref.core.simulation.views import ObjectNoise, View, cut_view, spoil_objects
+from semref.core.simulation.noise import LabelNoise, spoil_landmarks
+from semref.core.simulation.views import PIXELS, View, cut
 
 SIZE = 640
 CLASSES = (1, 2, 3)
 ORIGIN = (500_000.0, 5_200_000.0)
 PRIOR = Prior(pixel_size_range=(0.4, 2.5))
-NOISE = ObjectNoise(missed=0.2, invented=0.2, misnamed=0.05, jitter_px=1.0, area=0.1)
+NOISE = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05, center=1.0, log_area=0.1)
 
 
 def town(seed, size=3000, count=2500):
@@ -50,10 +51,10 @@ class Ground:
         self.index = build_index(self.references, 1.0)
 
     def see(self, view, noise=None, seed=0):
-        objects = extract_landmarks(cut_view(self.source, view), CLASSES, 12)
+        objects = extract_landmarks(cut(self.source, PIXELS, view), CLASSES, 12)
         if noise is None:
             return objects
-        return spoil_objects(objects, noise, np.random.default_rng(seed), objects, (SIZE, SIZE))
+        return spoil_landmarks(objects, noise, np.random.default_rng(seed), objects, (SIZE, SIZE))
 
 
 @pytest.fixture(scope="module")
@@ -62,7 +63,7 @@ def ground():
 
 
 def seen_from(column, row, heading=0.0, scale=1.0):
-    return View(column, row, heading, scale, SIZE, SIZE)
+    return View(column, -row, heading, scale, SIZE, SIZE)
 
 
 def solve(ground, objects, prior=PRIOR):
@@ -70,7 +71,7 @@ def solve(ground, objects, prior=PRIOR):
 
 
 def error(result, view):
-    return np.hypot(result.place.position[0] - ORIGIN[0] - view.column, result.place.position[1] - ORIGIN[1] + view.row)
+    return np.hypot(*(np.subtract(result.place.position, ORIGIN) - view.position))
 
 
 def mirrored(objects):
@@ -112,7 +113,7 @@ def test_objects_smaller_than_any_of_the_catalogue_are_no_evidence(ground, share
     right = ground.see(view)
     small = dataclasses.replace(right, areas_px=share * ground.index.minimum_area_m2 * np.ones(len(right)))
     query = make_query(small, ground.index, SIZE, SIZE)
-    center = complex(view.column, -view.row) + complex(*ORIGIN) - ground.index.origin
+    center = complex(*view.position) + complex(*ORIGIN) - ground.index.origin
     evidence = weigh(Verifier(ground.index, SIZE, SIZE, 1.0), query, Pose(center, 1 + 0j), 1.0)
     assert (len(evidence.matched) > 0, evidence.considered > 0) == (counts, counts)
     assert counts or evidence.log_odds <= 0
@@ -221,7 +222,7 @@ def test_matches_name_objects_of_the_image_and_of_the_map(ground):
     objects = ground.see(view)
     matches = solve(ground, objects).matches
     assert len(matches) >= 20
-    seen = objects.centers_xy[matches[:, 0]] + (view.column - SIZE / 2, view.row - SIZE / 2)
+    seen = objects.centers_xy[matches[:, 0]] + (view.x - SIZE / 2, -view.y - SIZE / 2)
     np.testing.assert_allclose(seen, ground.objects.centers_xy[matches[:, 1]], atol=0.6)
 
 

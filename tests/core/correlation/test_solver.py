@@ -11,7 +11,7 @@ from semref.core.correlation.decision import LARGEST_ERROR, exact_enough, positi
 from semref.core.correlation.solver import CorrelationSettings, Prior, agreement_at, localize
 from semref.core.errors import LabelMapError
 from semref.core.labels.overview import most_frequent_labels
-from semref.core.simulation.noise import MODEST, STRONG, degrade_labels
+from semref.core.simulation.noise import MODEST, STRONG, spoil_labels
 
 ORIGIN = 500_000.0, 5_200_000.0
 SIZES = 0.7, 1.4
@@ -38,6 +38,11 @@ def view(labels, center, heading_deg, pixel, size_wh=(560, 560)):
     offset = np.array(center) - matrix @ (np.array(size_wh) / 2 - 0.5) - 0.5
     flags = cv2.INTER_NEAREST | cv2.WARP_INVERSE_MAP
     return cv2.warpAffine(labels, np.column_stack([matrix, offset]), size_wh, flags=flags)
+
+
+def spoiled(labels_hw, noise, seed):
+    """With the errors of a network; houses are class 1."""
+    return spoil_labels(labels_hw, noise, np.random.default_rng(seed), (1,))
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +87,7 @@ def test_a_clean_image_is_found_finer_than_an_overview_pixel(labels, pyramid, he
 @pytest.mark.parametrize("noise", [MODEST, STRONG])
 def test_a_noisy_image_is_found(labels, pyramid, noise):
     center = 1630.0, 1240.5
-    image = degrade_labels(view(labels, center, 200.5, 1.1), 1.1, replace(noise, patch_size_m=40), 5)
+    image = spoiled(view(labels, center, 200.5, 1.1), replace(noise, patch_size=40).in_pixels(1.1), 5)
     result = localize(image, pyramid, SIZES)
     assert result.status == "fix"
     assert error_m(result, center) < 0.02 * 560
@@ -170,12 +175,12 @@ def test_the_result_does_not_depend_on_tiles_or_threads(labels, pyramid):
 
 
 def test_the_same_image_gives_the_same_result(labels, pyramid):
-    image = degrade_labels(view(labels, (1500, 700), 123, 0.9), 0.9, MODEST, 1)
+    image = spoiled(view(labels, (1500, 700), 123, 0.9), MODEST.in_pixels(0.9), 1)
     assert localize(image, pyramid, SIZES) == localize(image, pyramid, SIZES)
 
 
 def test_agreement_at_a_pose_is_high_where_the_image_lies_and_nowhere_else(labels, pyramid):
-    image = degrade_labels(view(labels, (1500, 700), 123, 0.9), 0.9, MODEST, 1)
+    image = spoiled(view(labels, (1500, 700), 123, 0.9), MODEST.in_pixels(0.9), 1)
     right = ORIGIN[0] + 1500, ORIGIN[1] - 700
     assert agreement_at(image, pyramid, right, 123.0, 0.9) > 0.6
     for position, heading in ((right, 303.0), ((ORIGIN[0] + 900, ORIGIN[1] - 1200), 123.0)):

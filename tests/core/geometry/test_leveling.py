@@ -13,7 +13,7 @@ from semref.core.geometry.leveling import (
 )
 from semref.core.geometry.pose import turn_of
 from semref.core.labels.sources import ArrayLabels
-from semref.core.simulation.views import View, cut_view, map_coordinates
+from semref.core.simulation.views import PIXELS, View, cut, map_coordinates
 
 SHAPE = (200, 260)
 FIELD_OF_VIEW = 60.0
@@ -21,7 +21,7 @@ FOCAL = focal_length_from_view(FIELD_OF_VIEW, SHAPE)
 
 
 def tilted(tilt_deg: float, direction_deg: float, heading_deg: float = 25.0) -> View:
-    return View(500.3, 480.7, heading_deg, 1.3, SHAPE[1], SHAPE[0], tilt_deg, direction_deg, FIELD_OF_VIEW)
+    return View(500.3, -480.7, heading_deg, 1.3, SHAPE[1], SHAPE[0], tilt_deg, direction_deg, FIELD_OF_VIEW)
 
 
 def attitude_of(tilt_deg: float, direction_deg: float) -> Attitude:
@@ -49,19 +49,21 @@ def test_the_homography_is_the_tilted_views_truth(tilt, direction):
     columns, rows = rng.uniform(0, SHAPE[1], 50), rng.uniform(0, SHAPE[0], 50)
     x, y, w = way.homography @ np.array([columns, rows, np.ones(50)])
     offsets = way.middle + (x / w - way.shape_hw[1] / 2) + 1j * (way.shape_hw[0] / 2 - y / w)
-    on_map = complex(view.column, -view.row) + turn_of(view.heading_deg, view.scale) * offsets
+    on_map = complex(*view.position) + turn_of(view.heading_deg, view.pixel_size) * offsets
     expected = map_coordinates(view, columns, rows)
-    np.testing.assert_allclose((on_map.real, -on_map.imag), expected, atol=1e-9)
+    np.testing.assert_allclose((on_map.real, on_map.imag), expected, atol=1e-9)
 
 
 @pytest.mark.parametrize(("tilt", "direction"), TILTS)
 def test_a_tilted_view_leveled_with_its_true_attitude_is_the_level_view(tilt, direction):
     view = tilted(tilt, direction)
     way = leveling(attitude_of(tilt, direction), FOCAL, SHAPE)
-    leveled = way.level(cut_view(blocks(), view))
-    middle = complex(view.column, -view.row) + turn_of(view.heading_deg, view.scale) * way.middle
-    level = cut_view(
-        blocks(), View(middle.real, -middle.imag, view.heading_deg, view.scale, way.shape_hw[1], way.shape_hw[0])
+    leveled = way.level(cut(blocks(), PIXELS, view))
+    middle = complex(*view.position) + turn_of(view.heading_deg, view.pixel_size) * way.middle
+    level = cut(
+        blocks(),
+        PIXELS,
+        View(middle.real, middle.imag, view.heading_deg, view.pixel_size, way.shape_hw[1], way.shape_hw[0]),
     )
     seen = leveled > 0
     # Nearest neighbor twice moves edges by up to a pixel; squares are 7.7 pixels wide.

@@ -14,7 +14,7 @@ from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import MAP_CORRELATION, Localization, PossiblePlace
 from semref.core.localizer.combined import LEAST_AGREEMENT, checked_by_areas, confirmed, near, neither
 from semref.core.localizer.localizer import AMBIGUOUS, AUTOMATIC, FIX, NO_MATCH, TOO_FEW_REFERENCES, Localizer, Prior
-from semref.core.simulation.views import View, cut_view
+from semref.core.simulation.views import PIXELS, View, cut
 
 ORIGIN = 500_000.0, 5_200_000.0
 TABLE = ClassTable(
@@ -64,8 +64,8 @@ def localizer():
 
 
 def view(ground, built, column=1203.7, row=905.2, heading=40.0, scale=1.0) -> np.ndarray:
-    seen = View(column, row, heading, scale, SIZE, SIZE)
-    areas, objects = cut_view(ArrayLabels(ground), seen), cut_view(ArrayLabels(built.astype(np.uint8)), seen)
+    seen = View(column, -row, heading, scale, SIZE, SIZE)
+    areas, objects = cut(ground, PIXELS, seen), cut(built.astype(np.uint8), PIXELS, seen)
     return np.where(objects > 0, 1, areas).astype(np.uint8)
 
 

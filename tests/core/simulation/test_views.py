@@ -1,54 +1,87 @@
-"""Trials: a view's truth holds pixel by pixel, noise is as large as asked for, and a seed repeats it."""
+"""Views: the truth holds pixel by pixel, whatever a view is cut from."""
 
 import numpy as np
 import pytest
 
+from semref.core.geometry.frame import MapFrame
 from semref.core.labels.sources import ArrayLabels
-from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.simulation.views import (
-    LabelNoise,
-    ObjectNoise,
+    PIXELS,
     View,
-    cut_view,
+    cut,
+    image_coordinates,
+    lies_on,
     map_coordinates,
-    spoil_label_objects,
-    spoil_labels,
-    spoil_objects,
+    random_view,
 )
+
+MAP = MapFrame.at((700_000.0, 5_200_000.0), 2.0)
 
 
 @pytest.fixture
 def labels_hw():
-    return np.random.default_rng(0).integers(0, 4, (200, 260), dtype=np.uint8)
+    return np.random.default_rng(0).integers(1, 5, (200, 260), dtype=np.uint8)
 
 
-def blocks(size=400, step=40, side=20):
-    labels = np.zeros((size, size), np.uint8)
-    for top in range(10, size - side, step):
-        for left in range(10, size - side, step):
-            labels[top : top + side, left : left + side] = 1 + (top // step + left // step) % 2
-    return labels
+def seen_from(column, row, heading=0.0, width=61, height=61, **changes) -> View:
+    return View(column, -row, heading, 1.0, width, height, **changes)
 
 
 @pytest.mark.parametrize(("heading", "quarter_turns"), [(0, 0), (90, 1), (180, 2), (270, 3)])
 @pytest.mark.parametrize("size", [63, 64])
 def test_quarter_turns_lose_no_pixel(labels_hw, heading, quarter_turns, size):
-    view = View(70 + size / 2, 40 + size / 2, heading, 1.0, size, size)
     window = labels_hw[40 : 40 + size, 70 : 70 + size]
-    np.testing.assert_array_equal(cut_view(ArrayLabels(labels_hw), view), np.rot90(window, quarter_turns))
+    view = seen_from(70 + size / 2, 40 + size / 2, heading, size, size)
+    np.testing.assert_array_equal(cut(labels_hw, PIXELS, view), np.rot90(window, quarter_turns))
 
 
 def test_heading_90_shows_the_east_at_the_top():
     labels = np.zeros((100, 100), np.uint8)
     labels[50, 70] = 9
-    seen = cut_view(ArrayLabels(labels), View(50.5, 50.5, 90.0, 1.0, 61, 61))
-    assert np.argwhere(seen == 9).tolist() == [[10, 30]]
+    assert np.argwhere(cut(labels, PIXELS, seen_from(50.5, 50.5, 90.0)) == 9).tolist() == [[10, 30]]
 
 
-def test_beyond_the_map_everything_is_unlabeled(labels_hw):
-    seen = cut_view(ArrayLabels(labels_hw + 1), View(0, 0, 0.0, 1.0, 40, 20))
+def test_beyond_the_map_there_is_nothing(labels_hw):
+    seen = cut(labels_hw, PIXELS, seen_from(0, 0, 0.0, 40, 20))
     assert not seen[:10].any() and not seen[:, :20].any() and seen[10:, 20:].all()
-    assert not cut_view(ArrayLabels(labels_hw), View(-500, -500, 0.0, 1.0, 40, 20)).any()
+    assert not cut(labels_hw, PIXELS, seen_from(-500, -500)).any()
+
+
+def test_a_map_read_in_pieces_gives_what_the_array_gives(labels_hw):
+    view = View(101.7, -88.2, 33.0, 1.2, 64, 48)
+    np.testing.assert_array_equal(cut(ArrayLabels(labels_hw), PIXELS, view), cut(labels_hw, PIXELS, view))
+
+
+def test_a_photo_of_three_bands_is_cut_like_a_label_map(labels_hw):
+    view = View(120.3, -99.8, 33.0, 1.2, 64, 64)
+    seen = cut(np.dstack([labels_hw] * 3), PIXELS, view)
+    np.testing.assert_array_equal(seen[:, :, 1], cut(labels_hw, PIXELS, view))
+    assert cut(np.dstack([labels_hw] * 3), PIXELS, seen_from(-500, 0)).shape == (61, 61, 3)
+
+
+def test_one_view_shows_the_same_ground_of_maps_with_other_pixels(labels_hw):
+    view = View(700_260.0, 5_199_800.0, 25.0, 1.3, 80, 60)
+    fine = np.kron(labels_hw, np.ones((4, 4), np.uint8))
+    np.testing.assert_array_equal(cut(labels_hw, MAP, view), cut(fine, MapFrame.at(MAP.origin, 0.5), view))
+
+
+def test_a_mirrored_view_shows_left_and_right_exchanged(labels_hw):
+    plain, mirrored = (seen_from(100.2, 90.7, 40.0, is_mirrored=flag) for flag in (False, True))
+    np.testing.assert_array_equal(cut(labels_hw, PIXELS, mirrored), cut(labels_hw, PIXELS, plain)[:, ::-1])
+    assert mirrored.plain() == plain and plain.plain() is plain
+
+
+@pytest.mark.parametrize("is_mirrored", [False, True])
+def test_points_of_the_map_lie_in_the_image_where_its_pixels_show_them(is_mirrored):
+    view = View(700_100.0, 5_199_900.0, 137.0, 1.7, 300, 200, is_mirrored=is_mirrored)
+    columns, rows = np.random.default_rng(2).uniform(-50, 350, (2, 40))
+    x, y = map_coordinates(view, columns, rows)
+    found = image_coordinates(view, np.column_stack([x, y]))
+    np.testing.assert_allclose(found, np.column_stack([columns, rows]), atol=1e-6)
+
+
+def test_no_points_have_no_place_in_an_image():
+    assert image_coordinates(View(0.0, 0.0), np.empty((0, 2))).shape == (0, 2)
 
 
 def test_the_center_of_a_tilted_view_stays_where_it_is():
@@ -58,135 +91,29 @@ def test_the_center_of_a_tilted_view_stays_where_it_is():
 
 def test_a_tilted_camera_sees_farther_where_it_is_tilted_to():
     view = View(0.0, 0.0, 0.0, 1.0, 100, 100, tilt_deg=10.0)
-    columns, rows = map_coordinates(view, np.array([50.0, 50.0]), np.array([0.0, 100.0]))
-    assert -rows[0] > 55 > 50 > rows[1] and columns == pytest.approx([0, 0])
+    x, y = map_coordinates(view, np.array([50.0, 50.0]), np.array([0.0, 100.0]))
+    assert y[0] > 55 > 50 > -y[1] and x == pytest.approx([0, 0])
 
 
-NO_OBJECTS = extract_landmarks(np.zeros((10, 10), np.uint8), (1,), 1)
+def test_a_view_lies_on_the_map_when_all_its_pixels_do(labels_hw):
+    frame = MAP.of_shape(labels_hw.shape)
+    inside = View(700_260.0, 5_199_800.0, 30.0, 2.0, 64, 64)
+    assert lies_on(frame, inside) and cut(labels_hw, MAP, inside).all()
+    beyond = View(700_040.0, 5_199_800.0, 30.0, 2.0, 64, 64)
+    assert not lies_on(frame, beyond) and not cut(labels_hw, MAP, beyond).all()
 
 
-def test_noise_on_no_objects_gives_none():
-    noise = ObjectNoise(0.5, 0.5, 0.5, 1.0, 0.1)
-    assert len(spoil_objects(NO_OBJECTS, noise, np.random.default_rng(0), NO_OBJECTS, (10, 10))) == 0
-
-
-def many_objects(count=4000):
+def test_random_views_fill_what_they_are_drawn_from_and_a_seed_repeats_them():
+    extent = 100.0, 200.0, 140.0, 300.0
     rng = np.random.default_rng(5)
-    centers = rng.uniform(100, 900, (count, 2))
-    bounds = np.column_stack([centers - 5, centers + 5]).astype(np.int64)
-    classes = np.ones(count, np.uint8)
-    classes[: count // 2] = 2
-    return Landmarks(centers, classes, np.full(count, 100.0), bounds, np.zeros(count, bool))
+    views = [random_view(rng, extent, (64, 48), (0.5, 2.0)) for _ in range(300)]
+    x, y, pixel_sizes = np.array([(v.x, v.y, v.pixel_size) for v in views]).T
+    assert 100 <= x.min() < 105 < 135 < x.max() <= 140 and 200 <= y.min() < 210 < 290 < y.max() <= 300
+    assert 0.5 <= pixel_sizes.min() < 0.55 and 1.8 < pixel_sizes.max() <= 2.0
+    assert np.median(pixel_sizes) == pytest.approx(1.0, rel=0.1)
+    assert views[0] == random_view(np.random.default_rng(5), extent, (64, 48), (0.5, 2.0))
 
 
-def test_shares_of_missed_and_invented_objects_are_as_asked_for():
-    objects = many_objects()
-    rng = np.random.default_rng(1)
-    assert len(spoil_objects(objects, ObjectNoise(missed=0.2), rng, objects, (1000, 1000))) == pytest.approx(
-        3200, abs=120
-    )
-    assert len(spoil_objects(objects, ObjectNoise(invented=0.4), rng, objects, (1000, 1000))) == pytest.approx(
-        5600, abs=150
-    )
-
-
-def test_jitter_and_wrong_classes_are_as_asked_for():
-    objects = many_objects()
-    spoilt = spoil_objects(
-        objects, ObjectNoise(misnamed=0.1, jitter_px=2.0), np.random.default_rng(1), objects, (1000, 1000)
-    )
-    assert (spoilt.centers_xy - objects.centers_xy).std() == pytest.approx(2.0, rel=0.05)
-    assert (spoilt.classes != objects.classes).mean() == pytest.approx(0.1, abs=0.02)
-
-
-def test_the_same_seed_spoils_alike():
-    objects = many_objects(50)
-    noise = ObjectNoise(0.2, 0.2, 0.1, 1.0, 0.1)
-    one, other = (spoil_objects(objects, noise, np.random.default_rng(4), objects, (1000, 1000)) for _ in range(2))
-    np.testing.assert_array_equal(one.centers_xy, other.centers_xy)
-
-
-def test_split_objects_become_two():
-    spoilt = spoil_labels(blocks(), LabelNoise(split=1.0), np.random.default_rng(0), (1, 2))
-    before, after = (len(extract_landmarks(labels, (1, 2), 20)) for labels in (blocks(), spoilt))
-    assert after == 2 * before
-
-
-def test_merged_objects_become_fewer():
-    labels = np.where(blocks(step=24) > 0, 1, 0).astype(np.uint8)
-    spoilt = spoil_labels(labels, LabelNoise(merged=0.5), np.random.default_rng(0), (1,))
-    assert len(extract_landmarks(spoilt, (1,), 20)) < 0.8 * len(extract_landmarks(labels, (1,), 20))
-
-
-def test_ragged_edges_keep_most_of_an_object():
-    labels = blocks()
-    spoilt = spoil_labels(labels, LabelNoise(ragged_px=1.5), np.random.default_rng(0), (1, 2))
-    changed = (spoilt != labels).mean()
-    assert 0.01 < changed < 0.2
-
-
-# --- objects drawn into labels ---
-
-
-def count_objects(labels, values=(1, 2)):
-    return len(extract_landmarks(labels, values, 1))
-
-
-def squares_on_field(size=400):
-    """100 squares of classes 1 and 2 on class 7."""
-    labels = blocks(size)
-    labels[labels == 0] = 7
-    return labels
-
-
-def spoil(noise, seed=0, donor=None):
-    labels = squares_on_field()
-    donor = labels if donor is None else donor
-    return spoil_label_objects(labels, noise, np.random.default_rng(seed), (1, 2), donor)
-
-
-def test_without_noise_labels_stay_as_they_are():
-    np.testing.assert_array_equal(spoil(ObjectNoise()), squares_on_field())
-    nothing = np.zeros((10, 10), np.uint8)
-    noise = ObjectNoise(0.5, 0.5, 0.5)
-    np.testing.assert_array_equal(
-        spoil_label_objects(nothing, noise, np.random.default_rng(0), (1, 2), nothing), nothing
-    )
-
-
-def test_missed_objects_become_what_lies_around_them():
-    labels = spoil(ObjectNoise(missed=0.3))
-    assert set(np.unique(labels)) == {1, 2, 7}
-    assert 55 <= count_objects(labels) <= 85
-    assert (spoil(ObjectNoise(missed=1.0)) == 7).all()
-
-
-def test_invented_objects_look_like_those_of_the_donor_and_touch_no_other():
-    donor = np.full((400, 400), 7, np.uint8)
-    donor[100:105, 100:108] = 2
-    labels = spoil(ObjectNoise(invented=0.3), donor=donor)
-    added = labels != squares_on_field()
-    objects = extract_landmarks(np.where(added, labels, 0).astype(np.uint8), (1, 2), 1)
-    assert 15 <= len(objects) <= 45 and set(objects.classes) == {2} and set(objects.areas_px) == {28}
-    assert count_objects(labels) == 100 + len(objects)
-
-
-def test_misnamed_objects_keep_their_shape():
-    labels = spoil(ObjectNoise(misnamed=0.2))
-    before = squares_on_field()
-    np.testing.assert_array_equal(labels == 7, before == 7)
-    changed = extract_landmarks(np.where(labels != before, labels, 0).astype(np.uint8), (1, 2), 1)
-    assert 8 <= len(changed) <= 32
-
-
-def test_objects_smaller_than_the_minimum_are_left_alone():
-    labels = np.full((50, 50), 7, np.uint8)
-    labels[10:13, 10:13] = 1
-    spoilt = spoil_label_objects(labels, ObjectNoise(missed=1.0), np.random.default_rng(0), (1, 2), labels, 10)
-    np.testing.assert_array_equal(spoilt, labels)
-
-
-def test_the_same_seed_gives_the_same_labels():
-    noise = ObjectNoise(0.2, 0.2, 0.1)
-    np.testing.assert_array_equal(spoil(noise, 3), spoil(noise, 3))
-    assert (spoil(noise, 3) != spoil(noise, 4)).any()
+def test_a_view_knows_the_ground_it_covers():
+    view = View(3.0, 4.0, pixel_size=0.5, width_px=640, height_px=480)
+    assert (view.position, view.footprint, view.shape_hw) == ((3.0, 4.0), 320.0, (480, 640))

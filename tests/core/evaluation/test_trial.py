@@ -1,0 +1,70 @@
+"""Judging: right and wrong are told apart, errors are measured against what the image really showed."""
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from semref.core.evaluation.trial import Query, ellipse_ratio, judge
+from semref.core.geometry.pose import PoseUncertainty
+from semref.core.localization import CONSTELLATION, Localization
+from semref.core.simulation.views import View
+
+QUERY = Query(View(1000.0, 5000.0, 1.0, 0.5, 320, 240))
+"""Shows 160 map units of ground."""
+
+
+def told(query=QUERY, away=(0.0, 0.0), right_within=None, **known):
+    position = query.view.x + away[0], query.view.y + away[1]
+    known = {"status": "fix", "method": CONSTELLATION, "references": 9, "position": position, **known}
+    return judge(query, CONSTELLATION, Localization(**known), right_within)
+
+
+def test_without_a_fix_nothing_is_right_and_no_error_known():
+    trial = told(status="no_match", position=None)
+    assert (trial.is_right, trial.is_wrong, trial.is_fix, trial.status) == (False, False, False, "no_match")
+    assert (trial.error, trial.error_share, trial.heading_error_deg, trial.radius_ratio) == (None,) * 4
+
+
+@pytest.mark.parametrize(("away", "right"), [(0, True), (3.1, True), (3.3, False), (500, False)])
+def test_right_is_within_two_percent_of_the_ground_shown(away, right):
+    trial = told(away=(0.0, away))
+    assert (trial.is_right, trial.is_wrong, trial.error) == (right, not right, pytest.approx(away))
+    assert trial.error_share == pytest.approx(away / 160)
+
+
+def test_right_is_within_what_was_asked_for():
+    assert told(away=(9.9, 0.0), right_within=10.0).is_right
+    assert told(away=(10.1, 0.0), right_within=10.0).is_wrong
+
+
+def test_errors_of_heading_and_scale_are_measured_the_short_way_and_relative():
+    trial = told(heading_deg=359.0, pixel_size_m=0.51)
+    assert trial.heading_error_deg == pytest.approx(2) and trial.scale_error == pytest.approx(0.02)
+
+
+@pytest.mark.parametrize(
+    "query", [replace(QUERY, view=replace(QUERY.view, is_mirrored=True)), replace(QUERY, is_of_map=False)]
+)
+def test_an_image_that_lies_nowhere_on_the_map_is_never_right(query):
+    trial = told(query)
+    assert trial.is_wrong and not query.can_be_right and trial.error == 0
+
+
+def test_an_error_is_told_in_units_of_the_radius_that_was_stated():
+    assert told(away=(3.0, 4.0), error_95_m=10.0).radius_ratio == pytest.approx(0.5)
+    assert told(away=(3.0, 4.0)).radius_ratio is None
+    ellipse = PoseUncertainty(4.0, 2.0, 90.0, 0.1, 0.01)
+    assert told(away=(0.0, 1.0), error_95_m=10.0, uncertainty=ellipse).radius_ratio == pytest.approx(0.5)
+
+
+def test_an_error_on_the_ellipse_has_the_ratio_one():
+    uncertainty = PoseUncertainty(4.0, 2.0, 90.0, 0.1, 0.01)
+    assert ellipse_ratio(4.0, 0.0, uncertainty) == pytest.approx(1)
+    assert ellipse_ratio(0.0, 1.0, uncertainty) == pytest.approx(0.5)
+
+
+def test_an_ellipse_without_extent_holds_nothing_but_no_error():
+    uncertainty = PoseUncertainty(0.0, 0.0, 0.0, 0.0, 0.0)
+    assert ellipse_ratio(0.0, 0.0, uncertainty) == 0
+    assert 1 < ellipse_ratio(0.1, 0.0, uncertainty) < math.inf
