@@ -19,6 +19,7 @@ from ..core.geometry.leveling import (
     focal_length_from_view,
     leveling,
 )
+from ..core.sentences import Sentence
 from .rasters import open_raster
 
 PHOTO_EXTENSIONS = (".jpg", ".jpeg", ".JPG", ".JPEG", ".tif", ".tiff", ".TIF", ".TIFF")
@@ -63,7 +64,7 @@ class Camera:
     lens: Optional[Lens] = None
     source: str = ""
     time_s: Optional[float] = None
-    problem: str = ""
+    problem: Optional[Sentence] = None
 
     def leveling(self, shape_hw: Tuple[int, int]) -> Optional[Leveling]:
         """How to level an image of this shape (H, W ≥ 1); None when it is level or not enough is known.
@@ -87,10 +88,7 @@ def read_cameras(paths: List[str], table_path: str) -> List[Camera]:
     """
     rows = _read_table(table_path) if table_path else {}
     if table_path and not any(_stem(path) in rows for path in paths):
-        raise ParameterError(
-            f"{table_path} names none of the images, for example {os.path.basename(paths[0])}; its column image holds "
-            "their file names."
-        )
+        raise ParameterError("storage.cameras_of_other_images", path=table_path, image=os.path.basename(paths[0]))
     timed = any(row.time_s is not None for row in rows.values())
     cameras = []
     for path in paths:
@@ -115,64 +113,62 @@ def _read_table(path: str) -> Dict[str, Camera]:
         with open(path, encoding="utf-8-sig") as file:
             lines = [line for line in file.read().splitlines() if line.strip()]
     except OSError as error:
-        raise ParameterError(f"The camera table {path} can't be read: {error.strerror}.") from None
+        raise ParameterError("storage.cameras_unreadable", path=path, reason=error.strerror) from None
     except UnicodeDecodeError:
-        raise ParameterError(f"The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.") from None
+        raise ParameterError("storage.cameras_not_utf8", path=path) from None
     first = lines[0].strip() if lines else ""
     reader = csv.DictReader(lines, delimiter=max(",;\t", key=first.count), skipinitialspace=True)
     header = [(name or "").strip().lower() for name in reader.fieldnames or []]
     if "image" not in header or not set(header) & set(COLUMNS[1:]):
-        raise ParameterError(
-            f"{path} is no camera table: its header is “{first}”, but it needs the column image and some of "
-            f"{', '.join(COLUMNS[1:])}."
-        )
+        raise ParameterError("storage.no_camera_table", path=path, first=first, columns=COLUMNS[1:])
     reader.fieldnames = header
     found: Dict[str, Camera] = {}
     dated = set()
     for number, row in enumerate(reader, start=2):
-        place = f"{path}, line {number}"
+        place = Sentence("labels.line", source=path, line=number)
         texts = {name: (row.get(name) or "").strip() for name in COLUMNS}
         stem = _stem(texts["image"])
         if not stem or stem in found:
-            fault = f"the image {stem} is named a second time" if stem else "no image is named"
-            raise ParameterError(f"{place}: {fault}; give each image one line.")
+            if stem:
+                raise ParameterError("storage.image_named_twice", place=place, image=stem)
+            raise ParameterError("storage.no_image_named", place=place)
         found[stem] = _row_camera(texts, place, os.path.basename(path))
         dated |= {_is_date(texts["time"])} if texts["time"] else set()
     if len(dated) > 1:
-        raise ParameterError(f"{path} has times in seconds and times with dates; use one of them throughout.")
+        raise ParameterError("storage.times_mixed", path=path)
     return found
 
 
-def _row_camera(texts: Dict[str, str], place: str, source: str) -> Camera:
+def _row_camera(texts: Dict[str, str], place: Sentence, source: str) -> Camera:
     if bool(texts["roll"]) != bool(texts["pitch"]):
-        raise ParameterError(f"{place}: roll or pitch is empty; give both, or neither.")
+        raise ParameterError("storage.roll_without_pitch", place=place)
     kinds = [kind for kind in LENSES if texts[kind]]
     if len(kinds) > 1:
-        raise ParameterError(f"{place}: {' and '.join(kinds)} say the same thing twice; give one of them.")
+        raise ParameterError("storage.lens_twice", place=place, kinds=kinds)
     lens = Lens(kinds[0], _number(texts, kinds[0], place)) if kinds else None
     if lens and not 0 < lens.value < (180 if lens.kind == "field_of_view" else float("inf")):
-        raise ParameterError(f"{place}: {lens.kind} is {lens.value:g}, which no camera has.")
+        raise ParameterError("storage.lens_impossible", place=place, kind=lens.kind, value=lens.value)
     attitude = None
     if texts["roll"]:
         try:
             attitude = Attitude(_number(texts, "roll", place), _number(texts, "pitch", place))
         except ParameterError as error:
-            raise ParameterError(f"{place}: {error}") from None
+            raise ParameterError("labels.at_line", where=place, fault=error.sentence) from None
     return Camera(attitude, lens, source, _seconds(texts["time"], place) if texts["time"] else None)
 
 
-def _number(texts: Dict[str, str], name: str, place: str) -> float:
+def _number(texts: Dict[str, str], name: str, place: Sentence) -> float:
     try:
         return float(texts[name])
     except ValueError:
-        raise ParameterError(f"{place}: {name} is “{texts[name]}”, which is not a number.") from None
+        raise ParameterError("storage.not_a_number", place=place, name=name, text=texts[name]) from None
 
 
 def _is_date(text: str) -> bool:
     return bool(re.match(r"\d{4}-\d", text))
 
 
-def _seconds(text: str, place: str) -> float:
+def _seconds(text: str, place: Sentence) -> float:
     """Of a number of seconds or a date and time as in ISO 8601, in UTC unless it says otherwise."""
     try:
         moment = datetime.fromisoformat(re.sub(r"Z$", "+00:00", text)) if _is_date(text) else None
@@ -180,9 +176,7 @@ def _seconds(text: str, place: str) -> float:
     except ValueError:
         seconds = float("nan")
     if not isfinite(seconds):
-        raise ParameterError(
-            f"{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250."
-        )
+        raise ParameterError("storage.no_time", place=place, text=text)
     if moment is None:
         return seconds
     return (moment if moment.tzinfo else moment.replace(tzinfo=timezone.utc)).timestamp()
@@ -204,20 +198,20 @@ def _photo_camera(path: str) -> Camera:
 
 def _tagged_camera(path: str) -> Camera:
     try:
-        dataset = open_raster(path, "Image")
+        dataset = open_raster(path)
     except LabelMapError:
         # Whoever needs its pixels says so.
         return Camera()
     exif = {**(dataset.GetMetadata("EXIF") or {}), **(dataset.GetMetadata() or {})}
     exif = {name: value.strip() for name, value in exif.items() if name.startswith("EXIF_")}
     xmp = " ".join(dataset.GetMetadata_List("xml:XMP") or [])
-    attitude, problem = None, ""
+    attitude, problem = None, None
     # A photo that viewers turn may have been turned before it was labeled.
     if exif.get("EXIF_Orientation", "1") == "1":
         try:
             attitude = _tagged_attitude(xmp)
         except ParameterError as error:
-            problem = f"{os.path.basename(path)}: {error}"
+            problem = Sentence("labels.at_line", where=os.path.basename(path), fault=error.sentence)
     width, height = dataset.RasterXSize, dataset.RasterYSize
     focal = _plain_number(exif.get("EXIF_FocalLengthIn35mmFilm", ""))
     lens = Lens("focal_length_35mm", focal, width / height) if focal else None

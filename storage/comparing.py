@@ -33,19 +33,22 @@ class LabelMapPair:
         (height, width), (other_height, other_width) = self.reference.shape_hw, self.predicted.shape_hw
         if None in grids and (grids[0] != grids[1] or (height, width) != (other_height, other_width)):
             raise LabelMapError(
-                f"REFERENCE has {width} × {height} pixels and PREDICTED {other_width} × {other_height}, and not both "
-                "have a georeference; compare images of one size or two georeferenced maps."
+                "storage.sizes_without_georeference",
+                width=width,
+                height=height,
+                other_width=other_width,
+                other_height=other_height,
             )
         grid, other = (transform or PIXEL_TRANSFORM for transform in grids)
         if grid != other and any(transform[2] or transform[4] for transform in (grid, other)):
-            raise LabelMapError("One of the maps is rotated against the other; warp both to a north-up grid first.")
+            raise LabelMapError("storage.rotated_against")
         # Of each pixel of REFERENCE along an axis, the pixel of PREDICTED at its center.
         columns = _pixels_at(grid[0], grid[1], width, other[0], other[1])
         rows = _pixels_at(grid[3], grid[5], height, other[3], other[5])
         self._first_column, self._columns = _inside(columns, other_width)
         self._first_row, self._rows = _inside(rows, other_height)
         if not len(self._columns) or not len(self._rows):
-            raise LabelMapError("REFERENCE and PREDICTED don't overlap; choose maps of the same ground.")
+            raise LabelMapError("storage.no_overlap")
         x0, dx, x_turn, y0, y_turn, dy = grid
         x = x0 + self._first_column * dx + self._first_row * x_turn
         self.geotransform = (x, dx, x_turn, y0 + self._first_column * y_turn + self._first_row * dy, y_turn, dy)
@@ -93,7 +96,7 @@ class DisagreementMap:
         options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
         self._raster = gdal.GetDriverByName("GTiff").Create(self._path, width, height, 1, gdal.GDT_UInt16, options)
         if self._raster is None:
-            raise LabelMapError(f"{self._path} can't be written: {gdal_failure()}.")
+            raise LabelMapError("storage.unwritable", path=self._path, reason=gdal_failure())
         self._raster.SetGeoTransform(pair.geotransform)
         self._database = self._layer = None
 
@@ -126,7 +129,7 @@ class DisagreementMap:
         with gdal_failures() as failures:
             gdal.Polygonize(band, band, self._layer, 0, [], callback=report)
         if failures and not stopped:
-            raise LabelMapError(f"The disagreements can't be made into polygons: {failures[0]}.")
+            raise LabelMapError("storage.no_polygons", reason=failures[0])
         self._database.CommitTransaction()
 
     def ranked(self, minimum_area: float) -> List[Tuple[int, float]]:

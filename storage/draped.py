@@ -19,12 +19,12 @@ homographies only from 3.11."""
 def write_draped(image: str, target: str, crs_wkt: str, corners_xy) -> None:
     """Writes a VRT of ``image`` at ``target``, transparent outside the image; ``corners_xy``: (4, 2) map coordinates
     of its upper left, upper right, lower right and lower left corner. Raises LabelMapError."""
-    source = open_raster(image, "Image")
+    source = open_raster(image)
     footprint = np.asarray(corners_xy, np.float64)
     placed_path = f"{target}.placed.vrt"
     placed = gdal.GetDriverByName("VRT").CreateCopy(placed_path, source)
     if placed is None:
-        raise LabelMapError(f"{placed_path} can't be written: {gdal_failure()}.")
+        raise LabelMapError("storage.unwritable", path=placed_path, reason=gdal_failure())
     level = is_parallelogram(footprint)
     if level:
         placed.SetProjection(crs_wkt)
@@ -38,7 +38,7 @@ def write_draped(image: str, target: str, crs_wkt: str, corners_xy) -> None:
         target, placed_path, format="VRT", dstNodata=0 if labels else None, dstAlpha=not labels, tps=not level
     )
     if turned is None:
-        raise LabelMapError(f"{target} can't be written: {gdal_failure()}.")
+        raise LabelMapError("storage.unwritable", path=target, reason=gdal_failure())
     turned.FlushCache()
 
 

@@ -25,9 +25,9 @@ def written_beside(target: str) -> Iterator[str]:
     final = Path(target)
     folder = final.parent
     if not folder.is_dir():
-        raise ParameterError(f"The folder {folder} does not exist; create it or choose another place for {final.name}.")
+        raise ParameterError("storage.no_folder", folder=folder, name=final.name)
     if final.is_dir():
-        raise ParameterError(f"{final} is a folder; give a file name.")
+        raise ParameterError("storage.is_folder", path=final)
     workplace = _workplace(final)
     temporary = os.path.join(workplace, final.name)
     try:
@@ -47,9 +47,9 @@ def folder_written_beside(target: str, mark: str = "") -> Iterator[str]:
     """
     final = Path(target)
     if final.exists() and not final.is_dir():
-        raise ParameterError(f"{final} is a file; choose a folder.")
+        raise ParameterError("storage.is_file", path=final)
     if final.is_dir() and any(final.iterdir()) and not (mark and (final / mark).is_file()):
-        raise ParameterError(f"The folder {final} holds other files, which are left alone; choose a new or empty one.")
+        raise ParameterError("storage.folder_not_empty", path=final)
     final.parent.mkdir(parents=True, exist_ok=True)
     workplace = Path(_workplace(final))
     made = workplace / final.name
@@ -68,11 +68,9 @@ def _workplace(final: Path) -> str:
     try:
         return tempfile.mkdtemp(prefix=f".{final.stem}.", suffix=".part", dir=final.parent)
     except PermissionError:
-        raise ParameterError(
-            f"The folder {final.parent} can't be written to; choose another place for {final.name}."
-        ) from None
+        raise ParameterError("storage.folder_unwritable", folder=final.parent, name=final.name) from None
     except OSError as error:
-        raise ParameterError(f"{final} can't be written: {error.strerror}; choose another place.") from None
+        raise ParameterError("storage.file_unwritable", path=final, reason=error.strerror) from None
 
 
 def _move(temporary: str, final: Path) -> None:
@@ -85,10 +83,7 @@ def _move(temporary: str, final: Path) -> None:
                 # What belongs to an older output would be taken for the new one's.
                 os.remove(target)
         except PermissionError:
-            raise ParameterError(
-                f"{target} can't be replaced; it may be open in this or another program: close or remove it, "
-                "or choose another name."
-            ) from None
+            raise ParameterError("storage.not_replaceable", path=target) from None
 
 
 def _remove(workplace: str) -> None:

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import contextlib
 import re
-from typing import Iterator, List
+from typing import Iterator, List, Union
 
 from osgeo import gdal
 
+from ..core.sentences import Sentence
 
-def gdal_failure(error: object = None) -> str:
-    """What GDAL said last, whether it raised or not."""
-    text = (str(error) if error else "") or gdal.GetLastErrorMsg() or "unknown reason"
+
+def gdal_failure(error: object = None) -> Union[str, Sentence]:
+    """What GDAL said last, whether it raised or not, as a value of a sentence."""
+    text = (str(error) if error else "") or gdal.GetLastErrorMsg()
+    if not text:
+        return Sentence("storage.unknown_reason")
     # GDAL 3.10 appends the earlier messages as sentences of their own.
     return re.sub(r"\.\s+(?=[A-Z])", "; ", " ".join(text.split())).rstrip(".")
 

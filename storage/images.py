@@ -31,14 +31,14 @@ class GdalImage:
     def __init__(self, path: str) -> None:
         self._path = path
         try:
-            self._file = open_raster(path, "Image")
+            self._file = open_raster(path)
         except LabelMapError as error:
-            raise ImageError(str(error)) from None
+            raise ImageError(error.sentence) from None
         self._view = _in_colors(self._file)
         self.bands = color_bands(self._view)
         kinds = {self._view.GetRasterBand(number).DataType for number in self.bands}
         if any(gdal.DataTypeIsComplex(kind) for kind in kinds):
-            raise ImageError(f"{path} holds complex numbers; a network takes photos.")
+            raise ImageError("storage.complex_numbers", path=path)
         self.stretch = None if kinds == {gdal.GDT_Byte} else self._percentiles()
         self._row = 0
 
@@ -110,9 +110,9 @@ class GdalImage:
         try:
             found = read(*arguments, **keywords)
         except RuntimeError as error:
-            raise ImageError(f"{self._path} is damaged or cut short: {gdal_failure(error)}.") from None
+            raise ImageError("storage.damaged", path=self._path, reason=gdal_failure(error)) from None
         if found is None:
-            raise ImageError(f"{self._path} is damaged or cut short: {gdal_failure()}.")
+            raise ImageError("storage.damaged", path=self._path, reason=gdal_failure())
         return found
 
     def _percentiles(self) -> np.ndarray:

@@ -70,7 +70,7 @@ class LabelMapFile:
             raise self._failure(failures[0])
 
     def _failure(self, error: object = None) -> LabelMapError:
-        return LabelMapError(f"{self._path} can't be written: {gdal_failure(error)}.")
+        return LabelMapError("storage.unwritable", path=self._path, reason=gdal_failure(error))
 
 
 def whole_tile_rows(pieces: Iterable[Tuple[int, np.ndarray]]) -> Iterator[Tuple[int, np.ndarray]]:

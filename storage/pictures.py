@@ -37,4 +37,4 @@ def _write(path: Path, bands: np.ndarray, kind: int, driver: str, options: List[
         # Dropping the last reference closes the file, which may still write.
         gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=options)
     if failures:
-        raise LabelMapError(f"{path} can't be written: {failures[0]}.")
+        raise LabelMapError("storage.unwritable", path=path, reason=failures[0])

@@ -36,7 +36,7 @@ _INTEGER_TYPES = {getattr(gdal, f"GDT_{name}") for name in _INTEGER_NAMES if has
 IMAGE_EXTENSIONS = (".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".bmp", ".gif", ".webp", ".vrt", ".img", ".asc")
 
 
-def open_raster(path: str, what: str = "raster") -> gdal.Dataset:
+def open_raster(path: str) -> gdal.Dataset:
     """A GDAL dataset for reading; raises LabelMapError with GDAL's reason. GDAL may raise or return None."""
     gdal.PushErrorHandler("CPLQuietErrorHandler")
     try:
@@ -44,11 +44,11 @@ def open_raster(path: str, what: str = "raster") -> gdal.Dataset:
         # Without OF_VERBOSE_ERROR GDAL does not say why no driver takes a file.
         dataset = gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_READONLY | gdal.OF_VERBOSE_ERROR)
     except RuntimeError as error:
-        raise LabelMapError(f"{what} {path} can't be read: {gdal_failure(error)}.") from None
+        raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure(error)) from None
     finally:
         gdal.PopErrorHandler()
     if dataset is None or dataset.RasterCount == 0:
-        raise LabelMapError(f"{what} {path} can't be read: {gdal_failure()}.")
+        raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure())
     return dataset
 
 
@@ -57,16 +57,13 @@ class GdalLabels:
 
     def __init__(self, path: str) -> None:
         self._path = path
-        self._dataset = open_raster(path, "Label map")
+        self._dataset = open_raster(path)
         self._band = self._dataset.GetRasterBand(1)
         if self._dataset.RasterCount != 1:
-            raise LabelMapError(
-                f"{path} has {self._dataset.RasterCount} bands; a label map has one: decode a color image with "
-                "“Decode color labels” first."
-            )
+            raise LabelMapError("storage.bands_for_labels", path=path, bands=self._dataset.RasterCount)
         if self._band.DataType not in _INTEGER_TYPES:
             kind = gdal.GetDataTypeName(self._band.DataType)
-            raise LabelMapError(f"{path} holds {kind} values; a label map holds whole numbers from 0 to 255.")
+            raise LabelMapError("labels.not_whole_numbers", path=path, kind=kind)
         self._nodata = self._band.GetNoDataValue()
 
     @property
@@ -81,9 +78,9 @@ class GdalLabels:
         try:
             block = self._band.ReadAsArray(column, row, width, height)
         except RuntimeError as error:
-            raise LabelMapError(f"{self._path} is damaged or cut short: {gdal_failure(error)}.") from None
+            raise LabelMapError("storage.damaged", path=self._path, reason=gdal_failure(error)) from None
         if block is None:
-            raise LabelMapError(f"{self._path} is damaged or cut short: {gdal_failure()}.")
+            raise LabelMapError("storage.damaged", path=self._path, reason=gdal_failure())
         # Blocks are read once and in order: keeping them would only fill GDAL's cache.
         self._dataset.FlushCache()
         if self._nodata is not None and self._nodata != 0:
@@ -92,7 +89,7 @@ class GdalLabels:
             return np.ascontiguousarray(block)
         if block.size and (block.min() < 0 or block.max() > 255):
             found = int(block.max() if block.max() > 255 else block.min())
-            raise LabelMapError(f"{self._path} has the value {found}; a label map holds class values from 0 to 255.")
+            raise LabelMapError("labels.value_out_of_range", path=self._path, found=found)
         return block.astype(np.uint8)
 
 
@@ -187,12 +184,15 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
 
     Colors are decoded by the table's HSV ranges if it has any, else by nearest color. Raises LabelMapError.
     """
-    dataset = open_raster(path, "Image")
+    dataset = open_raster(path)
     width, height = dataset.RasterXSize, dataset.RasterYSize
     if width * height > MAXIMUM_IMAGE_PIXELS:
         raise LabelMapError(
-            f"{path} has {width} × {height} pixels, more than a query image may have "
-            f"({MAXIMUM_IMAGE_PIXELS // 1_000_000} million); cut it to what one photo shows."
+            "labels.image_too_large",
+            path=path,
+            width=width,
+            height=height,
+            most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
         )
     if dataset.RasterCount == 1:
         return GdalLabels(path).read(0, 0, width, height)
@@ -208,7 +208,7 @@ def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.
             colors[value] = palette.GetColorEntry(value)[2::-1]
         return colors[_read_bytes(dataset, 1, path, first_row, rows)]
     if dataset.RasterCount < 3:
-        raise LabelMapError(f"{path} has {dataset.RasterCount} band(s) and no palette; a color image has three bands.")
+        raise LabelMapError("storage.no_palette", path=path, bands=dataset.RasterCount)
     return np.dstack([_read_bytes(dataset, number, path, first_row, rows) for number in (3, 2, 1)])
 
 
@@ -216,13 +216,13 @@ def _read_bytes(dataset: gdal.Dataset, number: int, path: str, first_row: int, r
     band = dataset.GetRasterBand(number)
     if band.DataType != gdal.GDT_Byte:
         kind = gdal.GetDataTypeName(band.DataType)
-        raise LabelMapError(f"{path} holds {kind} values; a color label image has 8 bits a band.")
+        raise LabelMapError("labels.color_not_8_bits", path=path, kind=kind)
     try:
         data = band.ReadAsArray(0, first_row, dataset.RasterXSize, rows)
     except RuntimeError as error:
-        raise LabelMapError(f"{path} is damaged or cut short: {gdal_failure(error)}.") from None
+        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure(error)) from None
     if data is None:
-        raise LabelMapError(f"{path} is damaged or cut short: {gdal_failure()}.")
+        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure())
     return data
 
 
@@ -236,7 +236,7 @@ def image_files(paths: List[str]) -> List[str]:
         inside = sorted(os.listdir(path))
         images = [os.path.join(path, name) for name in inside if name.lower().endswith(IMAGE_EXTENSIONS)]
         if not images:
-            raise LabelMapError(f"The folder {path} holds no image ({', '.join(IMAGE_EXTENSIONS)}).")
+            raise LabelMapError("labels.folder_without_images", path=path, endings=IMAGE_EXTENSIONS)
         found += images
     return found
 
@@ -247,7 +247,7 @@ def read_class_table(path: str) -> ClassTable:
         with open(path, "rb") as file:
             data = file.read()
     except OSError as error:
-        raise ClassTableError(f"The class table {path} can't be read: {error.strerror}.") from None
+        raise ClassTableError("storage.class_table_unreadable", path=path, reason=error.strerror) from None
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError:

@@ -12,6 +12,7 @@ import numpy as np
 from osgeo import gdal, ogr
 
 from ..core.errors import ParameterError
+from ..core.sentences import Sentence
 from .gdal_errors import gdal_failures
 
 WAYPOINT_FILES = (".gpx", ".kml", ".kmz", ".plan", ".waypoints", ".mission")
@@ -31,9 +32,9 @@ def is_waypoint_file(value: Any) -> bool:
 def read_waypoint_file(path: str) -> List[np.ndarray]:
     """Lines, each (n, 2) longitude, latitude. Raises ParameterError for a file that can't be read."""
     if not os.path.isfile(path):
-        raise ParameterError(f"There is no file {path}; choose another route.")
+        raise ParameterError("storage.no_route_file", path=path)
     if os.path.getsize(path) > LARGEST_FILE_BYTES:
-        raise ParameterError(f"{path} is larger than {LARGEST_FILE_BYTES >> 20} MB; no route is.")
+        raise ParameterError("storage.route_too_large", path=path, most_mb=LARGEST_FILE_BYTES >> 20)
     suffix = Path(path).suffix.lower()
     if suffix == ".plan":
         return [plan_positions(_text(path), path)]
@@ -50,10 +51,10 @@ def plan_positions(text: str, path: str) -> np.ndarray:
     try:
         plan = json.loads(text)
     except (ValueError, RecursionError):
-        raise ParameterError(f"{path} is no JSON and so no plan of QGroundControl; save the plan again.") from None
+        raise ParameterError("storage.plan_not_json", path=path) from None
     mission = plan.get("mission") if isinstance(plan, dict) else None
     if not isinstance(mission, dict) or not isinstance(mission.get("items"), list):
-        raise ParameterError(f"{path} has no mission; save it with QGroundControl as a plan.")
+        raise ParameterError("storage.plan_without_mission", path=path)
     found: List[Tuple[float, float]] = []
     for item in mission["items"]:
         if isinstance(item, dict):
@@ -68,7 +69,7 @@ def waypoint_positions(text: str, path: str) -> np.ndarray:
     """
     lines = text.splitlines()
     if not lines or not lines[0].startswith("QGC WPL"):
-        raise ParameterError(f"{path} is no waypoint list: its first line is not “QGC WPL 110”.")
+        raise ParameterError("storage.no_waypoint_list", path=path)
     found = []
     # The first one is the home position.
     for line in lines[2:]:
@@ -77,7 +78,7 @@ def waypoint_positions(text: str, path: str) -> np.ndarray:
             try:
                 command, latitude, longitude = int(cells[3]), float(cells[8]), float(cells[9])
             except ValueError:
-                raise ParameterError(f"{path} has a line that is no waypoint: {line[:60]}") from None
+                raise ParameterError("storage.no_waypoint", path=path, line=line[:60]) from None
             if command in _POSITION_COMMANDS and (latitude or longitude):
                 found.append((latitude, longitude))
     return _lon_lat(found, path)
@@ -109,7 +110,7 @@ def _lon_lat(positions: Sequence[Tuple[Any, Any]], path: str) -> np.ndarray:
     for latitude, longitude in positions:
         numbers = all(isinstance(value, (int, float)) and math.isfinite(value) for value in (latitude, longitude))
         if not numbers or abs(latitude) > 90 or abs(longitude) > 180:
-            raise ParameterError(f"{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.")
+            raise ParameterError("storage.waypoint_position", path=path, latitude=latitude, longitude=longitude)
     return np.array([(longitude, latitude) for latitude, longitude in positions], np.float64).reshape(-1, 2)
 
 
@@ -117,7 +118,7 @@ def _text(path: str) -> str:
     try:
         return Path(path).read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
-        raise ParameterError(f"{path} is no text and so no route; choose another file.") from None
+        raise ParameterError("storage.route_not_text", path=path) from None
 
 
 def _lines_of_ogr(path: str) -> List[np.ndarray]:
@@ -126,7 +127,11 @@ def _lines_of_ogr(path: str) -> List[np.ndarray]:
     with gdal_failures() as failures:
         dataset = gdal.OpenEx(path, gdal.OF_VECTOR)
     if dataset is None:
-        raise ParameterError(f"{path} can't be read as a route ({failures[0] if failures else 'unknown format'}).")
+        raise ParameterError(
+            "storage.route_unreadable",
+            path=path,
+            reason=failures[0] if failures else Sentence("storage.unknown_format"),
+        )
     names = [dataset.GetLayer(n).GetName() for n in range(dataset.GetLayerCount())]
     if Path(path).suffix.lower() == ".gpx":
         # The other layers repeat these point by point.

@@ -67,7 +67,7 @@ def fill_layer(dataset, landscape: Landscape, features) -> ogr.Layer:
     reference.ImportFromEPSG(landscape.epsg)
     layer = dataset.CreateLayer(_LAYER, reference, ogr.wkbPolygon, options=_layer_options(dataset))
     if layer is None:
-        raise SampleError(f"The layer {_LAYER} can’t be created: {gdal_failure()}.")
+        raise SampleError("storage.layer_not_created", layer=_LAYER, reason=gdal_failure())
     text = ogr.FieldDefn(CLASS_FIELD, ogr.OFTString)
     text.SetWidth(20)
     for field in (text, _integer(_BURNED_FIELD), _integer(PRIORITY_FIELD)):
@@ -109,7 +109,7 @@ def write_shapefile(landscape: Landscape, folder: Path) -> None:
 
 def _check(failures: List[str], path: Path) -> None:
     if failures:
-        raise SampleError(f"{path} can’t be written: {failures[0]}.")
+        raise SampleError("storage.unwritable", path=path, reason=failures[0])
 
 
 def write_classes(path: Path) -> None:
@@ -141,7 +141,7 @@ def rasterize(landscape: Landscape, pixel_size: float) -> np.ndarray:
     target = gdal.GetDriverByName("MEM").Create("", width, height, 1, gdal.GDT_Byte)
     target.SetGeoTransform((west, pixel_size, 0, north, 0, -pixel_size))
     if gdal.RasterizeLayer(target, [1], layer, options=[f"ATTRIBUTE={_BURNED_FIELD}"]) != 0:
-        raise SampleError(f"The landscape can’t be rasterized: {gdal_failure()}.")
+        raise SampleError("storage.not_rasterized", reason=gdal_failure())
     return np.frombuffer(target.ReadRaster(), np.uint8).reshape(height, width)
 
 

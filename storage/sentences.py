@@ -4,4 +4,87 @@ SENTENCES = {
     "storage.labels_not_in_table": (
         "The labels have the value {unknown}, which the class table lacks; its classes are {classes}."
     ),
+    "storage.sizes_without_georeference": (
+        "The reference has {width} × {height} pixels and the prediction {other_width} × {other_height}, and not "
+        "both have a georeference; compare images of one size or two georeferenced maps."
+    ),
+    "storage.rotated_against": "One of the maps is rotated against the other; warp both to a north-up grid first.",
+    "storage.no_overlap": "The reference and the prediction don't overlap; choose maps of the same ground.",
+    "storage.unwritable": "{path} can't be written: {reason}.",
+    "storage.no_polygons": "The disagreements can't be made into polygons: {reason}.",
+    "storage.database_unwritable": "The database can't be written: {reason}.",
+    "storage.layer_unwritable": "The layer {name} can't be written: {reason}.",
+    "storage.overview_unwritable": "The overview can't be written: {reason}.",
+    "storage.no_database": "There is no database {path}; build one or choose another file.",
+    "storage.database_damaged": "{path} is damaged or cut short ({reason}); build it again or fetch another copy.",
+    "storage.no_readable_overview": "{path} has no overview that can be read ({reason}); build it again.",
+    "storage.no_geopackage": "{path} is not a GeoPackage; choose a database that SemRef built.",
+    "storage.foreign_database": (
+        "{path} is not a SemRef reference database (it lacks {missing}); choose one that SemRef built."
+    ),
+    "storage.no_readable_parameter": "{path} has no readable parameter {reason}; build it again.",
+    "storage.vector_length": "{path} has vectors that are not {length} numbers long; build it again.",
+    "storage.bounds_count": "{path} has {count} landmarks and bounds of {bounds}; build it again.",
+    "storage.no_route_file": "There is no file {path}; choose another route.",
+    "storage.route_too_large": "{path} is larger than {most_mb} MB; no route is.",
+    "storage.plan_not_json": "{path} is no JSON and so no plan of QGroundControl; save the plan again.",
+    "storage.plan_without_mission": "{path} has no mission; save it with QGroundControl as a plan.",
+    "storage.no_waypoint_list": "{path} is no waypoint list: its first line is not “QGC WPL 110”.",
+    "storage.no_waypoint": "{path} has a line that is no waypoint: {line}",
+    "storage.waypoint_position": ("{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude."),
+    "storage.route_not_text": "{path} is no text and so no route; choose another file.",
+    "storage.route_unreadable": "{path} can't be read as a route ({reason}).",
+    "storage.tiles_need_8_or_16_bits": ("{path} holds {name} values; training tiles are made of 8- or 16-bit images."),
+    "storage.has_palette": "{path} has a palette; convert it to an RGB image first.",
+    "storage.damaged": "{path} is damaged or cut short: {reason}.",
+    "storage.labels_not_georeferenced": (
+        "{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on "
+        "the ground, or labels of the image’s size."
+    ),
+    "storage.labels_not_on_image": "The labels can’t be brought onto the image: {reason}.",
+    "storage.labels_out_of_range": ("The labels have the value {found}; a label map holds class values from 0 to 255."),
+    "storage.nothing_labeled": ("No pixel of the image is labeled; check that image and labels show the same ground."),
+    "storage.no_subset_tiles": (
+        "The labels leave {training} tiles for training and {validation} for validation; choose smaller tiles than "
+        "{tile_size} pixels, a smaller stride, or another validation fraction."
+    ),
+    "storage.complex_numbers": "{path} holds complex numbers; a network takes photos.",
+    "storage.unreadable": "{path} can't be read: {reason}.",
+    "storage.bands_for_labels": (
+        "{path} has {bands} bands; a label map has one: decode its colors to class values first."
+    ),
+    "storage.no_palette": "{path} has {bands} band(s) and no palette; a color image has three bands.",
+    "storage.class_table_unreadable": "The class table {path} can't be read: {reason}.",
+    "storage.cameras_of_other_images": (
+        "{path} names none of the images, for example {image}; its column image holds their file names."
+    ),
+    "storage.cameras_unreadable": "The camera table {path} can't be read: {reason}.",
+    "storage.cameras_not_utf8": "The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.",
+    "storage.no_camera_table": (
+        "{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}."
+    ),
+    "storage.times_mixed": "{path} has times in seconds and times with dates; use one of them throughout.",
+    "storage.roll_without_pitch": "{place}: roll or pitch is empty; give both, or neither.",
+    "storage.lens_twice": "{place}: {kinds} say the same thing twice; give one of them.",
+    "storage.lens_impossible": "{place}: {kind} is {value:g}, which no camera has.",
+    "storage.not_a_number": "{place}: {name} is “{text}”, which is not a number.",
+    "storage.no_time": ("{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250."),
+    "storage.no_folder": "The folder {folder} does not exist; create it or choose another place for {name}.",
+    "storage.is_folder": "{path} is a folder; give a file name.",
+    "storage.is_file": "{path} is a file; choose a folder.",
+    "storage.folder_not_empty": (
+        "The folder {path} holds other files, which are left alone; choose a new or empty one."
+    ),
+    "storage.folder_unwritable": "The folder {folder} can't be written to; choose another place for {name}.",
+    "storage.file_unwritable": "{path} can't be written: {reason}; choose another place.",
+    "storage.not_replaceable": (
+        "{path} can't be replaced; it may be open in this or another program: close or remove it, or choose "
+        "another name."
+    ),
+    "storage.layer_not_created": "The layer {layer} can’t be created: {reason}.",
+    "storage.not_rasterized": "The landscape can’t be rasterized: {reason}.",
+    "storage.image_named_twice": "{place}: the image {image} is named a second time; give each image one line.",
+    "storage.no_image_named": "{place}: no image is named; give each image one line.",
+    "storage.unknown_reason": "unknown reason",
+    "storage.unknown_format": "unknown format",
 }

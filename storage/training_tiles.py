@@ -39,16 +39,16 @@ class ImageBands:
 
     def __init__(self, path: str) -> None:
         self.path = path
-        self.dataset = open_raster(path, "Image")
+        self.dataset = open_raster(path)
         bands = {n: self.dataset.GetRasterBand(n) for n in range(1, self.dataset.RasterCount + 1)}
         kept = [n for n, band in bands.items() if band.GetColorInterpretation() != gdal.GCI_AlphaBand]
         self.bands = [bands[n] for n in kept]
         self.kind = self.bands[0].DataType
         if any(band.DataType != self.kind for band in self.bands) or self.kind not in _KINDS:
             name = gdal.GetDataTypeName(self.kind)
-            raise LabelMapError(f"{path} holds {name} values; training tiles are made of 8- or 16-bit images.")
+            raise LabelMapError("storage.tiles_need_8_or_16_bits", path=path, name=name)
         if self.bands[0].GetRasterColorTable() is not None:
-            raise LabelMapError(f"{path} has a palette; convert it to an RGB image first.")
+            raise LabelMapError("storage.has_palette", path=path)
         self._seen = GdalImage(path)
         self.network_bands = [kept.index(n) + 1 for n in self._seen.bands]
         self.stretch = self._seen.stretch
@@ -71,7 +71,7 @@ class ImageBands:
         with gdal_failures() as failures:
             pieces = [band.ReadAsArray(column, row, size, size) for band in self.bands]
         if failures:
-            raise LabelMapError(f"{self.path} is damaged or cut short: {gdal_failure(failures[0])}.")
+            raise LabelMapError("storage.damaged", path=self.path, reason=gdal_failure(failures[0]))
         return np.stack(pieces)
 
     def read_as_seen(self, column: int, row: int, size: int) -> Tuple[np.ndarray, np.ndarray]:
@@ -96,8 +96,10 @@ class LabelsOnImage:
         self._same_grid = self.labels.shape_hw == self.shape_hw and (not placed or transform == self._image_transform)
         if not self._same_grid and not (placed and all(self._crs)):
             raise LabelMapError(
-                f"{file.path} has {_size(self.labels.shape_hw)} pixels, the image {_size(self.shape_hw)}, and not "
-                "both are georeferenced; give both a place on the ground, or labels of the image’s size."
+                "storage.labels_not_georeferenced",
+                path=file.path,
+                size=_size(self.labels.shape_hw),
+                image_size=_size(self.shape_hw),
             )
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
@@ -111,11 +113,11 @@ class LabelsOnImage:
         with gdal_failures() as failures:
             gdal.ReprojectImage(source, piece, *self._crs, gdal.GRA_NearestNeighbour)
         if failures:
-            raise LabelMapError(f"The labels can’t be brought onto the image: {failures[0]}.")
+            raise LabelMapError("storage.labels_not_on_image", reason=failures[0])
         values = piece.ReadAsArray()
         if values.max() > 255 or values.min() < 0:
             found = int(values.max() if values.max() > 255 else values.min())
-            raise LabelMapError(f"The labels have the value {found}; a label map holds class values from 0 to 255.")
+            raise LabelMapError("storage.labels_out_of_range", found=found)
         return values.astype(np.uint8)
 
 
@@ -204,12 +206,13 @@ class TileExport:
 
     def _require_tiles(self, labeled: np.ndarray) -> None:
         if not labeled.any():
-            raise ParameterError("No pixel of the image is labeled; check that image and labels show the same ground.")
+            raise ParameterError("storage.nothing_labeled")
         if not self.counts[TRAIN] or (self._fraction and not self.counts[VALIDATION]):
             raise ParameterError(
-                f"The labels leave {self.counts[TRAIN]} tiles for training and {self.counts[VALIDATION]} for "
-                f"validation; choose smaller tiles than {self._tile_size} pixels, a smaller stride, or another "
-                "validation fraction."
+                "storage.no_subset_tiles",
+                training=self.counts[TRAIN],
+                validation=self.counts[VALIDATION],
+                tile_size=self._tile_size,
             )
 
     def _manifest(self) -> dict:

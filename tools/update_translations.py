@@ -14,21 +14,7 @@ from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parent.parent
 CONTEXT = "SemRef"
-ROOMS = ("storage", "processing", "ui")
-STEP_FILES = (
-    "core/annotation/check.py",
-    "core/annotation/surface.py",
-    "core/annotation/repair.py",
-    "core/database/build.py",
-    "core/database/update.py",
-    "storage/burning.py",
-    "storage/database/editor.py",
-    "storage/database/writer.py",
-    "storage/rasters.py",
-    "storage/sample_files.py",
-    "storage/training_tiles.py",
-)
-"""Where steps are yielded: their texts are translated by whoever shows them."""
+ROOMS = ("core", "storage", "processing", "ui")
 
 
 def texts_of(source: str) -> List[str]:
@@ -42,7 +28,7 @@ def texts_of(source: str) -> List[str]:
 
 
 def step_texts(source: str) -> List[str]:
-    """The texts of ``yield "text", share``."""
+    """The texts of ``yield "text", share``, which whoever shows them translates."""
     found = []
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Yield) and isinstance(node.value, ast.Tuple):
@@ -53,12 +39,12 @@ def step_texts(source: str) -> List[str]:
 
 
 def all_texts() -> List[str]:
+    """All texts that a user may read, sorted, each once."""
     found = []
     for room in ROOMS:
         for path in sorted((ROOT / room).rglob("*.py")):
-            found += texts_of(path.read_text(encoding="utf-8"))
-    for name in STEP_FILES:
-        found += step_texts((ROOT / name).read_text(encoding="utf-8"))
+            source = path.read_text(encoding="utf-8")
+            found += texts_of(source) + step_texts(source)
     return sorted(set(found))
 
 

@@ -77,7 +77,7 @@ class DecodeColorLabels(SemRefAlgorithm):
         table = values.class_table(self.CLASS_TABLE)
         nearest = values.choice(self.METHOD) == self.NEAREST_COLOR
         decode = decode_by_nearest_color if nearest else decode_by_hsv
-        image = open_raster(self._layer.path, "Image")
+        image = open_raster(self._layer.path)
         width, height = image.RasterXSize, image.RasterYSize
         rows = max(1, ROWS_PIXELS // width)
         unlabeled = 0

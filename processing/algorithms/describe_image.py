@@ -121,7 +121,7 @@ class DescribeImage(SemRefAlgorithm):
         from ...core.localizer.localizer import describe_image
         from ...storage.rasters import open_raster, read_label_image
 
-        transform = open_raster(self._layer.path, "Image").GetGeoTransform(can_return_null=True) or NO_GEOREFERENCE
+        transform = open_raster(self._layer.path).GetGeoTransform(can_return_null=True) or NO_GEOREFERENCE
         table, fraction_of, length = self._settings(values, transform)
         labels = read_label_image(self._layer.path, table)
         check_canceled(feedback)
@@ -150,7 +150,7 @@ class DescribeImage(SemRefAlgorithm):
             return database.class_table, lambda size: fraction, database.parameters.references_per_vector
         table = values.class_table(self.CLASS_TABLE)
         if table is None:
-            table = stored_class_table(open_raster(self._layer.path, "Image"), self._layer.path)
+            table = stored_class_table(open_raster(self._layer.path), self._layer.path)
         if table is None:
             raise ParameterError("Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.")
         chosen = values.parts(self.REFERENCE_CLASSES)

@@ -258,7 +258,7 @@ class LocalizeImages(SemRefAlgorithm):
         cameras = cancelable(read_cameras, paths, table, feedback=feedback)
         if method == self.TOPOLOGY_VECTOR:
             # The published method, exactly: images as they are.
-            cameras = [replace(camera, attitude=None, problem="") for camera in cameras]
+            cameras = [replace(camera, attitude=None, problem=None) for camera in cameras]
         folder = self.parameterAsString(parameters, self.LABELS, context)
         with LabelImages.written_to(folder, paths, database.class_table) as keep:
             localized = []

@@ -14,7 +14,7 @@ from ..compat import is_metric
 
 def stated_crs(path: str) -> QgsCoordinateReferenceSystem:
     """The CRS in a raster file; an invalid one for none."""
-    return QgsCoordinateReferenceSystem.fromWkt(open_raster(path, "Image").GetProjection())
+    return QgsCoordinateReferenceSystem.fromWkt(open_raster(path).GetProjection())
 
 
 def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> Optional[Tuple[float, float]]:

@@ -7,7 +7,7 @@ from typing import Collection, Union
 from ...core.errors import SemRefError
 from ...core.sentences import Sentence, filled, template_of
 from ..translation import tr
-from .keys import SENTENCES_BY_KEY
+from .keys import EVERYWHERE, SENTENCES_BY_KEY
 
 
 def worded(said: Union[SemRefError, Sentence], keys: Collection[str] = ()) -> str:
@@ -31,4 +31,4 @@ def worded(said: Union[SemRefError, Sentence], keys: Collection[str] = ()) -> st
 
 def _template_for(sentence: Sentence, keys: Collection[str]) -> str:
     key, template = SENTENCES_BY_KEY.get(sentence.code, ("", ""))
-    return template if key in keys else template_of(sentence)
+    return template if template and (key == EVERYWHERE or key in keys) else template_of(sentence)

@@ -46,7 +46,7 @@ class DatabaseEditor:
                 os.fsync(file.fileno())
             yield "Writing the database", 1.0
         except (RuntimeError, sqlite3.Error) as error:
-            raise DatabaseError(f"The database can't be written: {gdal_failure(error)}.") from None
+            raise DatabaseError("storage.database_unwritable", reason=gdal_failure(error)) from None
 
     def _edit(self) -> Iterator[float]:
         dataset = _opened(self._path, gdal.OF_VECTOR)
@@ -115,10 +115,10 @@ class DatabaseEditor:
 def _opened(name: str, kind: int) -> gdal.Dataset:
     dataset = gdal.OpenEx(name, kind | gdal.OF_UPDATE, open_options=_UNSAFE)
     if dataset is None:
-        raise DatabaseError(f"The database can't be written: {gdal_failure()}.")
+        raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
     return dataset
 
 
 def _check(failure: int) -> None:
     if failure != ogr.OGRERR_NONE:
-        raise DatabaseError(f"The database can't be written: {gdal_failure()}.")
+        raise DatabaseError("storage.database_unwritable", reason=gdal_failure())

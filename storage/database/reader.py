@@ -27,7 +27,7 @@ from . import schema
 def read_database(path: str, with_overview: bool = False) -> ReferenceDatabase:
     """Reads a reference database. Raises DatabaseError for files that are missing, foreign, truncated or too new."""
     if not os.path.isfile(path):
-        raise DatabaseError(f"There is no database {path}; build one or choose another file.")
+        raise DatabaseError("storage.no_database", path=path)
     try:
         with contextlib.closing(_connect(path)) as connection:
             _check_is_ours(connection, path)
@@ -36,9 +36,7 @@ def read_database(path: str, with_overview: bool = False) -> ReferenceDatabase:
             windows = _read_windows(connection, parameters, path)
             references = _read_references(connection)
     except (sqlite3.Error, TypeError, ValueError, IndexError, struct.error) as error:
-        raise DatabaseError(
-            f"{path} is damaged or cut short ({error}); build it again or fetch another copy."
-        ) from None
+        raise DatabaseError("storage.database_damaged", path=path, reason=str(error)) from None
     overview = read_overview(path) if with_overview else None
     return ReferenceDatabase(windows, references, table, parameters, path, overview)
 
@@ -52,7 +50,7 @@ def read_overview(path: str) -> np.ndarray:
         overview = None if dataset is None else dataset.GetRasterBand(1).ReadAsArray()
     if overview is None:
         reason = gdal_failure(failures[0] if failures else None)
-        raise DatabaseError(f"{path} has no overview that can be read ({reason}); build it again.")
+        raise DatabaseError("storage.no_readable_overview", path=path, reason=reason)
     return overview
 
 
@@ -60,7 +58,7 @@ def _connect(path: str) -> sqlite3.Connection:
     with open(path, "rb") as file:
         header = file.read(100)
     if not header.startswith(b"SQLite format 3\0"):
-        raise DatabaseError(f"{path} is not a GeoPackage; choose a database made by “Build reference database”.")
+        raise DatabaseError("storage.no_geopackage", path=path)
     # SQLite notices missing pages only when it comes to them.
     page_size, pages = struct.unpack_from(">16xH10xI", header.ljust(100, b"\0"))
     if os.path.getsize(path) < pages * (page_size if page_size > 1 else 65536):
@@ -77,10 +75,7 @@ def _check_is_ours(connection: sqlite3.Connection, path: str) -> None:
         name for name in (schema.WINDOWS, schema.REFERENCES, schema.CLASSES, schema.PARAMETERS) if name not in found
     ]
     if missing:
-        raise DatabaseError(
-            f"{path} is not a SemRef reference database (it lacks {', '.join(missing)}); "
-            "choose one made by “Build reference database”."
-        )
+        raise DatabaseError("storage.foreign_database", path=path, missing=missing)
 
 
 def _read_parameters(connection: sqlite3.Connection, path: str) -> BuildParameters:
@@ -88,7 +83,7 @@ def _read_parameters(connection: sqlite3.Connection, path: str) -> BuildParamete
     try:
         return build_parameters({key: json.loads(value) for key, value in stored}, path)
     except (KeyError, ValueError, TypeError) as error:
-        raise DatabaseError(f"{path} has no readable parameter {error}; build it again.") from None
+        raise DatabaseError("storage.no_readable_parameter", path=path, reason=str(error)) from None
 
 
 def _class_csv(connection: sqlite3.Connection) -> str:
@@ -107,7 +102,7 @@ def _read_windows(connection: sqlite3.Connection, parameters: BuildParameters, p
     levels, sizes, xs, ys, counts, blobs, distinctiveness = zip(*rows) if rows else ((),) * 7
     length = 3 * parameters.references_per_vector
     if any(blob is not None and len(blob) != 4 * length for blob in blobs):
-        raise DatabaseError(f"{path} has vectors that are not {length} numbers long; build it again.")
+        raise DatabaseError("storage.vector_length", path=path, length=length)
     sizes, *centers = np.array([sizes, xs, ys], np.float64)
     centers = np.column_stack(centers)
     if not (np.isfinite(sizes).all() and np.isfinite(centers).all()):
@@ -169,11 +164,9 @@ def read_stored_database(path: str) -> StoredDatabase:
             fids = connection.execute('SELECT fid FROM "references" ORDER BY fid').fetchall()
             bounds = _read_bounds(connection)
     except (sqlite3.Error, ValueError) as error:
-        raise DatabaseError(
-            f"{path} is damaged or cut short ({error}); build it again or fetch another copy."
-        ) from None
+        raise DatabaseError("storage.database_damaged", path=path, reason=str(error)) from None
     if bounds is not None and len(bounds) != len(fids):
-        raise DatabaseError(f"{path} has {len(fids)} landmarks and bounds of {len(bounds)}; build it again.")
+        raise DatabaseError("storage.bounds_count", path=path, count=len(fids), bounds=len(bounds))
     database = replace(database, references=replace(database.references, bounds_px=bounds))
     return StoredDatabase(database, tuple(fid for (fid,) in window_fids), tuple(fid for (fid,) in fids))
 

@@ -121,7 +121,7 @@ def write_feature(
     if wkb is not None:
         feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(wkb))
     if layer.CreateFeature(feature) != ogr.OGRERR_NONE:
-        raise DatabaseError(f"The database can't be written: {gdal_failure()}.")
+        raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
     return feature.GetFID()
 
 
@@ -130,4 +130,4 @@ def close(dataset: gdal.Dataset) -> None:
     gdal.ErrorReset()
     dataset.FlushCache()
     if gdal.GetLastErrorType() >= gdal.CE_Failure:
-        raise DatabaseError(f"The database can't be written: {gdal_failure()}.")
+        raise DatabaseError("storage.database_unwritable", reason=gdal_failure())

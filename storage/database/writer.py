@@ -53,14 +53,14 @@ class DatabaseWriter:
             for share in self._write():
                 yield "Writing the database", share
         except RuntimeError as error:
-            raise DatabaseError(f"The database can't be written: {gdal_failure(error)}.") from None
+            raise DatabaseError("storage.database_unwritable", reason=gdal_failure(error)) from None
 
     def _write(self) -> Iterator[float]:
         database, srs = self._database, osr.SpatialReference()
         srs.ImportFromWkt(database.parameters.crs)
         dataset = ogr.GetDriverByName("GPKG").CreateDataSource(self._path)
         if dataset is None:
-            raise DatabaseError(f"The database can't be written: {gdal_failure()}.")
+            raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
         total = len(database.windows) + len(database.references)
         for n, done in enumerate(self._write_layers(dataset, srs)):
             if n % _FEATURES_A_STEP == 0:
@@ -84,7 +84,7 @@ class DatabaseWriter:
             fid = "FID=id" if name == schema.STYLES else "FID=fid"
             layer = dataset.CreateLayer(name, srs_or_none, geometry, [fid])
             if layer is None:
-                raise DatabaseError(f"The layer {name} can't be written: {gdal_failure()}.")
+                raise DatabaseError("storage.layer_unwritable", name=name, reason=gdal_failure())
             for column in columns:
                 layer.CreateField(schema.field_definition(*column))
             dataset.StartTransaction()
@@ -145,7 +145,7 @@ class DatabaseWriter:
         options = ["APPEND_SUBDATASET=YES", f"RASTER_TABLE={schema.OVERVIEW}", "TILE_FORMAT=PNG"]
         written = gdal.GetDriverByName("GPKG").CreateCopy(self._path, memory, options=options)
         if written is None:
-            raise DatabaseError(f"The overview can't be written: {gdal_failure()}.")
+            raise DatabaseError("storage.overview_unwritable", reason=gdal_failure())
         schema.close(written)
 
 
