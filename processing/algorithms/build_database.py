@@ -183,11 +183,7 @@ class BuildDatabase(SemRefAlgorithm):
         )
 
     def _say_rounding(
-        self,
-        builder: DatabaseBuilder,
-        frame: MapFrame,
-        settings: BuildSettings,
-        feedback: QgsProcessingFeedback,
+        self, builder: DatabaseBuilder, frame: MapFrame, settings: BuildSettings, feedback: QgsProcessingFeedback
     ) -> None:
         for level, grid in zip(settings.levels, builder.grids):
             size, stride = grid.size * frame.pixel_size, grid.stride * frame.pixel_size

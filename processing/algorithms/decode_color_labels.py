@@ -45,9 +45,7 @@ class DecodeColorLabels(SemRefAlgorithm):
     def parameters(self) -> Tuple[Declared, ...]:
         return (
             RasterLayer(
-                self.INPUT,
-                tr("Color label image"),
-                tr("Image with at least three bands (red, green, blue) of 8 bits."),
+                self.INPUT, tr("Color label image"), tr("Image with at least three bands (red, green, blue) of 8 bits.")
             ),
             offers.class_table(
                 tr(

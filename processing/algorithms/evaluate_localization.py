@@ -117,11 +117,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         )
         self.offer(
             QgsProcessingParameterEnum(
-                self.METHODS,
-                tr("Methods"),
-                self._method_titles(),
-                allowMultiple=True,
-                defaultValue=[0, 1],
+                self.METHODS, tr("Methods"), self._method_titles(), allowMultiple=True, defaultValue=[0, 1]
             ),
             tr(
                 "Tried on the same images, side by side. The outputs’ rates and the grid of noise are those of the "
@@ -182,12 +178,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _method_titles(self):
         """In the order of ``localizer.METHODS``."""
-        return [
-            tr("Automatic"),
-            tr("Topology vector"),
-            tr("Constellation"),
-            tr("Map correlation"),
-        ]
+        return [tr("Automatic"), tr("Topology vector"), tr("Constellation"), tr("Map correlation")]
 
     def _ranges_offered(self):
         """Key, title, default and help of each range that trials draw from."""

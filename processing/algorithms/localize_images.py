@@ -104,12 +104,7 @@ class LocalizeImages(SemRefAlgorithm):
             QgsProcessingParameterEnum(
                 self.METHOD,
                 tr("Method"),
-                [
-                    tr("Automatic"),
-                    tr("Topology vector (He & Wu 2025)"),
-                    tr("Constellation"),
-                    tr("Map correlation"),
-                ],
+                [tr("Automatic"), tr("Topology vector (He & Wu 2025)"), tr("Constellation"), tr("Map correlation")],
                 defaultValue=self.AUTOMATIC,
             ),
             tr(

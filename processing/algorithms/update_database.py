@@ -98,12 +98,7 @@ class UpdateDatabase(SemRefAlgorithm):
         self._check_crs(stored.database)
         self._check_classes(stored.database.class_table, labels)
         updater = DatabaseUpdater(
-            labels,
-            frame,
-            stored.database,
-            self._areas(frame, values, feedback),
-            plugin_version(),
-            worker_threads(),
+            labels, frame, stored.database, self._areas(frame, values, feedback), plugin_version(), worker_threads()
         )
         with outputs.file(self.OUTPUT) as path:
             follow(updater.steps(), feedback, 0, 80)

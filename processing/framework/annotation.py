@@ -59,10 +59,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         return lookup
 
     def label_map_crs(
-        self,
-        values: Values,
-        feedback: QgsProcessingFeedback,
-        asked: Optional[QgsCoordinateReferenceSystem] = None,
+        self, values: Values, feedback: QgsProcessingFeedback, asked: Optional[QgsCoordinateReferenceSystem] = None
     ) -> QgsCoordinateReferenceSystem:
         """A label map's metric CRS: the one asked for, the layer's own, else (and it says so) a UTM zone."""
         from ..exchange.reference_systems import describe_crs, metric_crs

@@ -15,6 +15,12 @@ from ...core.evaluation.rates import RateAt
 WIDTH, HEIGHT = 480, 300
 LEFT, RIGHT, TOP, BOTTOM = 64, 24, 14, 44
 LEGEND_ROW = 20
+TITLE_ROW = 24
+CELL_WIDTH, CELL_HEIGHT = 54, 34
+CHARACTER = 8.0
+"""Room for a character of a name; names are cut after NAME_LENGTH of them."""
+
+NAME_LENGTH = 24
 SERIES = 4
 """Series that have a color of their own; more repeat them."""
 
@@ -128,21 +134,24 @@ def heat_map(
     x_title: str,
     name: str,
 ) -> str:
-    """Cells colored from 0 (dark) to 1 (light) with their texts; the first row lies at the bottom."""
-    x_axis = Axis(x_title, (0, len(column_names)), [(n + 0.5, text) for n, text in enumerate(column_names)])
-    y_axis = Axis(y_title, (0, len(row_names)), [(n + 0.5, text) for n, text in enumerate(row_names)])
-    frame = _Frame(x_axis, y_axis, 0)
-    parts = frame.axes(x_grid=False, y_grid=False)
-    for row, (line, line_texts) in enumerate(zip(values, texts)):
-        for column, (value, text) in enumerate(zip(line, line_texts)):
-            (x0, y1), (x1, y0) = frame.point(column, row), frame.point(column + 1, row + 1)
-            fill, ink = ("none", "var(--text)") if value is None else ramp(value)
-            parts.append(
-                f'<rect x="{x0 + 1:.1f}" y="{y0 + 1:.1f}" width="{x1 - x0 - 2:.1f}" height="{y1 - y0 - 2:.1f}" '
-                f'style="fill:{fill}"/><text x="{(x0 + x1) / 2:.1f}" y="{(y0 + y1) / 2 + 4:.1f}" '
-                f'text-anchor="middle" style="fill:{ink}">{escape(text)}</text>'
-            )
-    return frame.svg(parts, name)
+    """Cells colored from 0 (dark) to 1 (light) with their texts, as a table: the first row lies at the top.
+
+    There is room for names of any length; very long ones are cut.
+    """
+    rows, columns = ([_cut(text) for text in names] for names in (row_names, column_names))
+    left = TITLE_ROW + 10 + CHARACTER * max(map(_room, rows))
+    # Names of columns stand aslant above them.
+    top = TITLE_ROW + 10 + 0.71 * CHARACTER * max(map(_room, columns))
+    bottom, right = top + CELL_HEIGHT * len(rows), left + CELL_WIDTH * len(columns)
+    parts = [_text((left + right) / 2, 14, x_title), _text(14, (top + bottom) / 2, y_title, "middle", -90)]
+    for n, text in enumerate(columns):
+        parts.append(_text(left + CELL_WIDTH * (n + 0.5), top - 8, text, "start", -45, "soft"))
+    for n, (line, line_texts) in enumerate(zip(values, texts)):
+        y = top + CELL_HEIGHT * n
+        parts.append(_text(left - 8, y + CELL_HEIGHT / 2 + 4, rows[n], "end", 0, "soft"))
+        parts += [_cell(left + CELL_WIDTH * m, y, *cell) for m, cell in enumerate(zip(line, line_texts))]
+    width = right + 0.71 * CHARACTER * _room(columns[-1])
+    return _svg(parts, name, width, bottom + 6, f' style="max-width:{width:.0f}px"')
 
 
 def reliability_diagram(series: Sequence[Series], x_title: str, y_title: str, name: str) -> str:
@@ -204,10 +213,7 @@ class _Frame:
         return parts
 
     def svg(self, parts: Sequence[str], name: str) -> str:
-        return (
-            f'<svg viewBox="0 0 {WIDTH} {self.height}" role="img" aria-label="{escape(name)}" '
-            f'xmlns="http://www.w3.org/2000/svg">\n<title>{escape(name)}</title>\n' + "\n".join(parts) + "\n</svg>"
-        )
+        return _svg(parts, name, WIDTH, self.height)
 
 
 def _ends(x_axis: Axis, y_axis: Axis) -> Tuple[float, float]:
@@ -259,3 +265,35 @@ def _legend(frame: _Frame, names: Sequence[str], lines: bool = True) -> List[str
             parts.append(f'<rect x="{x + 6:.1f}" y="{y - 6}" width="12" height="12" style="fill:{_color(number)}"/>')
         parts.append(f'<text x="{x + 30:.1f}" y="{y + 4}">{escape(name)}</text>')
     return parts
+
+
+def _svg(parts: Sequence[str], name: str, width: float, height: float, more: str = "") -> str:
+    return (
+        f'<svg viewBox="0 0 {width:.0f} {height:.0f}" role="img" aria-label="{escape(name)}"{more} '
+        f'xmlns="http://www.w3.org/2000/svg">\n<title>{escape(name)}</title>\n' + "\n".join(parts) + "\n</svg>"
+    )
+
+
+def _cut(name: str) -> str:
+    return name if len(name) <= NAME_LENGTH else name[: NAME_LENGTH - 1] + "…"
+
+
+def _room(name: str) -> float:
+    """Characters, of which Chinese ones are twice as wide."""
+    return sum(2 if ord(character) > 0x2E80 else 1 for character in name)
+
+
+def _cell(x: float, y: float, value: Optional[float], text: str) -> str:
+    fill, ink = ("none", "var(--text)") if value is None else ramp(value)
+    return (
+        f'<rect x="{x + 1:.1f}" y="{y + 1:.1f}" width="{CELL_WIDTH - 2}" height="{CELL_HEIGHT - 2}" '
+        f'style="fill:{fill}"/>'
+        f'<text x="{x + CELL_WIDTH / 2:.1f}" y="{y + CELL_HEIGHT / 2 + 4:.1f}" text-anchor="middle" style="fill:{ink}">'
+        f"{escape(text)}</text>"
+    )
+
+
+def _text(x: float, y: float, text: str, anchor: str = "middle", turn: float = 0, kind: str = "") -> str:
+    turned = f' transform="rotate({turn:g} {x:.1f} {y:.1f})"' if turn else ""
+    marked = f' class="{kind}"' if kind else ""
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{marked}{turned}>{escape(text)}</text>'

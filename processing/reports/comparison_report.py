@@ -6,8 +6,7 @@ import os
 
 from ...core.labels.comparison import ClassMatch, LabelComparison
 from ..translation import tr
-from . import page
-from .confusion_matrix import confusion_matrix
+from . import charts, page
 
 
 def comparison_html(comparison: LabelComparison, match: ClassMatch, reference: str, predicted: str) -> str:
@@ -42,7 +41,7 @@ def _matrix(comparison: LabelComparison, match: ClassMatch) -> str:
     shares = [[float(comparison.counts[row, c] / comparison.annotated[row]) for c in columns] for row in rows]
     texts = [[page.percent(share, 0) for share in line] for line in shares]
     names = ([match.name(value) for value in values] for values in (rows, columns))
-    return confusion_matrix(shares, texts, *names, tr("annotated"), tr("predicted"), tr("Confusion matrix"))
+    return charts.heat_map(shares, texts, *names, tr("annotated"), tr("predicted"), tr("Confusion matrix"))
 
 
 def _classes(comparison: LabelComparison, match: ClassMatch) -> str:

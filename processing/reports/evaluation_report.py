@@ -152,8 +152,15 @@ class EvaluationReport:
         names = [f"{level:.0f} %" for level in NOISE_LEVELS]
         shares = [[rate.share for rate in row] for row in rates]
         texts = [[page.percent(rate.share, 0) for rate in row] for row in rates]
+        # Nothing spoilt lies where the axes meet.
         chart = charts.heat_map(
-            shares, texts, names, names, tr("landmarks missed"), tr("landmarks invented"), tr("Success under noise")
+            shares[::-1],
+            texts[::-1],
+            names[::-1],
+            names,
+            tr("landmarks missed"),
+            tr("landmarks invented"),
+            tr("Success under noise"),
         )
         caption = tr("Right fixes of {method}; {count} images a cell, the other ranges as set.")
         method = next(iter(self.methods.values()))

@@ -1,0 +1,86 @@
+"""Ids, keys, types, defaults and limits of all algorithms are public: scripts and models depend on them.
+
+``tests/data/public_keys.json`` holds them. What is added on purpose is recorded there with
+``SEMREF_RECORD=1 python -m pytest tests/qgis/test_public_keys.py``; what is there already never changes.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+
+import pytest
+from qgis.core import QgsApplication, QgsProcessingDestinationParameter, QgsProcessingParameterDefinition
+
+LIMITS = (
+    "data_type",
+    "min",
+    "max",
+    "allow_multiple",
+    "parent_layer",
+    "data_types",
+    "behavior",
+    "extension",
+    "layer_type",
+)
+"""Entries of a parameter's variant map that are the same in all versions of QGIS that are supported."""
+
+
+@pytest.fixture(scope="module")
+def algorithms(qgis_app):
+    provider = QgsApplication.processingRegistry().providerById("semref")
+    return {algorithm.name(): algorithm for algorithm in provider.algorithms()}
+
+
+def described(parameter) -> dict:
+    """What is public of a parameter."""
+    flags, stored = parameter.flags(), parameter.toVariantMap()
+    public = {
+        "type": parameter.type(),
+        "optional": bool(flags & QgsProcessingParameterDefinition.FlagOptional),
+        "advanced": bool(flags & QgsProcessingParameterDefinition.FlagAdvanced),
+        "default": parameter.defaultValue(),
+        **{name: stored[name] for name in LIMITS if name in stored},
+    }
+    if "options" in stored:
+        public["options"] = len(stored["options"])
+    if isinstance(parameter, QgsProcessingDestinationParameter):
+        public["by_default"] = parameter.createByDefault()
+    return public
+
+
+def recorded(algorithms) -> dict:
+    return {
+        name: {
+            "group": algorithm.groupId(),
+            "parameters": {p.name(): described(p) for p in algorithm.parameterDefinitions()},
+            "outputs": {output.name(): output.type() for output in algorithm.outputDefinitions()},
+        }
+        for name, algorithm in sorted(algorithms.items())
+    }
+
+
+def as_text(recorded: dict) -> str:
+    """JSON with a line a parameter, so that a change reads as one."""
+    algorithms = []
+    for name, algorithm in recorded.items():
+        keys = ",\n".join(f"   {json.dumps(key)}: {json.dumps(p)}" for key, p in algorithm["parameters"].items())
+        head, outputs = json.dumps(algorithm["group"]), json.dumps(algorithm["outputs"])
+        algorithms.append(f' {json.dumps(name)}: {{\n  "group": {head},\n  "parameters": {{\n{keys}\n  }},\n')
+        algorithms[-1] += f'  "outputs": {outputs}\n }}'
+    return "{\n" + ",\n".join(algorithms) + "\n}\n"
+
+
+def test_every_recorded_key_is_there_as_it_was(algorithms, repository):
+    file = repository / "tests" / "data" / "public_keys.json"
+    # As JSON tells it; what it does not know are NULLs of Qt.
+    now = json.loads(json.dumps(recorded(algorithms), default=lambda null: None))
+    if os.environ.get("SEMREF_RECORD"):
+        file.write_text(as_text(now), encoding="utf-8")
+    before = json.loads(file.read_text(encoding="utf-8"))
+    assert list(now) == list(before)
+    for name, algorithm in before.items():
+        assert list(now[name]["parameters"]) == list(algorithm["parameters"]), name
+        for key, parameter in algorithm["parameters"].items():
+            assert now[name]["parameters"][key] == parameter, (name, key)
+        assert now[name] == algorithm

@@ -1,0 +1,108 @@
+"""One reader a kind of value: what was given as a number, a text, a list or not at all comes out alike."""
+
+from __future__ import annotations
+
+import pytest
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingContext
+
+
+@pytest.fixture
+def read(qgis_app):
+    """`read(number=…)` gives the Values of an algorithm with one parameter of each kind."""
+    from semref.processing.framework import declarations as d
+    from semref.processing.framework.base import SemRefAlgorithm
+    from semref.processing.framework.values import Values
+
+    class Everything(SemRefAlgorithm):
+        ID = GROUP = "everything"
+
+        def parameters(self):
+            about = "A title", "What it is for."
+            return (
+                d.Number("number", *about, optional=True, default=2.5),
+                d.Number("left_out", *about, optional=True),
+                d.Number("integer", *about, default=3, is_integer=True),
+                d.Switch("switch", *about, default=True),
+                d.Choice("choice", *about, default=1, options=("a", "b", "c")),
+                d.NumberRange("range", *about, optional=True, default="0,0.5"),
+                d.Text("text", *about, optional=True),
+                d.MapPoint("point", *about, optional=True),
+                d.File("file", *about, optional=True),
+                d.Files("files", *about, optional=True),
+                d.VectorSource("source", *about, optional=True),
+                d.NumberResult("count", "How many"),
+            )
+
+    algorithm = Everything()
+    algorithm.initAlgorithm()
+    context = QgsProcessingContext()
+    return lambda **given: Values(algorithm, given, context)
+
+
+def test_declarations_become_parameters_and_outputs_with_their_help(read):
+    algorithm = read()._algorithm
+    number = algorithm.parameterDefinition("number")
+    assert (number.type(), number.description(), number.help()) == ("number", "A title", "What it is for.")
+    assert [output.name() for output in algorithm.outputDefinitions()] == ["count"]
+
+
+@pytest.mark.parametrize("nothing", [{}, {"left_out": None}, {"left_out": ""}])
+def test_an_optional_number_that_is_left_out_is_none_or_the_default_asked_for(read, nothing):
+    values = read(**nothing)
+    assert not values.has("left_out")
+    assert values.optional_number("left_out") is None
+    assert values.optional_number("left_out", 7.0) == 7.0
+
+
+def test_an_optional_number_may_be_zero(read):
+    assert read(left_out=0).optional_number("left_out", 7.0) == 0.0
+
+
+@pytest.mark.parametrize("given", [4, 4.0, "4"])
+def test_numbers_may_be_given_as_text(read, given):
+    values = read(number=given, integer=given, left_out=given)
+    assert (values.number("number"), values.integer("integer"), values.optional_number("left_out")) == (4.0, 4, 4.0)
+
+
+def test_what_is_left_out_is_the_default(read):
+    values = read()
+    assert (values.number("number"), values.integer("integer"), values.choice("choice")) == (2.5, 3, 1)
+    assert values.switch("switch") and values.range("range") == (0.0, 0.5)
+    assert (values.text("text"), values.file("file"), values.class_table("file")) == ("", "", None)
+
+
+def test_lists_are_separated_by_semicolons_without_empty_parts(read):
+    assert read().parts("text") == []
+    assert read(text=" building; water;;").parts("text") == ["building", "water"]
+    assert read(text="1; 2,5").numbers("text") == [1.0, 2.5]
+
+
+def test_a_list_that_holds_no_numbers_is_refused_with_its_key(read):
+    from semref.core.errors import ParameterError
+
+    with pytest.raises(ParameterError, match="text: “1;x” is not a list of numbers"):
+        read(text="1;x").numbers("text")
+
+
+def test_files_are_a_list_one_path_or_several_as_text(read, tmp_path):
+    first, second = (tmp_path / name for name in ("a; b.png", "c.png"))
+    first.touch()
+    assert read(files=[str(first), str(second)]).files("files") == [str(first), str(second)]
+    # A name that has the separator in it is one file, if it is there.
+    assert read(files=str(first)).files("files") == [str(first)]
+    assert read(files=f"{second}; d.png").files("files") == [str(second), "d.png"]
+
+
+def test_a_point_comes_in_the_crs_asked_for(read):
+    crs = QgsCoordinateReferenceSystem("EPSG:32632")
+    assert read().point("point", crs) is None
+    x, y = read(point="9,47 [EPSG:4326]").point("point", crs)
+    assert (round(x), round(y)) == (500000, 5205164)
+
+
+def test_a_source_that_cannot_be_read_is_refused_and_one_left_out_is_none(read):
+    from semref.core.errors import ParameterError
+
+    assert read().source("source") is None
+    with pytest.raises(ParameterError):
+        read(source="no/such/layer.gpkg").source("source")
