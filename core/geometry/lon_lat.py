@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, Optional, Tuple
+from typing import Callable, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -66,7 +66,7 @@ def fit_lon_lat(transform: Transform, extent: Tuple[float, float, float, float])
         return None
     # Without the jump at the antimeridian.
     true_lon = true_lon[0] + (true_lon - true_lon[0] + 180) % 360 - 180
-    best = None
+    best: Optional[LonLatPolynomial] = None
     for degree in range(LOWEST_DEGREE, HIGHEST_DEGREE + 1):
         terms = _terms(fitted, degree, center, half_size)
         lon, lat = (np.linalg.lstsq(terms, values, rcond=None)[0] for values in (true_lon, true_lat))
@@ -76,7 +76,7 @@ def fit_lon_lat(transform: Transform, extent: Tuple[float, float, float, float])
             best = LonLatPolynomial(degree, center, half_size, found.longitude, found.latitude, error)
         if error <= WANTED_ERROR_M:
             break
-    return best if best.error_m <= LARGEST_ERROR_M else None
+    return best if best is not None and best.error_m <= LARGEST_ERROR_M else None
 
 
 def term_count(degree: int) -> int:
@@ -84,13 +84,13 @@ def term_count(degree: int) -> int:
     return (degree + 1) * (degree + 2) // 2
 
 
-def _terms(points_xy: np.ndarray, degree: int, center, half_size) -> np.ndarray:
+def _terms(points_xy: np.ndarray, degree: int, center: Sequence[float], half_size: Sequence[float]) -> np.ndarray:
     """(N, term_count) values of uⁱ · vʲ."""
     u, v = ((np.asarray(points_xy, np.float64).reshape(-1, 2) - center) / half_size).T
     return np.column_stack([u**i * v**j for i in range(degree + 1) for j in range(degree + 1 - i)])
 
 
-def _grid(along: np.ndarray, center, half_size) -> np.ndarray:
+def _grid(along: np.ndarray, center: Sequence[float], half_size: Sequence[float]) -> np.ndarray:
     xs, ys = np.meshgrid(center[0] + half_size[0] * along, center[1] + half_size[1] * along)
     return np.column_stack([xs.ravel(), ys.ravel()])
 

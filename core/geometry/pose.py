@@ -124,7 +124,9 @@ def fit_tilted(image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, po
     return Pose(pose.center + pose.turn * scale * center, pose.turn * turn, stretch, slope)
 
 
-def _tilted_system(image, on_map, deviations, pose: Pose, diagonal: float) -> tuple[np.ndarray, np.ndarray]:
+def _tilted_system(
+    image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, pose: Pose, diagonal: float
+) -> tuple[np.ndarray, np.ndarray]:
     """(2 n + 4, 8) real equations for center, turn, turn · stretch and slope, relative to ``pose``, of size 1."""
     scale = diagonal / 2
     u = image / scale

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import shapely
 
 _DIMENSION = 3
@@ -9,6 +11,6 @@ _DIMENSION = 3
 GEOS that QGIS brings, which before 3.12 refuses a 4."""
 
 
-def to_wkb(geometries):
+def to_wkb(geometries: Any) -> Any:
     """WKB of a geometry, or of an array of them; Z is kept, M is not."""
     return shapely.to_wkb(geometries, output_dimension=_DIMENSION)

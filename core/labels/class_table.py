@@ -7,7 +7,7 @@ import hashlib
 import io
 import re
 from dataclasses import dataclass, replace
-from typing import Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Dict, Iterable, Iterator, List, Optional, Sequence, Tuple, Union
 
 from ..errors import ClassTableError
 from ..sentences import Sentence
@@ -97,12 +97,13 @@ class ClassTable:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "classes", tuple(sorted(self.classes, key=lambda c: c.value)))
-        for column, keys in (("value", [c.value for c in self.classes]), ("name", [c.name for c in self.classes])):
-            repeated = sorted({str(k) for k in keys if keys.count(k) > 1})
+        for column in ("value", "name"):
+            keys = [str(getattr(c, column)) for c in self.classes]
+            repeated = sorted({key for key in keys if keys.count(key) > 1})
             if repeated:
                 raise ClassTableError("labels.class_repeated", column=column, repeated=repeated)
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[LandCoverClass]:
         return iter(self.classes)
 
     def __len__(self) -> int:

@@ -102,7 +102,8 @@ def _photo(data: bytes, path: str) -> Photo:
     colors = cv2.cvtColor(image, cv2.COLOR_GRAY2RGB) if image.ndim == 2 else np.ascontiguousarray(image[..., 2::-1])
     if has_data is not None:
         colors[~has_data] = 0
-    return Photo(ArrayImage(colors, has_data), None if tags is None else pixel_size_m(tags, image.shape[:2]))
+    pixels = ArrayImage(colors, has_data)
+    return Photo(pixels, None if tags is None else pixel_size_m(tags, pixels.shape_hw))
 
 
 def _with_plain_bands(data: bytes, tags: Optional[TiffTags]) -> bytes:

@@ -21,7 +21,8 @@ class SampleClass:
     @property
     def rgb(self) -> tuple[int, int, int]:
         """Red, green, blue, 0..255."""
-        return tuple(int(self.color[i : i + 2], 16) for i in (1, 3, 5))
+        red, green, blue = (int(self.color[i : i + 2], 16) for i in (1, 3, 5))
+        return red, green, blue
 
 
 # Red, purple, blue, green and deep blue are the colors of Figure 5 in Remote Sens. 2025, 17, 1671;

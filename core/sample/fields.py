@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from shapely.affinity import rotate
 from shapely.geometry import LineString, MultiPolygon, Polygon
@@ -10,6 +12,7 @@ from shapely.ops import unary_union
 from shapely.prepared import prep
 
 from . import shapes
+from .roads import Settlement
 from .scatter import Ground
 
 PARCEL_AREA_M2 = (7_000.0, 34_000.0)  # most parcels end between; usual sizes in southern Germany
@@ -54,7 +57,9 @@ def cut(rng: np.random.Generator, piece: Polygon, heading: float) -> list[Polygo
     return [parcel for part in parts for parcel in cut(rng, part, heading)]
 
 
-def forest(rng: np.random.Generator, size_xy, settlements, river_line: LineString) -> list[Polygon]:
+def forest(
+    rng: np.random.Generator, size_xy: tuple[float, float], settlements: Sequence[Settlement], river_line: LineString
+) -> list[Polygon]:
     """Woods with ragged edges and clearings, away from the settlements; copses, and trees along the river."""
     width, height = (int(v / FOREST_PIXEL_M) for v in size_xy)
     x, y = np.meshgrid((np.arange(width) + 0.5) * FOREST_PIXEL_M, (np.arange(height) + 0.5) * FOREST_PIXEL_M)
@@ -99,7 +104,9 @@ def gravel_banks(line: LineString, river: BaseGeometry, rng: np.random.Generator
     return [bank for bank in banks if 150 < bank.difference(river).area]
 
 
-def bare_ground(rng: np.random.Generator, ground: Ground, woods: list[Polygon], places) -> list[Polygon]:
+def bare_ground(
+    rng: np.random.Generator, ground: Ground, woods: list[Polygon], places: Sequence[Settlement]
+) -> list[Polygon]:
     """Quarries, rock in the forest, gravel lots by the settlements; added to `ground`."""
     wooded = prep(unary_union(woods))
     found: list[Polygon] = []

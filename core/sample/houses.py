@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 from shapely.geometry import LineString, Polygon
 from shapely.ops import unary_union
 
@@ -56,7 +57,7 @@ def shifted(shape: Polygon, dx: float, dy: float) -> Polygon:
     return Polygon(shapes.corners_xy(shape.exterior) + (dx, dy))
 
 
-def put(shape: Polygon, at_xy, heading: float) -> Polygon:
+def put(shape: Polygon, at_xy: npt.ArrayLike, heading: float) -> Polygon:
     """A footprint turned so that its +x runs along `heading`, its origin at `at_xy`."""
     return Polygon(shapes.rotated(shapes.corners_xy(shape.exterior), heading) + np.asarray(at_xy))
 
@@ -86,7 +87,14 @@ def along_street(rng: np.random.Generator, street: Road, place: Settlement, grou
     return built
 
 
-def behind(rng: np.random.Generator, center_xy, heading: float, depth: float, place: Settlement, ground: Ground):
+def behind(
+    rng: np.random.Generator,
+    center_xy: npt.ArrayLike,
+    heading: float,
+    depth: float,
+    place: Settlement,
+    ground: Ground,
+) -> list[Polygon]:
     """Now and then a shed, or in a village a barn, in the garden behind a house."""
     chance = rng.uniform()
     barn = place.kind in ("village", "hamlet") and chance < 0.22
@@ -103,7 +111,7 @@ def behind(rng: np.random.Generator, center_xy, heading: float, depth: float, pl
     return [whole]
 
 
-def farmyard(rng: np.random.Generator, center_xy, heading: float) -> list[Polygon]:
+def farmyard(rng: np.random.Generator, center_xy: npt.ArrayLike, heading: float) -> list[Polygon]:
     """Four to eight buildings around a yard: house, barns, sheds."""
     yard = rng.uniform(20, 27)
     built: list[Polygon] = []
@@ -118,14 +126,14 @@ def farmyard(rng: np.random.Generator, center_xy, heading: float) -> list[Polygo
     return built
 
 
-def church(heading: float, center_xy) -> Polygon:
+def church(heading: float, center_xy: npt.ArrayLike) -> Polygon:
     """Nave, transept and tower."""
     nave, transept = shapes.rectangle((0, 0), 0, 34, 12), shapes.rectangle((6, 0), 0, 9, 24)
     tower = shapes.rectangle((-18, 0), 0, 8, 8)
     return put(unary_union([nave, transept, tower]), center_xy, heading)
 
 
-def mix_at(place: Settlement, at_xy) -> str:
+def mix_at(place: Settlement, at_xy: npt.ArrayLike) -> str:
     """Kind of the settlement at a place, for MIX: the middle of a town has its own."""
     near = np.hypot(*np.subtract(at_xy, place.center_xy)) < CORE * place.radius
     return "core" if place.kind == "town" and near else place.kind

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import shapely
@@ -34,7 +36,7 @@ class Feature:
 
     class_value: int
     zorder: int
-    geometry: BaseGeometry | None
+    geometry: Any
 
 
 @dataclass(frozen=True)
@@ -87,7 +89,9 @@ class _Draws:
         return np.random.default_rng([self._seed, *step])
 
 
-def _buildings(draw: _Draws, places, streets, ground: Ground) -> list[Polygon]:
+def _buildings(
+    draw: _Draws, places: Sequence[roads.Settlement], streets: Sequence[list[roads.Road]], ground: Ground
+) -> list[Polygon]:
     """All buildings of the settlements, added to `ground`."""
     built: list[Polygon] = []
     for k, (place, local) in enumerate(zip(places, streets)):
@@ -105,7 +109,9 @@ def _buildings(draw: _Draws, places, streets, ground: Ground) -> list[Polygon]:
     return built
 
 
-def _fill(rng: np.random.Generator, ground: Ground, buildings: list, still: list, bare: list, woods) -> None:
+def _fill(
+    rng: np.random.Generator, ground: Ground, buildings: list, still: list, bare: list, woods: BaseGeometry
+) -> None:
     """Add farms, ponds and gravel where a window would hold too few objects to be recognized."""
     cleared = prep(box(0, 0, *SIZE_XY).difference(woods.buffer(25)))
     for turn in range(FILL_ROUNDS):
@@ -135,7 +141,9 @@ def _emptiest_window(objects: list[Polygon]) -> tuple[tuple[float, float], int]:
     return tuple(corners[emptiest].tolist()), int(held[emptiest])
 
 
-def _land(draw: _Draws, rivers, buildings, woods, surface) -> list[tuple[int, int, BaseGeometry]]:
+def _land(
+    draw: _Draws, rivers: water.Rivers, buildings: list[Polygon], woods: list[Polygon], surface: BaseGeometry
+) -> list[tuple[int, int, BaseGeometry]]:
     """Background: parcels below, gardens and forest above them, roads left free."""
     gardens = fields.gardens(buildings, surface.buffer(0.5))
     kept_free = unary_union([*gardens, surface.buffer(1.5)])
@@ -154,7 +162,7 @@ def _land(draw: _Draws, rivers, buildings, woods, surface) -> list[tuple[int, in
     return drawn + [(FOREST, ZORDER[FOREST], g) for g in forest]
 
 
-def _finished(drawn) -> list[Feature]:
+def _finished(drawn: Sequence[tuple[int, int, BaseGeometry]]) -> list[Feature]:
     """Clip to the map, round, move to map coordinates; what is left of a feature stays one feature."""
     edge = box(0, 0, *SIZE_XY)
     features = []

@@ -7,15 +7,22 @@ the same photo. Arrays are (rows, columns), colors linear red, green, blue in 0�
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
+import numpy.typing as npt
+from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
 
 from . import shapes
 from .classes import BARE_LAND, BUILDING, CULTIVATED, FOREST, GRASS, WATER
-from .landscape import ZORDER, Landscape
+from .landscape import ZORDER, Feature, Landscape
 from .pictures import WINDOW_PX, View
+
+Frame = tuple[float, float, int, int]
+"""West and north edge in map units, width and height in pixels."""
 
 SEED_OFFSET = 200  # draws of the photo don't depend on those of the landscape
 SUBPIXEL_BITS = 4  # of OpenCV's polygon corners
@@ -63,7 +70,7 @@ class Scene:
     pixel_m: float
 
 
-def render(landscape: Landscape, frame: tuple[float, float, int, int], pixel_m: float) -> np.ndarray:
+def render(landscape: Landscape, frame: Frame, pixel_m: float) -> np.ndarray:
     """The photo of the whole landscape, (H, W, 3) uint8 RGB.
 
     frame: west and north edge in map units, width and height in pixels, as the label map has them.
@@ -82,7 +89,7 @@ def render(landscape: Landscape, frame: tuple[float, float, int, int], pixel_m: 
     return developed(rng, color, shading(relief, sun, pixel_m), shadow(height, sun, pixel_m), pixel_m)
 
 
-def draw_scene(features, landscape: Landscape, frame, pixel_m: float) -> Scene:
+def draw_scene(features: Sequence[Feature], landscape: Landscape, frame: Frame, pixel_m: float) -> Scene:
     """Features burnt in their order; roads over water (bridges), under houses."""
     _, _, width, height = frame
     owner = np.full((height, width), -1, np.int32)
@@ -99,7 +106,7 @@ def draw_scene(features, landscape: Landscape, frame, pixel_m: float) -> Scene:
     return Scene(owner, kind, road, pixel_m)
 
 
-def outlines(geometry, frame, pixel_m: float):
+def outlines(geometry: BaseGeometry | None, frame: Frame, pixel_m: float) -> Iterator[list[np.ndarray]]:
     """For each polygon its rings, holes included, as OpenCV's corners: pixel centers, with SUBPIXEL_BITS."""
     west, north, _, _ = frame
     for polygon in shapes.polygons_of(geometry):
@@ -110,17 +117,17 @@ def outlines(geometry, frame, pixel_m: float):
         yield rings
 
 
-def linear(rgb) -> np.ndarray:
+def linear(rgb: npt.ArrayLike) -> np.ndarray:
     """sRGB 0…255 as linear light."""
     return (np.asarray(rgb, np.float32) / 255) ** np.float32(2.2)
 
 
-def tinted(rng: np.random.Generator, rgb, strength: float) -> np.ndarray:
+def tinted(rng: np.random.Generator, rgb: npt.ArrayLike, strength: float) -> np.ndarray:
     """A color of the same kind: a little lighter or darker, warmer or cooler; linear."""
     return linear(rgb) * np.exp(rng.normal(0, strength) + rng.normal(0, 0.35 * strength, 3)).astype(np.float32)
 
 
-def ground_color(rng: np.random.Generator, scene: Scene, features) -> np.ndarray:
+def ground_color(rng: np.random.Generator, scene: Scene, features: Sequence[Feature]) -> np.ndarray:
     """(H, W, 3) color of everything that lies flat: fields with rows and tramlines, grass, water, gravel, roads."""
     shape, px = scene.owner.shape, scene.pixel_m
     base = np.array([feature_color(rng, f) for f in features] + [linear(VERGE)], np.float32)
@@ -145,7 +152,7 @@ def ground_color(rng: np.random.Generator, scene: Scene, features) -> np.ndarray
     return color
 
 
-def feature_color(rng: np.random.Generator, feature) -> np.ndarray:
+def feature_color(rng: np.random.Generator, feature: Feature) -> np.ndarray:
     """The base color of one feature, linear; roofs get theirs later."""
     if feature.class_value == CULTIVATED:
         return tinted(rng, CROPS[rng.integers(len(CROPS))], 0.12)
@@ -159,7 +166,7 @@ def feature_color(rng: np.random.Generator, feature) -> np.ndarray:
     return tinted(rng, {GRASS: GARDEN, FOREST: LEAVES, BUILDING: ROOFS[0]}[feature.class_value], 0.06)
 
 
-def rows_of(rng: np.random.Generator, scene: Scene, features) -> np.ndarray:
+def rows_of(rng: np.random.Generator, scene: Scene, features: Sequence[Feature]) -> np.ndarray:
     """(H, W) change of light by drilled rows and tramlines, along the longer side of each field."""
     px, count = scene.pixel_m, len(features)
     angle, period, strength, lane = (np.zeros(count + 1, np.float32) for _ in range(4))
@@ -191,7 +198,7 @@ def shore(scene: Scene, color: np.ndarray) -> None:
     color *= (1 - 0.75 * edge)[..., None]
 
 
-def pave(rng: np.random.Generator, scene: Scene, color: np.ndarray, fine, middle) -> None:
+def pave(rng: np.random.Generator, scene: Scene, color: np.ndarray, fine: np.ndarray, middle: np.ndarray) -> None:
     """Asphalt, more or less worn, with paler edges; away from roads what no class covers stays verge and track."""
     inside = cv2.distanceTransform(scene.road, cv2.DIST_L2, 3) * np.float32(scene.pixel_m)
     worn = np.exp(0.10 * middle + 0.04 * fine + 0.16 * np.exp(-inside / 0.9))
@@ -200,7 +207,9 @@ def pave(rng: np.random.Generator, scene: Scene, color: np.ndarray, fine, middle
     color[road] = asphalt[road]
 
 
-def plant_forest(rng: np.random.Generator, scene: Scene, color, relief, height) -> None:
+def plant_forest(
+    rng: np.random.Generator, scene: Scene, color: np.ndarray, relief: np.ndarray, height: np.ndarray
+) -> None:
     """Crowns on the forest: stands of conifers and of broad-leaved trees, each tree a little different."""
     shape, px = scene.owner.shape, scene.pixel_m
     forest = scene.kind == FOREST
@@ -217,7 +226,7 @@ def plant_forest(rng: np.random.Generator, scene: Scene, color, relief, height) 
     height += np.where(forest, (FOREST_HEIGHT_M + 3 * stand) * np.clip(edge, 0.4, 1), 0).astype(np.float32)
 
 
-def crown_relief(rng: np.random.Generator, shape_hw, radius: float) -> np.ndarray:
+def crown_relief(rng: np.random.Generator, shape_hw: tuple[int, ...], radius: float) -> np.ndarray:
     """(H, W) heights 0…1 of round crowns of about ``radius`` pixels: distance from a random scatter of trunks."""
     trunks = rng.uniform(size=shape_hw) < 0.30 / radius**2
     away = cv2.distanceTransform((~trunks).astype(np.uint8), cv2.DIST_L2, 5)
@@ -229,7 +238,9 @@ def blended(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndar
     return (first + (second - first) * share).astype(np.float32)
 
 
-def plant_trees(rng: np.random.Generator, scene: Scene, color, relief, height) -> None:
+def plant_trees(
+    rng: np.random.Generator, scene: Scene, color: np.ndarray, relief: np.ndarray, height: np.ndarray
+) -> None:
     """Single trees in gardens and meadows: too small for the forest class, but there."""
     px = scene.pixel_m
     rows, columns = np.nonzero((scene.kind == GRASS) & (rng.uniform(size=scene.kind.shape) < GARDEN_TREES * px**2))
@@ -239,7 +250,15 @@ def plant_trees(rng: np.random.Generator, scene: Scene, color, relief, height) -
         plant_tree(rng, scene, (row, column), rng.uniform(*TREE_RADII_M), color, relief, height)
 
 
-def plant_tree(rng: np.random.Generator, scene: Scene, at_rc, radius_m: float, color, relief, height) -> None:
+def plant_tree(
+    rng: np.random.Generator,
+    scene: Scene,
+    at_rc: tuple[int, int],
+    radius_m: float,
+    color: np.ndarray,
+    relief: np.ndarray,
+    height: np.ndarray,
+) -> None:
     """One crown on grass around a pixel (row, column), drawn into color, relief and height."""
     radius = radius_m / scene.pixel_m
     reach = int(radius + 1)
@@ -254,7 +273,15 @@ def plant_tree(rng: np.random.Generator, scene: Scene, at_rc, radius_m: float, c
     height[rows, columns] = np.maximum(height[rows, columns], 1.6 * radius_m * np.clip(2 * crown, 0, 1))
 
 
-def build_roofs(rng: np.random.Generator, scene: Scene, features, frame, color, relief, height) -> None:
+def build_roofs(
+    rng: np.random.Generator,
+    scene: Scene,
+    features: Sequence[Feature],
+    frame: Frame,
+    color: np.ndarray,
+    relief: np.ndarray,
+    height: np.ndarray,
+) -> None:
     """Roofs: gables with a ridge along the longer side, halls flat; each with its color, courses and wear."""
     px = scene.pixel_m
     grain = shapes.noise(rng, scene.owner.shape, 2.5 / px, 2)
@@ -285,7 +312,7 @@ class Roof:
     streaks: np.ndarray
 
 
-def make_roof(rng: np.random.Generator, polygon, x: np.ndarray, y: np.ndarray) -> Roof:
+def make_roof(rng: np.random.Generator, polygon: Polygon, x: np.ndarray, y: np.ndarray) -> Roof:
     """The roof of one building at map coordinates x, y (h, w)."""
     corners = shapes.corners_xy(polygon.minimum_rotated_rectangle)[:4]
     edges = np.diff(corners, axis=0)
@@ -319,13 +346,15 @@ def shadow(height: np.ndarray, sun: Sun, pixel_m: float) -> np.ndarray:
     reach = int(np.ceil(float(height.max()) / sun.slope / pixel_m))
     horizon = np.full(height.shape, -1e3, np.float32)
     for step in range(1, reach + 1):
-        move = np.float32([[1, 0, -step * sun.toward[0]], [0, 1, -step * sun.toward[1]]])
+        move = np.array([[1, 0, -step * sun.toward[0]], [0, 1, -step * sun.toward[1]]], np.float32)
         moved = cv2.warpAffine(height, move, height.shape[::-1], flags=cv2.INTER_LINEAR)
         np.maximum(horizon, moved - np.float32(step * pixel_m * sun.slope), out=horizon)
     return cv2.GaussianBlur(np.clip((horizon - height) / 0.8, 0, 1), (0, 0), 0.6)
 
 
-def developed(rng: np.random.Generator, color, light, shade, pixel_m: float) -> np.ndarray:
+def developed(
+    rng: np.random.Generator, color: np.ndarray, light: np.ndarray, shade: np.ndarray, pixel_m: float
+) -> np.ndarray:
     """Light on color, seen through air and lens, as (H, W, 3) uint8 sRGB."""
     sky = np.float32(0.30)
     direct = (light * (1 - shade))[..., None]

@@ -8,6 +8,7 @@ grid north, of the image's top: with 90 the top of the image lies in the east.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -92,12 +93,14 @@ def plan_photos(shape_hw: tuple[int, int], seed: int, count: int = PHOTO_COUNT) 
     return tuple(_off_grid(rng, shape_hw, count, "photo", suffix="jpg"))
 
 
-def _on(at: tuple[int, int], kind: str, stem: str, **settings) -> View:
+def _on(at: tuple[int, int], kind: str, stem: str, **settings: Any) -> View:
     half = WINDOW_PX / 2
     return View(f"{stem}.png", kind, at[0] + half, at[1] + half, window=_text(at), **settings)
 
 
-def _off_grid(rng: np.random.Generator, shape_hw, count: int, kind: str, suffix="png", **settings) -> list[View]:
+def _off_grid(
+    rng: np.random.Generator, shape_hw: tuple[int, int], count: int, kind: str, suffix: str = "png", **settings: Any
+) -> list[View]:
     """Views at any place, heading and scale whose corners stay on the map."""
     views = []
     margin = WINDOW_PX / 2 * np.sqrt(2) * max(OFF_GRID_SCALES) + 2
@@ -108,14 +111,14 @@ def _off_grid(rng: np.random.Generator, shape_hw, count: int, kind: str, suffix=
     return views
 
 
-def _windows(rng: np.random.Generator, shape_hw, margin: float, count: int) -> list[tuple[int, int]]:
+def _windows(rng: np.random.Generator, shape_hw: tuple[int, int], margin: float, count: int) -> list[tuple[int, int]]:
     """First pixels (column, row) of different windows of the grid, in reading order."""
     grid = _grid(shape_hw, margin)
     picked = rng.choice(len(grid), count, replace=False)
     return sorted((grid[i] for i in picked), key=lambda at: at[::-1])
 
 
-def _nearest_window(column: float, row: float, shape_hw, reach: float) -> tuple[int, int]:
+def _nearest_window(column: float, row: float, shape_hw: tuple[int, int], reach: float) -> tuple[int, int]:
     """The window nearest to a pixel whose neighborhood of `reach` pixels lies on the map."""
     return min(
         _grid(shape_hw, reach - WINDOW_PX / 2),
@@ -123,7 +126,7 @@ def _nearest_window(column: float, row: float, shape_hw, reach: float) -> tuple[
     )
 
 
-def _grid(shape_hw, margin: float) -> list[tuple[int, int]]:
+def _grid(shape_hw: tuple[int, int], margin: float) -> list[tuple[int, int]]:
     """First pixels of all windows with `margin` pixels of map around them, in reading order."""
     height, width = shape_hw
     columns, rows = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -67,7 +68,9 @@ def settle(rng: np.random.Generator, size_xy: tuple[float, float], river_line: L
     return found
 
 
-def connect(rng: np.random.Generator, settlements: list[Settlement], size_xy, river_line: LineString) -> list[Road]:
+def connect(
+    rng: np.random.Generator, settlements: list[Settlement], size_xy: tuple[float, float], river_line: LineString
+) -> list[Road]:
     """Roads between neighboring settlements (their Gabriel graph, with few bridges) and out of the map."""
     width, height = size_xy
     ghosts = []
@@ -124,7 +127,9 @@ def streets_of(rng: np.random.Generator, place: Settlement, roads: list[Road], b
     return streets
 
 
-def branches(rng: np.random.Generator, line: LineString, spacing: tuple[float, float], radius: float):
+def branches(
+    rng: np.random.Generator, line: LineString, spacing: tuple[float, float], radius: float
+) -> Iterator[LineString]:
     """Side streets of a street: at random intervals, to either side, roughly at right angles."""
     at = rng.uniform(25, spacing[1])
     while at < line.length - 15:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from shapely.geometry import Polygon, box
@@ -59,10 +59,10 @@ class Ground:
                 return shapes
         return []
 
-    def _near(self, shape: BaseGeometry):
+    def _near(self, shape: BaseGeometry) -> Iterator[Polygon]:
         return (other for cell in _cells(shape) for other in self._cells.get(cell, ()))
 
 
-def _cells(shape: BaseGeometry):
+def _cells(shape: BaseGeometry) -> list[tuple[int, int]]:
     x0, y0, x1, y1 = (int(v // CELL_M) for v in shape.bounds)
     return [(x, y) for x in range(x0, x1 + 1) for y in range(y0, y1 + 1)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
+import numpy.typing as npt
 import shapely
 from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
@@ -19,7 +20,9 @@ def smoothed(points_xy: np.ndarray, rounds: int, closed: bool = False) -> np.nda
     return points_xy
 
 
-def meander(rng: np.random.Generator, start_xy, end_xy, wavelength: float, swing: float) -> np.ndarray:
+def meander(
+    rng: np.random.Generator, start_xy: npt.ArrayLike, end_xy: npt.ArrayLike, wavelength: float, swing: float
+) -> np.ndarray:
     """A river's line, (n, 2), from start to end: direction swings like a sine along the way (Langbein & Leopold 1966).
 
     `swing` is the largest deviation from the valley's direction; 1.9 would close the loops.
@@ -39,7 +42,7 @@ def meander(rng: np.random.Generator, start_xy, end_xy, wavelength: float, swing
     return np.column_stack([moved.real, moved.imag]) + start
 
 
-def wobbly_line(rng: np.random.Generator, start_xy, end_xy, bend: float) -> LineString:
+def wobbly_line(rng: np.random.Generator, start_xy: npt.ArrayLike, end_xy: npt.ArrayLike, bend: float) -> LineString:
     """A road from start to end that strays sideways by about `bend` × its length."""
     start, end = np.asarray(start_xy, float), np.asarray(end_xy, float)
     length = np.hypot(*(end - start))
@@ -49,7 +52,14 @@ def wobbly_line(rng: np.random.Generator, start_xy, end_xy, bend: float) -> Line
     return LineString(smoothed(start + t[:, None] * (end - start) + waves[:, None] * normal, 2))
 
 
-def blob(rng: np.random.Generator, center_xy, radius: float, roughness: float, stretch=1.0, heading=0.0) -> Polygon:
+def blob(
+    rng: np.random.Generator,
+    center_xy: npt.ArrayLike,
+    radius: float,
+    roughness: float,
+    stretch: float = 1.0,
+    heading: float = 0.0,
+) -> Polygon:
     """An irregular round patch of mean radius `radius`, `stretch` times longer along `heading` than across."""
     count = int(np.clip(radius * 1.5, 20, 90))
     theta = np.linspace(0, 2 * np.pi, count, endpoint=False)
@@ -66,13 +76,15 @@ def rotated(points_xy: np.ndarray, angle: float) -> np.ndarray:
     return points_xy @ np.array([[c, s], [-s, c]])
 
 
-def rectangle(center_xy, heading: float, length: float, width: float) -> Polygon:
+def rectangle(center_xy: npt.ArrayLike, heading: float, length: float, width: float) -> Polygon:
     """A rectangle whose `length` runs along `heading`."""
     half = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * [length / 2, width / 2]
     return Polygon(rotated(half, heading) + np.asarray(center_xy))
 
 
-def noise(rng: np.random.Generator, shape_hw: tuple[int, int], cell: float, octaves: int, rough=0.58) -> np.ndarray:
+def noise(
+    rng: np.random.Generator, shape_hw: tuple[int, ...], cell: float, octaves: int, rough: float = 0.58
+) -> np.ndarray:
     """Smooth noise, float32 (h, w), mean 0, deviation 1.
 
     `cell`: pixels between knots of the coarsest octave; each finer octave is `rough` times as strong.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
@@ -57,7 +58,7 @@ def make_rivers(rng: np.random.Generator, size_xy: tuple[float, float]) -> River
     )
 
 
-def lake(rng: np.random.Generator, center_xy, radius: float, island: bool) -> Polygon:
+def lake(rng: np.random.Generator, center_xy: npt.ArrayLike, radius: float, island: bool) -> Polygon:
     """A lake with an irregular shore; an island is a hole in it."""
     shore = shapes.blob(rng, center_xy, radius, 0.16, rng.uniform(1.0, 1.9), rng.uniform(0, np.pi))
     if not island:
@@ -66,7 +67,7 @@ def lake(rng: np.random.Generator, center_xy, radius: float, island: bool) -> Po
     return shore.difference(hole) if hole.within(shore.buffer(-6)) else shore
 
 
-def fishponds(rng: np.random.Generator, center_xy, heading: float) -> list[Polygon]:
+def fishponds(rng: np.random.Generator, center_xy: npt.ArrayLike, heading: float) -> list[Polygon]:
     """Three to five rounded rectangular ponds side by side."""
     width, length = rng.uniform(16, 24), rng.uniform(35, 55)
     along = np.array([np.cos(heading), np.sin(heading)])

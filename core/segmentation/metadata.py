@@ -23,7 +23,7 @@ MAXIMUM_OVERLAP = 0.75
 DEFAULT_THRESHOLD = 0.5
 """Probability from which on a pixel has the class, for networks with one output (Deepness: seg_thresh)."""
 
-BACKGROUND_NAMES = ("background", "_background", "unlabeled", "unlabeled", "other", "others", "none", "void")
+BACKGROUND_NAMES = ("background", "_background", "unlabeled", "unlabelled", "other", "others", "none", "void")
 """Names of a channel 0 that stands for no class at all."""
 
 
@@ -103,15 +103,14 @@ def read_classes(
 
     ``given``: the user's class table, which has the last word on values, colors and roles. Raises ModelError.
     """
-    names = named_channels(texts, source)
-    if names is None and given is None:
-        raise ModelError(
-            f"{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, "
-            "in the order of the network's outputs."
-        )
-    where = "in CLASS_TABLE" if names is None else "in its metadata (class_names)"
+    names, where = named_channels(texts, source), "in its metadata (class_names)"
     if names is None:
-        names = [c.name for c in given if c.value != UNLABELED]
+        if given is None:
+            raise ModelError(
+                f"{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, "
+                "in the order of the network's outputs."
+            )
+        names, where = [c.name for c in given if c.value != UNLABELED], "in CLASS_TABLE"
     if len(names) == channels - 1 and (channels == 2 or "CLASS_TABLE" in where):
         names = [BACKGROUND_NAMES[0], *names]
     if len(names) != channels:
@@ -123,7 +122,9 @@ def read_classes(
     return ModelClasses(tuple(names), values, table)
 
 
-def _classes(texts, names: Sequence[str], source: str, given: Optional[ClassTable]):
+def _classes(
+    texts: Mapping[str, str], names: Sequence[str], source: str, given: Optional[ClassTable]
+) -> Tuple[Tuple[int, ...], ClassTable]:
     """(class value of each channel, table of the classes other than 0)."""
     if given is not None:
         return _given_classes(names, source, given)
@@ -144,7 +145,7 @@ def _classes(texts, names: Sequence[str], source: str, given: Optional[ClassTabl
         raise ModelError(f"{source}: {error}") from None
 
 
-def _given_classes(names: Sequence[str], source: str, given: ClassTable):
+def _given_classes(names: Sequence[str], source: str, given: ClassTable) -> Tuple[Tuple[int, ...], ClassTable]:
     known = {c.name.casefold(): c.value for c in given}
     missing = [n for n in names if n.casefold() not in known and n.casefold() not in BACKGROUND_NAMES]
     if missing:
@@ -155,7 +156,7 @@ def _given_classes(names: Sequence[str], source: str, given: ClassTable):
     return values, ClassTable(tuple(c for c in given if c.value in values and c.value != UNLABELED))
 
 
-def _by_channel(texts, key: str, source: str, count: Optional[int] = None) -> List[Any]:
+def _by_channel(texts: Mapping[str, str], key: str, source: str, count: Optional[int] = None) -> List[Any]:
     """A list, or a dict of channel number → item, as a list in the order of the channels."""
     found = _literal(texts[key])
     if isinstance(found, dict):
@@ -178,7 +179,7 @@ def _class_value(value: Any, source: str) -> int:
     return value
 
 
-def _number(texts, key: str, source: str, least: float, most: float) -> Optional[float]:
+def _number(texts: Mapping[str, str], key: str, source: str, least: float, most: float) -> Optional[float]:
     if key not in texts:
         return None
     found = _literal(texts[key])
@@ -189,7 +190,7 @@ def _number(texts, key: str, source: str, least: float, most: float) -> Optional
     return float(found)
 
 
-def _three(texts, key: str, source: str, default: float) -> Tuple[float, ...]:
+def _three(texts: Mapping[str, str], key: str, source: str, default: float) -> Tuple[float, ...]:
     if key not in texts:
         return (default,) * 3
     found = _literal(texts[key])

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from typing import List, Optional, Sequence
+from types import ModuleType
+from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple, Type
 
 import cv2
 import numpy as np
@@ -12,6 +13,9 @@ import numpy as np
 from ..errors import ModelError
 from ..labels.class_table import ClassTable
 from .metadata import named_channels, read_classes, read_settings
+
+if TYPE_CHECKING:
+    from onnxruntime import InferenceSession
 
 PROVIDERS = (
     "CUDAExecutionProvider",
@@ -158,7 +162,7 @@ class SegmentationModel:
             ) from error
 
 
-def _onnxruntime():
+def _onnxruntime() -> ModuleType:
     try:
         import onnxruntime
     except ImportError as error:
@@ -169,7 +173,7 @@ def _onnxruntime():
     return onnxruntime
 
 
-def _failures():
+def _failures() -> Tuple[Type[BaseException], ...]:
     """onnxruntime's exceptions, which have no base of their own."""
     from onnxruntime.capi import onnxruntime_pybind11_state as state
 
@@ -195,7 +199,7 @@ def _providers() -> List[str]:
     return [name for name in PROVIDERS if name in there]
 
 
-def _open(path: str, threads: int):
+def _open(path: str, threads: int) -> InferenceSession:
     onnxruntime = _onnxruntime()
     if not os.path.isfile(path):
         raise ModelError(f"{path} does not exist; choose a model file (.onnx).")

@@ -69,7 +69,7 @@ def segment(
     # While these tiles are blended here, the network looks at the next ones and those after them are read.
     with ThreadPoolExecutor(1) as reader, ThreadPoolExecutor(model.runs_at_once) as network:
 
-        def look_at(places):
+        def look_at(places: Sequence[Tuple[int, int]]) -> Future:
             return network.submit(_look, model, reader.submit(_read_tiles, source, places, model.tile_hw))
 
         waiting = model.runs_at_once + 1
@@ -122,7 +122,15 @@ def nearest_labels(labels_hw: np.ndarray, shape_hw: Tuple[int, int]) -> np.ndarr
 class _Blending:
     """Sums of weighted scores, kept only where another tile will still add to them."""
 
-    def __init__(self, columns, rows, shape_hw, tile_hw, values: np.ndarray, overlap: float) -> None:
+    def __init__(
+        self,
+        columns: Sequence[int],
+        rows: Sequence[int],
+        shape_hw: Tuple[int, int],
+        tile_hw: Tuple[int, int],
+        values: np.ndarray,
+        overlap: float,
+    ) -> None:
         height, width = shape_hw
         self._next_column = dict(zip(columns, [*columns[1:], width]))
         self._next_row = dict(zip(rows, [*rows[1:], height]))
@@ -185,7 +193,7 @@ def _best_channel(scores: np.ndarray) -> np.ndarray:
     return channel
 
 
-def _read_tiles(source: ImageSource, places, tile_hw: Tuple[int, int]) -> List[_Tile]:
+def _read_tiles(source: ImageSource, places: Sequence[Tuple[int, int]], tile_hw: Tuple[int, int]) -> List[_Tile]:
     return [_read_tile(source, column, row, tile_hw) for column, row in places]
 
 
