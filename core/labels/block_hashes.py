@@ -67,7 +67,7 @@ class _BlockDigest:
                 self._value, self._count = int(labels_hw[0, 0]), self._count + labels_hw.size
                 return
             self._pixels = hashlib.blake2b(_one_value(self._value, self._count), digest_size=_HASH_BYTES)
-        self._pixels.update(np.ascontiguousarray(labels_hw))
+        self._pixels.update(np.ascontiguousarray(labels_hw).data)
 
     def hexdigest(self) -> str:
         return self._pixels.hexdigest() if self._pixels else _hash_of_one_value(self._value, self._count)
@@ -80,7 +80,7 @@ class _BlockDigest:
 
 def block_hash(labels_hw: np.ndarray) -> str:
     """Hash of one block, (h, w) uint8."""
-    return hashlib.blake2b(np.ascontiguousarray(labels_hw), digest_size=_HASH_BYTES).hexdigest()
+    return hashlib.blake2b(np.ascontiguousarray(labels_hw).data, digest_size=_HASH_BYTES).hexdigest()
 
 
 def _one_value(value: int, count: int) -> bytes:

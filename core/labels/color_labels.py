@@ -27,13 +27,13 @@ def decode_by_hsv(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
     ``image_bgr``: (H, W, 3) uint8, blue first. Returns (H, W) uint8; 0 where no range matches.
     Raises ClassTableError when no class has an HSV range.
     """
-    with_range = [c for c in table if c.hsv_min is not None]
+    with_range = [(c.value, c.hsv_min, c.hsv_max) for c in table if c.hsv_min is not None and c.hsv_max is not None]
     if not with_range:
         raise ClassTableError("labels.no_color_ranges")
     hsv = cv2.cvtColor(np.ascontiguousarray(image_bgr), cv2.COLOR_BGR2HSV)
     labels_hw = np.full(hsv.shape[:2], UNLABELED, np.uint8)
-    for c in reversed(with_range):
-        labels_hw[_in_hsv_range(hsv, c.hsv_min, c.hsv_max)] = c.value
+    for value, low, high in reversed(with_range):
+        labels_hw[_in_hsv_range(hsv, low, high)] = value
     return labels_hw
 
 

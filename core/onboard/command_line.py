@@ -11,7 +11,7 @@ import socket
 import sys
 import time
 from datetime import datetime, timezone
-from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
+from typing import Any, Callable, Dict, Iterator, List, NoReturn, Optional, Tuple
 
 import cv2
 import numpy as np
@@ -309,7 +309,7 @@ def _images_in(folder: str) -> Dict[str, Tuple[int, int]]:
     return {path: (state.st_mtime_ns, state.st_size) for path, state in found.items()}
 
 
-def _folder_is_gone(folder: str):
+def _folder_is_gone(folder: str) -> NoReturn:
     raise ParameterError(f"The folder {folder} is gone; start again when it is back.")
 
 
@@ -319,7 +319,7 @@ def _destination(where: Optional[str]) -> Iterator[Callable[[str], object]]:
     if where is None:
         yield lambda line: None
     elif where == "-":
-        yield lambda line: (sys.stdout.write(line), sys.stdout.flush())
+        yield lambda line: print(line, end="", flush=True)
     elif where.startswith("udp:"):
         port = _port(where)
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
@@ -330,7 +330,7 @@ def _destination(where: Optional[str]) -> Iterator[Callable[[str], object]]:
         except OSError as error:
             raise ParameterError(f"{where} can't be written: {error.strerror}; choose another place.") from None
         with file:
-            yield lambda line: (file.write(line), file.flush())
+            yield lambda line: print(line, end="", file=file, flush=True)
 
 
 def _port(where: str) -> int:

@@ -23,7 +23,7 @@ ROWS_PIXELS = 4_000_000
 class DecodeColorLabels(SemRefAlgorithm):
     ID = "decodecolorlabels"
     GROUP = ANNOTATION
-    TAGS = ("color", "color", "hsv", "decode", "label image", "label map")
+    TAGS = ("colour", "color", "hsv", "decode", "label image", "label map")
 
     INPUT = "INPUT"
     CLASS_TABLE = "CLASS_TABLE"
