@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Dict, List, NamedTuple, Optional, Tuple
+from typing import Dict, List, NamedTuple, Optional, Tuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, QgsVectorLayer
 
 from ..processing.compat import is_null
+from ..processing.framework.localized_image import label_image_names
 from ..processing.translation import tr
-
-if TYPE_CHECKING:
-    import numpy as np
 
 FIX = "fix"
 """The one status with a position."""
@@ -20,49 +18,22 @@ FIX = "fix"
 TOPOLOGY_VECTOR = "topology vector"
 """Name of the published method in the column ``method``."""
 
-RUNNERS_UP = 4
-"""Windows shown after the best one of the published method."""
-
-
-@dataclass(frozen=True)
-class Hit:
-    """What a finding tells of where an image lies.
-
-    footprint: four map (x, y) that its corners show, upper left first, clockwise; None without a heading.
-    by_vector: whether it was matched with a window by the published method.
-    """
-
-    image: str
-    footprint: Optional[Tuple[Tuple[float, float], ...]] = None
-    heading_deg: float = 0.0
-    pixel_size_m: float = 0.0
-    by_vector: bool = False
+Point = Tuple[float, float]
 
 
 @dataclass(frozen=True)
 class Matches:
-    """Landmarks of an image and of the map that agree, m of them.
+    """Landmarks of an image and of the map that agree, the same number of each; number n is the nth of each.
 
-    objects: (m,) of the picture's; seen: (m, 2) map coordinates where the fix puts them; on_map: (m, 2) those of the
-    map's landmarks.
+    Attributes:
+        pixels: (column, row) of the image's.
+        seen: Map (x, y) where the fix puts them.
+        on_map: (x, y) of the map's.
     """
 
-    objects: np.ndarray
-    seen: np.ndarray
-    on_map: np.ndarray
-
-
-@dataclass(frozen=True)
-class RunnersUp:
-    """The windows of a database with the nearest vectors after the best one, nearest first, n of them.
-
-    names: (n,) str; distances: (n,) of the vectors; centers: (n, 2) map coordinates; sizes: (n,) map units.
-    """
-
-    names: np.ndarray
-    distances: np.ndarray
-    centers: np.ndarray
-    sizes: np.ndarray
+    pixels: Tuple[Point, ...]
+    seen: Tuple[Point, ...]
+    on_map: Tuple[Point, ...]
 
 
 @dataclass(frozen=True)
@@ -88,9 +59,12 @@ class Finding:
     window: Optional[str]
     method: Optional[str]
     reason: Optional[str]
+    search_capped: Optional[bool]
     crs: QgsCoordinateReferenceSystem
     outline: Optional[QgsGeometry]
     possible: Tuple[QgsGeometry, ...] = ()
+    matches: Optional[Matches] = None
+    labels: str = ""
 
     @property
     def name(self) -> str:
@@ -103,12 +77,16 @@ class Finding:
         return self.method != TOPOLOGY_VECTOR
 
     @property
-    def hit(self) -> Hit:
-        """What the image view needs of it."""
-        by_vector = self.status == FIX and not self.is_verified
+    def is_by_vector(self) -> bool:
+        """Whether it was matched with a window by the published method."""
+        return self.status == FIX and not self.is_verified
+
+    @property
+    def corners(self) -> Optional[Tuple[Point, ...]]:
+        """Map (x, y) of the footprint's four corners, the image's upper left first, clockwise; None without heading."""
         if self.center is None or self.heading is None or self.outline is None:
-            return Hit(self.image, by_vector=by_vector)
-        return Hit(self.image, corners_of(self.outline), self.heading, self.pixel_size)
+            return None
+        return tuple((point.x(), point.y()) for point in self.outline.asPolygon()[0][:4])
 
     @property
     def center(self) -> Optional[QgsPointXY]:
@@ -116,39 +94,65 @@ class Finding:
         return None if self.x is None or self.y is None else QgsPointXY(self.x, self.y)
 
 
-def corners_of(outline: QgsGeometry) -> tuple:
-    """(x, y) of a footprint's four corners, the image's upper left first, clockwise."""
-    return tuple((point.x(), point.y()) for point in outline.asPolygon()[0][:4])
-
-
-_COLUMNS = tuple(name for name in Finding.__dataclass_fields__ if name not in ("crs", "outline", "possible"))
+_COLUMNS = tuple(
+    name for name in Finding.__dataclass_fields__ if name not in ("crs", "outline", "possible", "matches", "labels")
+)
 
 
 class ResultLayers(NamedTuple):
-    """OUTPUT, FOOTPRINTS and ALTERNATIVES of semref:localizeimages; None for what there is not."""
+    """OUTPUT, FOOTPRINTS, ALTERNATIVES and MATCHES of semref:localizeimages; None for what there is not."""
 
     positions: Optional[QgsVectorLayer] = None
     footprints: Optional[QgsVectorLayer] = None
     places: Optional[QgsVectorLayer] = None
+    matches: Optional[QgsVectorLayer] = None
 
 
-def read_findings(layers: ResultLayers) -> List[Finding]:
-    """The findings in the order of the images; none without positions."""
-    positions, footprints, places = layers
+def read_findings(layers: ResultLayers, labels: str = "") -> List[Finding]:
+    """The findings in the order of the images; none without positions.
+
+    Args:
+        layers: Of one run.
+        labels: The folder LABELS of that run; empty without one.
+    """
+    positions, footprints, places, _ = layers
     if positions is None:
         return []
     outlines = {f["image"]: f.geometry() for f in footprints.getFeatures()} if footprints is not None else {}
     possible: Dict[str, List[QgsGeometry]] = {}
     for feature in places.getFeatures() if places is not None else ():
         possible.setdefault(feature["image"], []).append(feature.geometry())
+    matches = _read_matches(layers.matches)
     indexes = [positions.fields().lookupField(name) for name in _COLUMNS]
-    crs, findings = positions.crs(), []
-    for feature in positions.getFeatures():
-        values = feature.attributes()
-        cells = [None if is_null(values[index]) else values[index] for index in indexes]
+    rows = [feature.attributes() for feature in positions.getFeatures()]
+    files = label_image_names([row[indexes[0]] for row in rows]) if labels else {}
+    findings = []
+    for values in rows:
+        # Results saved by an older version lack the newest columns.
+        cells = [None if index < 0 or is_null(values[index]) else values[index] for index in indexes]
         image = cells[0]
-        findings.append(Finding(*cells, crs, outlines.get(image), tuple(possible.get(image, ()))))
+        file = os.path.join(labels, files[image]) if files else ""
+        findings.append(
+            Finding(
+                *cells,
+                positions.crs(),
+                outlines.get(image),
+                tuple(possible.get(image, ())),
+                matches.get(image),
+                file if os.path.exists(file) else "",
+            )
+        )
     return findings
+
+
+def _read_matches(layer: Optional[QgsVectorLayer]) -> Dict[str, Matches]:
+    """Those of each image, by its path."""
+    found: Dict[str, List[tuple]] = {}
+    for feature in layer.getFeatures() if layer is not None else ():
+        place = feature.geometry().asPoint()
+        pixel, seen = (feature["image_column"], feature["image_row"]), (feature["seen_x"], feature["seen_y"])
+        found.setdefault(feature["image"], []).append((pixel, seen, (place.x(), place.y())))
+    return {image: Matches(*zip(*rows)) for image, rows in found.items()}
 
 
 def status_text(finding: Finding) -> str:

@@ -1,4 +1,4 @@
-"""Results of *Localize images* as one GeoPackage: positions, footprints and possible places, each a table."""
+"""Results of *Localize images* as one GeoPackage: positions, footprints, possible places and matches, each a table."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVec
 from ...core.errors import ParameterError
 from ...storage.files import written_beside
 
-TABLES = ("positions", "footprints", "possible_places")
+TABLES = ("positions", "footprints", "possible_places", "matches")
 
 
 def write_results(path: str, layers: Tuple[Optional[QgsVectorLayer], ...]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 
 import pytest
 
@@ -127,3 +128,80 @@ def make_interface():
             return self.docks + actions + self.options_factories + self.locator_filters
 
     return InterfaceStandIn()
+
+
+@pytest.fixture(scope="module")
+def area(run_algorithm, tmp_path_factory):
+    from dock_area import Area
+
+    return Area(tmp_path_factory.mktemp("area"), run_algorithm)
+
+
+@pytest.fixture
+def plugin(area, iface, without_provider):
+    from dock_area import CRS, settle
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsSettings
+
+    from semref.plugin import SemRefPlugin
+
+    QgsSettings().remove("semref")
+    iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem(CRS))
+    loaded = SemRefPlugin(iface)
+    loaded.initGui()
+    yield loaded
+    loaded.unload()
+    settle()
+    QgsProject.instance().clear()
+
+
+@pytest.fixture
+def dock(plugin, iface):
+    from dock_area import TOPOLOGY_VECTOR, choose_method
+
+    iface.tool_bar_actions[0].trigger()
+    dock = iface.docks[0]
+    # The published method names the window, so the truth is exact.
+    choose_method(dock, TOPOLOGY_VECTOR)
+    return dock
+
+
+@pytest.fixture
+def slow(monkeypatch, area):
+    """Makes a run as long as a thousand images; a cancel is heeded between two of them."""
+    from semref.processing.algorithms import localize_images
+    from semref.storage import rasters
+
+    localize = localize_images._localize
+
+    def localize_slowly(*arguments):
+        time.sleep(0.03)
+        return localize(*arguments)
+
+    monkeypatch.setattr(localize_images, "_localize", localize_slowly)
+    monkeypatch.setattr(rasters, "image_files", lambda paths: paths * 1000)
+
+
+@pytest.fixture
+def issues(qgis_app, dock):
+    """Three findings in a row, 100 m apart, as “Check annotation” gives them."""
+    from dock_area import CRS, ORIGIN
+    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
+
+    fields = "field=kind:string&field=severity:string&field=message:string&field=area:double"
+    layer = QgsVectorLayer(f"Polygon?crs={CRS}&{fields}", "issues", "memory")
+    for number, kind in enumerate(("overlap", "gap", "sliver")):
+        feature = QgsFeature(layer.fields())
+        left, top = ORIGIN[0] + 100 * number, ORIGIN[1]
+        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(left, top - 10, left + 10, top)))
+        feature.setAttributes([kind, "warning", f"Here is a {kind}.", 100.0])
+        layer.dataProvider().addFeature(feature)
+    layer.updateExtents()
+    QgsProject.instance().addMapLayer(layer)
+    dock.content.correct.layer.setLayer(layer)
+    return layer
+
+
+@pytest.fixture
+def tab(dock):
+    """The dock's tab Localize."""
+    return dock.content.localize

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from dock_area import CRS, rubber_bands, settle, wait_until
 
-CRS = "EPSG:25832"
 SPECK_M = 0.1
 
 
@@ -104,3 +104,84 @@ def test_information_can_be_left_out_and_what_is_done_is_kept(tab):
 def test_layers_without_severity_have_no_information_to_leave_out(tab, add_layer):
     tab.layer.setLayer(add_layer("disagreements"))
     assert not tab.mend.isEnabled() and tab.places.rowCount() == 2
+
+
+# --- in the dock ---
+
+
+def listed(tab) -> list[str]:
+    return [tab.places.item(row, 0).text() for row in range(tab.places.rowCount())]
+
+
+def test_an_annotator_goes_through_the_places_and_marks_what_is_done(dock, iface, issues):
+    tab = dock.content.correct
+    assert listed(tab) == ["overlap", "gap", "sliver"]
+    tab.after.click()
+    assert "Here is a overlap." in tab.text.text()
+    assert iface.canvas.extent().contains(next(issues.getFeatures()).geometry().boundingBox())
+    (mark,) = rubber_bands(iface, "Polygon")
+    assert mark.area() == pytest.approx(100)
+    tab.done.click()
+    assert "Here is a gap." in tab.text.text()
+    assert (tab.progress.value(), tab.progress.maximum()) == (1, 3)
+    tab.open.setChecked(True)
+    assert listed(tab) == ["gap", "sliver"]
+
+
+def test_what_is_done_is_remembered_in_the_project_and_not_in_the_table(dock, issues):
+    fields = issues.fields().names()
+    dock.content.correct.places.selectRow(2)
+    dock.content.correct.done.click()
+    dock.content.correct.layer.setLayer(None)
+    dock.content.correct.layer.setLayer(issues)
+    assert dock.content.correct.progress.value() == 1
+    assert issues.fields().names() == fields
+
+
+def test_the_done_places_go_to_the_update_of_the_database(dock, issues):
+    asked = []
+    dock.content.correct.updateAsked.disconnect()
+    dock.content.correct.updateAsked.connect(asked.append)
+    assert not dock.content.correct.update_button.isEnabled()
+    dock.content.correct.places.selectRow(1)
+    dock.content.correct.done.click()
+    dock.content.correct.update_button.click()
+    (places,) = asked
+    assert [feature["kind"] for feature in places.getFeatures()] == ["gap"]
+
+
+def test_a_layer_that_is_removed_while_it_is_corrected_leaves_an_empty_list(dock, iface, issues):
+    from qgis.core import QgsProject
+
+    dock.content.correct.places.selectRow(1)
+    QgsProject.instance().removeMapLayer(issues.id())
+    settle()
+    assert dock.content.correct.places.rowCount() == 0
+    assert rubber_bands(iface, "Polygon") == []
+
+
+def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, issues):
+    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle
+
+    features = []
+    for number in range(20_000):
+        feature = QgsFeature(issues.fields())
+        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(number, 0, number + 1, 1)))
+        feature.setAttributes(["gap", "warning", "A gap.", 1.0])
+        features.append(feature)
+    issues.dataProvider().addFeatures(features)
+    dock.content.correct.layer.setLayer(None)
+    dock.content.correct.layer.setLayer(issues)
+    places = dock.content.correct.places
+    assert 0 < places.rowCount() < 20_003
+    places.selectRow(1)
+    dock.content.correct.done.click()
+    wait_until(lambda: places.rowCount() == 20_003, "the whole list")
+    assert (dock.content.correct.progress.value(), dock.content.correct.progress.maximum()) == (1, 20_003)
+    assert places.selectionModel().selectedRows()[0].row() == 2
+    # Removed halfway.
+    dock.content.correct.open.setChecked(True)
+    assert 0 < places.rowCount() < 20_003
+    QgsProject.instance().removeMapLayer(issues.id())
+    settle()
+    assert places.rowCount() == 0

@@ -12,8 +12,19 @@ OPACITY = 0.6
 
 
 def place_image(image: str, corners: tuple, crs_wkt: str) -> str:
-    """Georeferences an image by its footprint's corners (``Hit``); gives the raster that QGIS opens, which lasts as
-    long as QGIS runs. In the background. Raises LabelMapError."""
+    """Georeferences an image, in the background.
+
+    Args:
+        image: Path.
+        corners: Map (x, y) of its four corners (``Finding.corners``).
+        crs_wkt: What they are in.
+
+    Returns:
+        The raster that QGIS opens, which lasts as long as QGIS runs.
+
+    Raises:
+        LabelMapError: The image can't be read.
+    """
     # Not at the top: the dock has to open, and say so, where OpenCV is missing.
     from ...storage.draped import write_draped
 

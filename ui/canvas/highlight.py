@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from math import cos, radians, sin, sqrt
-from typing import Dict, Optional
+from typing import Dict, Optional, Sequence
 
 from qgis.core import QgsCsException, QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsVertexMarker
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
-from ..findings import RUNNERS_UP, Finding, RunnersUp
+from ...processing.inspection.image import RUNNERS_UP, RunnerUp
+from ..findings import Finding
 from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, square, to_canvas, with_opacity
 
 _PALEST, _PALE = 90, 180
@@ -48,11 +49,10 @@ class HitHighlight(Marks):
             return True
         return self.draw(_shapes(self._hit), self._hit.crs)
 
-    def show_runners_up(self, windows: RunnersUp) -> None:
+    def show_runners_up(self, windows: Sequence[RunnerUp]) -> None:
         """Outlines the windows that come after the shown one, the paler the farther behind."""
         if self._hit is not None:
-            places = zip(windows.centers.tolist(), windows.sizes.tolist())
-            squares = {_runner_up(rank): square(x, y, size) for rank, ((x, y), size) in enumerate(places)}
+            squares = {_runner_up(rank): square(*window.center_xy, window.size) for rank, window in enumerate(windows)}
             self.draw({**self._shapes, **squares}, self._hit.crs)
 
     def zoom(self) -> None:

@@ -72,7 +72,7 @@ class MatchMarks(Marks):
         try:
             return [
                 (transform.transform(QgsPointXY(*seen)), transform.transform(QgsPointXY(*on_map)))
-                for seen, on_map in zip(self._matches.seen.tolist(), self._matches.on_map.tolist())
+                for seen, on_map in zip(self._matches.seen, self._matches.on_map)
             ]
         except QgsCsException:
             return None

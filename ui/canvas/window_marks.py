@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Iterable
-
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas
 
-from ...core.database.look_alikes import DescribedWindow
-from ...core.database.model import ReferenceDatabase
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
+from ...processing.inspection.window import InspectedWindow
 from .marks import BLUE, ORANGE, Marks, band, square
 
 _ZOOM_MARGIN = 1.6
@@ -28,12 +25,15 @@ class WindowMarks(Marks):
             },
         )
 
-    def show(self, database: ReferenceDatabase, crs: QgsCoordinateReferenceSystem, window: DescribedWindow) -> None:
-        """Draws a window of ``database``, whose coordinates are in ``crs``."""
+    def show(self, window: InspectedWindow, crs: QgsCoordinateReferenceSystem) -> None:
+        """Draws a window whose coordinates are in ``crs``."""
+        center = QgsPointXY(*window.center_xy)
+        star = [[center, QgsPointXY(*end)] for end in window.ends_xy]
+        look_alikes = [square(*other.center_xy, other.size) for other in window.look_alikes]
         shapes = {
-            "window": _outlines(database, [window.index]),
-            "star": _star(database, window),
-            "look-alikes": _outlines(database, window.look_alikes),
+            "window": square(*window.center_xy, window.size),
+            "star": QgsGeometry.fromMultiPolylineXY(star),
+            "look-alikes": QgsGeometry.collectGeometry(look_alikes),
         }
         self.draw(shapes, crs)
 
@@ -41,16 +41,3 @@ class WindowMarks(Marks):
         """Moves the canvas to the window when it is not in view as a whole."""
         if not self._canvas.extent().contains(self.drawn("window").boundingBox()):
             self.zoom_to("window", _ZOOM_MARGIN)
-
-
-def _outlines(database: ReferenceDatabase, indices: Iterable[int]) -> QgsGeometry:
-    """The windows' squares as one geometry."""
-    windows = database.windows
-    squares = [square(*windows.centers[index].tolist(), float(windows.sizes[index])) for index in indices]
-    return QgsGeometry.collectGeometry(squares)
-
-
-def _star(database: ReferenceDatabase, window: DescribedWindow) -> QgsGeometry:
-    center = QgsPointXY(*database.windows.centers[window.index].tolist())
-    ends = database.references.positions[window.objects].tolist()
-    return QgsGeometry.fromMultiPolylineXY([[center, QgsPointXY(*end)] for end in ends])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import List
 
-from qgis.core import QgsProcessingContext
+from qgis.core import QgsProcessingContext, QgsProcessingUtils
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...processing.translation import tr
@@ -17,10 +17,11 @@ ALGORITHM = "semref:localizeimages"
 class LocalizationRun(AlgorithmRun):
     """An AlgorithmRun that says ``found`` when it is done.
 
-    found: the ResultLayers, in memory, the receiver's.
+    found: the ResultLayers, in memory, the receiver's; the folder of the photos' label images, empty without photos,
+    which lasts as long as QGIS runs.
     """
 
-    found = pyqtSignal(object)
+    found = pyqtSignal(object, str)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -39,9 +40,13 @@ class LocalizationRun(AlgorithmRun):
             "OUTPUT": "memory:" + tr("SemRef positions"),
             "FOOTPRINTS": "memory:" + tr("SemRef footprints"),
             "ALTERNATIVES": "memory:" + tr("SemRef possible places"),
+            "MATCHES": "memory:" + tr("SemRef matches"),
         }
+        if settings.get("MODEL"):
+            parameters["LABELS"] = QgsProcessingUtils.generateTempFilename("labels")
         return self.start_algorithm(ALGORITHM, parameters, tr("Localizing images"))
 
     def _take_layers(self, results: dict, context: QgsProcessingContext) -> None:
-        layers = [context.takeResultLayer(results.get(key, "")) for key in ("OUTPUT", "FOOTPRINTS", "ALTERNATIVES")]
-        self.found.emit(ResultLayers(*layers))
+        keys = "OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES"
+        layers = [context.takeResultLayer(results.get(key, "")) for key in keys]
+        self.found.emit(ResultLayers(*layers), results.get("LABELS", ""))

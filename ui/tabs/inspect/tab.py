@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from html import escape
-from typing import Optional
+from typing import TYPE_CHECKING, Optional
 
-import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
@@ -26,15 +25,25 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....core.database.look_alikes import DescribedWindow, describe_window, vector_rows, window_at
-from ....core.database.model import ReferenceDatabase
-from ....core.windows.matching import vector_confidence, vector_distances
+from ....processing.inspection.window import (
+    Comparison,
+    InspectedWindow,
+    compare,
+    inspect_window,
+    window_named,
+    window_under,
+)
 from ....processing.translation import tr
 from ...canvas.window_marks import WindowMarks
 from ...canvas.window_tool import WindowTool
 from ...widgets.buttons import tool_button
 from ...widgets.layouts import narrow, row_of
 from .vector_plot import VectorPlot
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from ....core.database.model import ReferenceDatabase
 
 _DIFFERS = 0.1
 """Elements of two vectors farther apart than this are marked: over all 30 they make a distance of 0.5."""
@@ -51,7 +60,7 @@ class InspectTab(QWidget):
         self._canvas = canvas
         self._database: Optional[ReferenceDatabase] = None
         self._crs: Optional[QgsCoordinateReferenceSystem] = None
-        self._window: Optional[DescribedWindow] = None
+        self._window: Optional[InspectedWindow] = None
         self._image_vector: Optional[np.ndarray] = None
         self._image_name = ""
         self._wanted_name = ""
@@ -144,11 +153,11 @@ class InspectTab(QWidget):
             self._wanted_name = name
             self.databaseWanted.emit()
             return
-        found = np.flatnonzero(self._database.windows.names == name)
-        if not len(found):
+        index = window_named(self._database, name)
+        if index is None:
             self.said.emit(tr("The database has no window “{name}”.").format(name=name))
             return
-        self._show(int(found[0]))
+        self._show(index)
 
     def compare_with(self, name: str, vector: Optional[np.ndarray]) -> None:
         """The image that “compare” means; None when there is none, or it has no vector."""
@@ -157,8 +166,8 @@ class InspectTab(QWidget):
         self._refresh()
 
     def _show(self, index: int) -> None:
-        self._window = describe_window(self._database, index)
-        self._marks.show(self._database, self._crs, self._window)
+        self._window = inspect_window(self._database, index)
+        self._marks.show(self._window, self._crs)
         self._marks.zoom()
         self._refresh()
 
@@ -173,8 +182,8 @@ class InspectTab(QWidget):
             place = QgsCoordinateTransform(crs, self._crs, project).transform(point)
         except QgsCsException:
             return
-        index = window_at(self._database.windows, place.x(), place.y())
-        if index < 0:
+        index = window_under(self._database, place.x(), place.y())
+        if index is None:
             self.said.emit(tr("No window of the database lies there."))
             return
         self._show(index)
@@ -184,7 +193,7 @@ class InspectTab(QWidget):
             self.show_window(self.name.text().strip())
 
     def _show_look_alike(self, row: int, _column: int) -> None:
-        self._show(int(self._window.look_alikes[row]))
+        self._show(self._window.look_alikes[row].index)
 
     def _step(self, step: int) -> None:
         if self._database is None:
@@ -216,59 +225,52 @@ class InspectTab(QWidget):
             self.title.setText(tr("Pick a window on the map, or give its name."))
             self.plot.clear("")
             return
-        windows, index = self._database.windows, self._window.index
-        self.name.setText(str(windows.names[index]))
-        if not windows.described[index]:
-            self.title.setText(_title(windows, self._window))
+        window = self._window
+        self.name.setText(window.name)
+        compared = None
+        if self.compare.isChecked() and self._image_vector is not None:
+            compared = compare(window, self._image_vector, self._database.class_table)
+        self.title.setText(_title(window, compared, self._image_name))
+        if window.vector is None:
             self.plot.clear(tr("Fewer than three landmarks: no vector."))
             return
-        classes = self._database.class_table.references
-        compared = self._image_vector if self.compare.isChecked() else None
-        if compared is not None and len(compared) != windows.vectors.shape[1]:
-            compared = None
-        self.title.setText(_title(windows, self._window, compared, self._image_name))
-        self.plot.show_vectors(windows.vectors[index], [c.color for c in classes], compared)
-        self._fill_numbers(windows.vectors[index], [c.name for c in classes], compared)
-        self._fill_look_alikes(windows)
+        self.plot.show_rays(window.rays, () if compared is None else compared.rays)
+        self._fill_numbers(window, compared)
+        self._fill_look_alikes(window)
 
-    def _fill_numbers(self, vector: np.ndarray, names: list, compared: Optional[np.ndarray]) -> None:
-        ratios, angles, ranks = vector_rows(vector)
-        self.numbers.setRowCount(len(ratios))
-        apart = None if compared is None else np.abs(np.reshape(compared, (3, -1)) - np.reshape(vector, (3, -1)))
-        for row, (ratio, angle, rank) in enumerate(zip(ratios, angles, ranks)):
-            texts = [names[int(round(rank * len(names))) - 1], f"{ratio:.3f}", f"{angle:.3f}"]
-            texts.append("" if apart is None else f"{apart[:, row].max():.3f}")
+    def _fill_numbers(self, window: InspectedWindow, compared: Optional[Comparison]) -> None:
+        self.numbers.setRowCount(len(window.rays))
+        for number, ray in enumerate(window.rays):
+            apart = None if compared is None else compared.apart[number]
+            texts = [ray.class_name, f"{ray.length:.3f}", f"{ray.step:.3f}", "" if apart is None else f"{apart:.3f}"]
             for column, text in enumerate(texts):
                 item = QTableWidgetItem(text)
-                if apart is not None and apart[:, row].max() > _DIFFERS:
+                if apart is not None and apart > _DIFFERS:
                     font = item.font()
                     font.setBold(True)
                     item.setFont(font)
-                self.numbers.setItem(row, column, item)
-        self.numbers.setColumnHidden(3, apart is None)
+                self.numbers.setItem(number, column, item)
+        self.numbers.setColumnHidden(3, compared is None)
         self.numbers.resizeColumnsToContents()
 
-    def _fill_look_alikes(self, windows) -> None:
-        self.look_alikes.setRowCount(len(self._window.look_alikes))
-        for row, (other, distance) in enumerate(zip(self._window.look_alikes, self._window.distances)):
-            self.look_alikes.setItem(row, 0, QTableWidgetItem(str(windows.names[other])))
-            self.look_alikes.setItem(row, 1, QTableWidgetItem(f"{distance:.3f}"))
+    def _fill_look_alikes(self, window: InspectedWindow) -> None:
+        self.look_alikes.setRowCount(len(window.look_alikes))
+        for number, other in enumerate(window.look_alikes):
+            self.look_alikes.setItem(number, 0, QTableWidgetItem(other.name))
+            self.look_alikes.setItem(number, 1, QTableWidgetItem(f"{other.distance:.3f}"))
         self.look_alikes.resizeColumnsToContents()
 
 
-def _title(windows, window: DescribedWindow, compared=None, image: str = "") -> str:
+def _title(window: InspectedWindow, compared: Optional[Comparison], image: str) -> str:
     """Rich text: what the window is, and how far an image's vector is from its."""
-    x, y = windows.centers[window.index].tolist()
-    lines = [
-        "<b>"
-        + escape(str(windows.names[window.index]))
-        + "</b>: "
-        + tr("{count} landmarks, center {x:.0f} {y:.0f}").format(count=int(windows.counts[window.index]), x=x, y=y)
-    ]
-    if len(window.distances):
-        lines.append(tr("Nearest look-alike at distance {value:.3f}").format(value=float(window.distances[0])))
+    x, y = window.center_xy
+    counted = tr("{count} landmarks, center {x:.0f} {y:.0f}").format(count=window.landmark_count, x=x, y=y)
+    lines = [f"<b>{escape(window.name)}</b>: {counted}"]
+    if window.look_alikes:
+        nearest = window.look_alikes[0].distance
+        lines.append(tr("Nearest look-alike at distance {value:.3f}").format(value=nearest))
     if compared is not None:
-        distance = float(vector_distances(compared, windows.vectors[window.index][None])[0])
         text = tr("{image}: distance {distance:.3f}, confidence {confidence:.2f}")
-        lines.append(escape(text.format(image=image, distance=distance, confidence=vector_confidence(distance))))
+        text = text.format(image=image, distance=compared.distance, confidence=compared.confidence)
+        lines.append(escape(text))
     return "<br>".join(lines)

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from html import escape
-from typing import List, Optional, Tuple
+from typing import List, Optional, Sequence, Tuple
 
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtGui import QTextOption
 from qgis.PyQt.QtWidgets import QFrame, QTextEdit
 
+from ....processing.inspection.image import RunnerUp
 from ....processing.translation import tr
-from ...findings import Finding, RunnersUp, status_text
+from ...findings import Finding, status_text
 from .position_formats import DATABASE, DEGREES, position_text
 
 _LINES, _LEAST_LINES = 6, 4
@@ -58,6 +59,12 @@ def _lines(finding: Finding) -> List[str]:
     lines = [f"{head}, {escape(how_sure)}" if how_sure else head]
     if finding.reason:
         lines.append(escape(finding.reason))
+    if finding.search_capped:
+        lines.append(
+            escape(
+                tr("The search was capped: common patterns were left out, so a better place may not have been tried.")
+            )
+        )
     if finding.center is not None:
         project = QgsProject.instance()
         lines.append(f"{tr('lon, lat')}: {position_text(finding, DEGREES, project)}")
@@ -84,7 +91,7 @@ def _joined(*measures: Tuple[Optional[object], str]) -> str:
     return ", ".join(text.format(value=value) for value, text in measures if value is not None)
 
 
-def runners_up_line(windows: RunnersUp) -> str:
+def runners_up_line(windows: Sequence[RunnerUp]) -> str:
     """HTML: the windows after the best one, with the distances of their vectors."""
-    texts = [f"{name} ({distance:.3f})" for name, distance in zip(windows.names, windows.distances)]
+    texts = [f"{window.name} ({window.distance:.3f})" for window in windows]
     return escape(tr("next best: {windows}").format(windows=", ".join(texts)))

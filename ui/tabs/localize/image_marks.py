@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import Optional, Sequence, Tuple
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen
@@ -20,16 +20,15 @@ class LandmarkDots(QGraphicsItem):
     """Dots in the classes' colors that keep their size whatever the zoom; hollow where the image's edge cuts one.
     Those that agree with the map are ringed and numbered."""
 
-    def __init__(self, picture: ImagePicture, font: QFont) -> None:
+    def __init__(self, picture: ImagePicture, matched: Sequence[Tuple[float, float]], font: QFont) -> None:
         super().__init__()
-        objects = picture.objects
-        self._rect = QRectF(0, 0, picture.width, picture.height)
+        landmarks = picture.seen.landmarks
+        self._rect = QRectF(0, 0, *picture.size_wh)
         self._dots = [
             (QPointF(*center), QColor(picture.colors[int(value)]), bool(cut))
-            for center, value, cut in zip(objects.centers_xy.tolist(), objects.classes, objects.touches_edge)
+            for center, value, cut in zip(landmarks.centers_xy.tolist(), landmarks.classes, landmarks.touches_edge)
         ]
-        found = [] if picture.matches is None else picture.matches.objects.tolist()
-        self.matched = [(number, self._dots[index][0]) for number, index in enumerate(found, start=1)]
+        self.matched = [(number, QPointF(*pixel)) for number, pixel in enumerate(matched, start=1)]
         self._font = font
         self._pointed = 0
 
@@ -65,11 +64,11 @@ class VectorStar(QGraphicsItem):
 
     def __init__(self, picture: ImagePicture) -> None:
         super().__init__()
-        column, row, edge = picture.square
-        self._rect = QRectF(0, 0, picture.width, picture.height)
+        column, row, edge = picture.seen.square
+        self._rect = QRectF(0, 0, *picture.size_wh)
         self._square = QRectF(column, row, edge, edge)
         self._center = self._square.center()
-        self._ends = [QPointF(*end) for end in picture.star.tolist()]
+        self._ends = [QPointF(*end) for end in picture.seen.star_xy.tolist()]
 
     def boundingRect(self) -> QRectF:
         return self._rect

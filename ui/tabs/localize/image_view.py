@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import Optional, Sequence, Tuple
 
 from qgis.core import QgsSettings
 from qgis.PyQt.QtCore import QEvent, QRectF, QSize, Qt, pyqtSignal
@@ -68,9 +68,9 @@ class ImageView(QWidget):
         self.canvas.pointed.connect(self.pointed)
         self.clear("")
 
-    def show_picture(self, picture: ImagePicture) -> None:
-        """Shows a picture instead of the one before."""
-        self.canvas.show_picture(picture)
+    def show_picture(self, picture: ImagePicture, matched: Sequence[Tuple[float, float]]) -> None:
+        """Shows a picture instead of the one before; ``matched``: (column, row) of landmarks that the map has."""
+        self.canvas.show_picture(picture, matched)
         self._apply()
 
     def clear(self, text: str) -> None:
@@ -108,7 +108,7 @@ class _Canvas(QGraphicsView):
         self._landmarks: Optional[LandmarkDots] = None
         self._star: Optional[QGraphicsItem] = None
 
-    def show_picture(self, picture: ImagePicture) -> None:
+    def show_picture(self, picture: ImagePicture, matched: Sequence[Tuple[float, float]]) -> None:
         scene = self.scene()
         scene.clear()
         self._text = ""
@@ -116,16 +116,17 @@ class _Canvas(QGraphicsView):
             self._add(picture.photo, picture)
         self._labels = self._add(picture.labels, picture)
         self._star = VectorStar(picture)
-        self._landmarks = LandmarkDots(picture, self.font())
+        self._landmarks = LandmarkDots(picture, matched, self.font())
         scene.addItem(self._star)
         scene.addItem(self._landmarks)
-        scene.setSceneRect(QRectF(0, 0, picture.width, picture.height))
+        scene.setSceneRect(QRectF(0, 0, *picture.size_wh))
         self.fit()
 
     def _add(self, image: QImage, picture: ImagePicture) -> QGraphicsItem:
         """Spans the picture's own pixels, however much it was reduced."""
         item = self.scene().addPixmap(QPixmap.fromImage(image))
-        scale = picture.width / max(image.width(), 1), picture.height / max(image.height(), 1)
+        width, height = picture.size_wh
+        scale = width / max(image.width(), 1), height / max(image.height(), 1)
         item.setTransform(QTransform.fromScale(*scale))
         return item
 

@@ -1,18 +1,15 @@
-"""What SemRef sees in one image: pixels, labels, landmarks, its vector's star, and which landmarks are the map's."""
+"""One image as the dock paints it: its pixels and its labels as pictures, with what is seen in it."""
 
 from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Optional
+from typing import Dict, Mapping, Optional, Tuple
 
 import numpy as np
-from qgis.core import QgsProcessingFeedback
 from qgis.PyQt.QtGui import QImage
 
-from ....core.database.model import ReferenceDatabase
-from ....core.windows.topology_vector import vector_objects
-from ...findings import RUNNERS_UP, Hit, Matches, RunnersUp
+from ....processing.inspection.image import ImageInspector, ImageQuery, InspectedImage, photo_rgba
 from ...running.background import DatabaseShelf
 
 LONGEST_SHOWN_PX = 1600
@@ -24,158 +21,82 @@ _PICTURES_KEPT = 4
 
 @dataclass(frozen=True)
 class ImagePicture:
-    """One image, to be shown; positions in its own pixel coordinates (column, row).
+    """One image, to be shown.
 
-    width, height: of the image; photo: its pixels, None for a label image;
-    labels: its label map in the classes' colors, perhaps reduced;
-    objects: Landmarks of the whole image; star: (K, 2) centers of the landmarks of its topology vector, in the
-    vector's order; colors: '#rrggbb' by class value; vector: (3·X,) float32 or None; square: (column, row, edge) of the
-    part that the vector describes; matches: None without a fix that has a heading; runners_up: None but for the
-    published method.
+    Attributes:
+        path: Of the image.
+        photo: Its pixels; None of a label image.
+        labels: Its label map in the classes' colors, perhaps reduced.
+        seen: What is seen in it.
+        colors: '#rrggbb' by class value.
     """
 
     path: str
-    width: int
-    height: int
-    photo: object
+    photo: Optional[QImage]
     labels: QImage
-    objects: object
-    star: np.ndarray
-    colors: dict
-    vector: object
-    square: tuple
-    matches: Optional[Matches] = None
-    runners_up: Optional[RunnersUp] = None
+    seen: InspectedImage
+    colors: Mapping[int, str]
+
+    @property
+    def size_wh(self) -> Tuple[int, int]:
+        """Width and height of the image, in its own pixels."""
+        height, width = self.seen.labels_hw.shape
+        return width, height
 
 
 class PictureShelf:
-    """Reads pictures, and keeps the network and the last few; for one background thread at a time."""
+    """Makes pictures and keeps the last few; for one background thread at a time."""
 
     def __init__(self, databases: DatabaseShelf) -> None:
         self._databases = databases
-        self._labels = (None, None)
-        self._pictures: dict = {}
+        self._inspector = ImageInspector()
+        self._pictures: Dict[tuple, ImagePicture] = {}
 
-    def read(self, hit: Hit, database: str, model: str) -> ImagePicture:
-        """Raises SemRefError."""
-        key = (*(_version(path) for path in (hit.image, database, model)), hit)
+    def read(self, query: ImageQuery, database: str) -> ImagePicture:
+        """The picture of an image, described as the windows of the database at this path.
+
+        Raises:
+            SemRefError: Image, database or model can't be used.
+        """
+        key = (query, *(_changed(path) for path in (query.image, query.labels, query.model, database)), database)
         if key not in self._pictures:
-            read = self._databases.read(database)
-            picture = read_picture(hit, read, self._photo_labels(model, read, key[1:3]) if model else None)
+            picture = self._make(query, database)
             if len(self._pictures) == _PICTURES_KEPT:
                 del self._pictures[next(iter(self._pictures))]
             self._pictures[key] = picture
         return self._pictures[key]
 
-    def _photo_labels(self, model: str, database: ReferenceDatabase, key: tuple):
-        from ....processing.framework.photo_labels import PhotoLabels
-
-        if self._labels[0] != key:
-            self._labels = key, PhotoLabels(model, database.class_table, QgsProcessingFeedback(False))
-        return self._labels[1]
-
-
-def _version(path: str) -> tuple:
-    """Another one when the file has changed."""
-    return (path, os.path.getmtime(path) if os.path.exists(path) else None)
+    def _make(self, query: ImageQuery, path: str) -> ImagePicture:
+        database = self._databases.read(path)
+        table = database.class_table
+        photo = picture_of(photo_rgba(query.image, LONGEST_SHOWN_PX)) if query.model else None
+        seen = self._inspector.inspect(query, database)
+        labels = label_picture(seen.labels_hw, {c.value: c.rgb for c in table})
+        return ImagePicture(query.image, photo, labels, seen, {c.value: c.color for c in table})
 
 
-def read_picture(hit: Hit, database: ReferenceDatabase, photo_labels=None) -> ImagePicture:
-    """Reads and describes an image as ``database`` describes its windows.
+def _changed(path: str) -> Optional[float]:
+    """When a file was changed last; None where there is none."""
+    return os.path.getmtime(path) if os.path.exists(path) else None
 
-    ``photo_labels``: function path → labels for photos; None for label images. Raises SemRefError.
+
+def label_picture(labels_hw: np.ndarray, colors: Mapping[int, Tuple[int, int, int]]) -> QImage:
+    """A label map in its classes' colors; unlabeled pixels are transparent.
+
+    Args:
+        labels_hw: (H, W) uint8.
+        colors: (r, g, b) by value.
     """
-    # Not at the top: the dock has to open, and say so, where OpenCV is missing.
-    from ....core.landmarks.landmarks import extract_landmarks
-    from ....core.localizer.localizer import describe_image
-    from ....storage.rasters import read_label_image
-
-    table, parameters, path = database.class_table, database.parameters, hit.image
-    photo = photo_picture(path) if photo_labels else None
-    labels = photo_labels(path) if photo_labels else read_label_image(path, table)
-    fraction = parameters.minimum_area / parameters.window_size**2
-    described = describe_image(labels, table.reference_values, fraction, parameters.references_per_vector)
-    inside, half = described.objects, described.size / 2
-    kept = vector_objects(
-        inside.centers_xy, inside.classes, (half, half), table.reference_values, parameters.references_per_vector
-    )
-    height, width = labels.shape
-    objects = extract_landmarks(labels, table.reference_values, _smallest(hit, database, described.size))
-    return ImagePicture(
-        path,
-        width,
-        height,
-        photo,
-        label_picture(labels, {c.value: c.rgb for c in table}),
-        objects,
-        inside.centers_xy[kept] + described.first_xy,
-        {c.value: c.color for c in table},
-        described.vector,
-        (*described.first_xy, described.size),
-        None if hit.footprint is None else find_matches(hit, objects, labels.shape, database),
-        find_runners_up(labels, database) if hit.by_vector else None,
-    )
-
-
-def _smallest(hit: Hit, database: ReferenceDatabase, size: int) -> float:
-    """Smallest area of a landmark, px²: the database's on the ground if the image's pixel size is known, else the same
-    share of the image as of a window."""
-    from ....core.localizer.localizer import SMALLEST_OBJECT_PX
-
-    parameters = database.parameters
-    if hit.footprint is None:
-        return parameters.minimum_area / parameters.window_size**2 * size**2
-    return max(parameters.minimum_area / hit.pixel_size_m**2, SMALLEST_OBJECT_PX)
-
-
-def find_matches(hit: Hit, objects, shape_hw: tuple, database: ReferenceDatabase) -> Matches:
-    from ....core.constellation.matched_objects import matched_objects
-    from ....core.geometry.footprint import on_ground
-
-    references, footprint = database.references, np.array(hit.footprint)
-    pose = footprint, hit.heading_deg, hit.pixel_size_m
-    pairs = matched_objects(objects, shape_hw, *pose, references, database.parameters.pixel_size)
-    seen = on_ground(objects.centers_xy[pairs[:, 0]], footprint, shape_hw)
-    return Matches(pairs[:, 0], seen, references.positions[pairs[:, 1]])
-
-
-def find_runners_up(labels_hw: np.ndarray, database: ReferenceDatabase) -> RunnersUp:
-    from ....core.localizer.localizer import Localizer
-
-    windows = database.windows
-    found = Localizer(database).nearest_windows(labels_hw, RUNNERS_UP + 1)[1:]
-    index = np.array([number for number, _ in found], np.int64)
-    distances = np.array([distance for _, distance in found])
-    return RunnersUp(windows.names[index], distances, windows.centers[index], windows.sizes[index])
-
-
-def label_picture(labels_hw: np.ndarray, colors: dict) -> QImage:
-    """A label map in its classes' colors ((r, g, b) by value); unlabeled pixels are transparent."""
     step = -(-max(labels_hw.shape) // LONGEST_SHOWN_PX)
     shown = np.ascontiguousarray(labels_hw[::step, ::step])
     palette = np.zeros((256, 4), np.uint8)
     for value, color in colors.items():
         palette[value] = (*color, 255)
     palette[0] = 0
-    return _picture_of(palette[shown])
+    return picture_of(palette[shown])
 
 
-def photo_picture(path: str) -> QImage:
-    """The photo as the network sees its colors."""
-    from ....storage.images import GdalImage
-
-    photo = GdalImage(path)
-    height, width = photo.shape_hw
-    step = -(-max(height, width) // LONGEST_SHOWN_PX)
-    if step > 1:
-        photo = GdalImage(path, (width // step, height // step))
-        height, width = photo.shape_hw
-    rgb, known = photo.read(0, 0, width, height)
-    alpha = np.full((height, width), 255, np.uint8) if known is None else np.where(known, 255, 0).astype(np.uint8)
-    return _picture_of(np.dstack([rgb, alpha]))
-
-
-def _picture_of(pixels_rgba: np.ndarray) -> QImage:
+def picture_of(pixels_rgba: np.ndarray) -> QImage:
     """An image of (H, W, 4) uint8 pixels, opaque or 0 throughout, in the format that Qt paints.
 
     Any other format is converted when it is to be shown, by Qt's own thread pool: the main thread would wait with

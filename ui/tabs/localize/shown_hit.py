@@ -11,6 +11,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....core.errors import LabelMapError
 from ....processing.compat import wkt_for_gdal
+from ....processing.inspection.image import ImageQuery
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
 from ...canvas.drapes import add_placed, place_image
@@ -87,17 +88,19 @@ class ShownHit(QObject):
             self._results.image.clear(tr("The selected image appears here."))
             return
         self._results.image.clear(tr("Reading…"))
-        arguments = finding.hit, self._database, self._model
-        self._picture_reader.read(tr("Reading an image"), self._pictures.read, *arguments)
+        if finding.matches is not None:
+            self.matches.show(finding.matches, finding.crs)
+        pixel_size = None if finding.corners is None else finding.pixel_size
+        query = ImageQuery(finding.image, finding.labels, self._model, pixel_size, finding.is_by_vector)
+        self._picture_reader.read(tr("Reading an image"), self._pictures.read, query, self._database)
 
     def _show_picture(self, picture: ImagePicture) -> None:
-        self._results.image.show_picture(picture)
-        self.described.emit(os.path.basename(picture.path), picture.vector)
-        if picture.matches is not None:
-            self.matches.show(picture.matches, self._results.table.selected().crs)
-        if picture.runners_up is not None:
-            self.highlight.show_runners_up(picture.runners_up)
-            self._results.details.add_lines([runners_up_line(picture.runners_up)])
+        finding = self._results.table.selected()
+        self._results.image.show_picture(picture, () if finding.matches is None else finding.matches.pixels)
+        self.described.emit(os.path.basename(picture.path), picture.seen.vector)
+        if picture.seen.runners_up:
+            self.highlight.show_runners_up(picture.seen.runners_up)
+            self._results.details.add_lines([runners_up_line(picture.seen.runners_up)])
 
     def _zoom_if_asked(self) -> None:
         if self._results.zoom.isChecked():
@@ -113,7 +116,7 @@ class ShownHit(QObject):
     def drape(self, finding: Finding) -> None:
         """Lays the image on the map as its fix says."""
         self._draped_name = finding.name
-        arguments = finding.image, finding.hit.footprint, wkt_for_gdal(finding.crs)
+        arguments = finding.image, finding.corners, wkt_for_gdal(finding.crs)
         self._drape_reader.read(tr("Laying an image on the map"), place_image, *arguments)
 
     def _show_drape(self, placed: str) -> None:

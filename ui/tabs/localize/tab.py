@@ -167,16 +167,23 @@ class LocalizeTab(QWidget):
 
     # --- results ---
 
-    def _show_found(self, layers: ResultLayers) -> None:
+    def _show_found(self, layers: ResultLayers, labels: str) -> None:
         self._set_running(False)
-        self._show_layers(layers, "", self._model_used)
+        self._show_layers(layers, "", self._model_used, labels)
         self.found.emit(self.state.text_shown)
 
-    def _show_layers(self, layers: ResultLayers, file: str, model: str) -> None:
-        """``file``: that holds them, empty for layers in memory; ``model``: that made labels of the photos."""
+    def _show_layers(self, layers: ResultLayers, file: str, model: str, labels: str = "") -> None:
+        """Shows the results of a run.
+
+        Args:
+            layers: They themselves.
+            file: That holds them; empty for layers in memory.
+            model: That made labels of the photos; empty for label images.
+            labels: Folder of the photos' label images; empty where they were not kept.
+        """
         self._layers, self._results_file, self._model_used = layers, file, model
         self.hit.use(self._database.path(), model)
-        findings = read_findings(layers)
+        findings = read_findings(layers, labels)
         if findings:
             fixes = sum(1 for finding in findings if finding.status == FIX)
             self.state.show_text(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(findings)))

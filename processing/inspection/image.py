@@ -1,0 +1,174 @@
+"""What is seen in one image: its labels, its landmarks, and the star of those that make its topology vector."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Optional, Tuple
+
+from qgis.core import QgsProcessingFeedback
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from ...core.database.model import ReferenceDatabase
+    from ...core.landmarks.landmarks import Landmarks
+    from ..framework.photo_labels import PhotoLabels
+
+RUNNERS_UP = 4
+"""Windows told after the best one of the published method."""
+
+
+@dataclass(frozen=True)
+class ImageQuery:
+    """An image, and what localizing it has told already.
+
+    Attributes:
+        image: Path.
+        labels: Path of the label image that was made of a photo; empty where there is none.
+        model: Path of the network for photos; empty where ``image`` is a label image.
+        pixel_size_m: Ground sampling distance; None where it is not known.
+        by_vector: Whether the image was matched with a window by the published method.
+    """
+
+    image: str
+    labels: str = ""
+    model: str = ""
+    pixel_size_m: Optional[float] = None
+    by_vector: bool = False
+
+
+@dataclass(frozen=True)
+class RunnerUp:
+    """A window after the best one.
+
+    Attributes:
+        name: Of the window.
+        distance: Of its vector from the image's.
+        center_xy: Map coordinates.
+        size: Edge, map units.
+    """
+
+    name: str
+    distance: float
+    center_xy: Tuple[float, float]
+    size: float
+
+
+@dataclass(frozen=True)
+class InspectedImage:
+    """What is seen in an image; positions in its own pixel coordinates (column, row).
+
+    Attributes:
+        labels_hw: (H, W) uint8 class values.
+        landmarks: Of the whole image.
+        star_xy: (K, 2) float64, landmarks of the topology vector, in the vector's order.
+        square: (column, row, edge) of the part that the vector describes.
+        vector: (3·X,) float32; None with fewer than three landmarks.
+        runners_up: Nearest vector first; none but for the published method.
+    """
+
+    labels_hw: np.ndarray
+    landmarks: Landmarks
+    star_xy: np.ndarray
+    square: Tuple[int, int, int]
+    vector: Optional[np.ndarray]
+    runners_up: Tuple[RunnerUp, ...] = ()
+
+
+class ImageInspector:
+    """Describes images as a database describes its windows; for one thread at a time.
+
+    A network is loaded only for photos whose label images are gone, as of results that were saved, and then kept.
+    """
+
+    def __init__(self) -> None:
+        self._network: Tuple[tuple, Optional[PhotoLabels]] = ((), None)
+
+    def inspect(self, query: ImageQuery, database: ReferenceDatabase) -> InspectedImage:
+        """Reads an image and describes it.
+
+        Raises:
+            SemRefError: The image, or the model, can't be used.
+        """
+        from ...core.landmarks.landmarks import extract_landmarks
+        from ...core.localizer.localizer import describe_image
+        from ...core.windows.topology_vector import vector_objects
+
+        table, parameters = database.class_table, database.parameters
+        labels_hw = self._labels(query, database)
+        fraction = parameters.minimum_area / parameters.window_size**2
+        described = describe_image(labels_hw, table.reference_values, fraction, parameters.references_per_vector)
+        inside, half = described.objects, described.size / 2
+        settings = (half, half), table.reference_values, parameters.references_per_vector
+        kept = vector_objects(inside.centers_xy, inside.classes, *settings)
+        smallest_px2 = _smallest_px2(query, database, described.size)
+        return InspectedImage(
+            labels_hw,
+            extract_landmarks(labels_hw, table.reference_values, smallest_px2),
+            inside.centers_xy[kept] + described.first_xy,
+            (*described.first_xy, described.size),
+            described.vector,
+            _runners_up(labels_hw, database) if query.by_vector else (),
+        )
+
+    def _labels(self, query: ImageQuery, database: ReferenceDatabase) -> np.ndarray:
+        from ...storage.rasters import read_label_image
+
+        if query.labels or not query.model:
+            return read_label_image(query.labels or query.image, database.class_table)
+        from ..framework.photo_labels import PhotoLabels
+
+        key = query.model, database.class_table
+        if self._network[0] != key:
+            self._network = key, PhotoLabels(query.model, database.class_table, QgsProcessingFeedback(False))
+        return self._network[1](query.image)
+
+
+def _smallest_px2(query: ImageQuery, database: ReferenceDatabase, size: int) -> float:
+    """Smallest area of a landmark: the database's on the ground if the image's pixel size is known, else the same
+    share of the image as of a window."""
+    from ...core.localizer.localizer import SMALLEST_OBJECT_PX
+
+    parameters = database.parameters
+    if query.pixel_size_m is None:
+        return parameters.minimum_area / parameters.window_size**2 * size**2
+    return max(parameters.minimum_area / query.pixel_size_m**2, SMALLEST_OBJECT_PX)
+
+
+def _runners_up(labels_hw: np.ndarray, database: ReferenceDatabase) -> Tuple[RunnerUp, ...]:
+    from ...core.localizer.localizer import Localizer
+
+    windows = database.windows
+    found = Localizer(database).nearest_windows(labels_hw, RUNNERS_UP + 1)[1:]
+    return tuple(
+        RunnerUp(str(windows.names[n]), distance, tuple(windows.centers[n].tolist()), float(windows.sizes[n]))
+        for n, distance in found
+    )
+
+
+def photo_rgba(path: str, longest_px: int) -> np.ndarray:
+    """A photo's colors as a network sees them.
+
+    Args:
+        path: Of the photo.
+        longest_px: A photo whose longer side has more pixels is reduced.
+
+    Returns:
+        (H, W, 4) uint8 red, green, blue and opacity, which is 0 or 255.
+
+    Raises:
+        ImageError: The photo can't be read.
+    """
+    import numpy as np
+
+    from ...storage.images import GdalImage
+
+    photo = GdalImage(path)
+    height, width = photo.shape_hw
+    step = -(-max(height, width) // longest_px)
+    if step > 1:
+        photo = GdalImage(path, (width // step, height // step))
+        height, width = photo.shape_hw
+    rgb, known = photo.read(0, 0, width, height)
+    opacity = np.full((height, width), 255, np.uint8) if known is None else np.where(known, 255, 0).astype(np.uint8)
+    return np.dstack([rgb, opacity])

@@ -1,0 +1,182 @@
+"""A small database of made rectangles, and the dock as a user works with it; for the tests of the dock."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+PIXELS = 600
+WINDOW = 200
+STRIDE = 50
+ORIGIN = (400_000.0, 5_400_000.0)
+CRS = "EPSG:25832"
+CUT = (150, 250)
+"""First column and row of the window that the query image shows."""
+DEADLINE_S = 20
+
+
+def label_map() -> np.ndarray:
+    """Small rectangles of three classes, far enough apart to stay regions of their own."""
+    generator = np.random.default_rng(7)
+    labels = np.zeros((PIXELS, PIXELS), np.uint8)
+    for row in range(5, PIXELS - 20, 25):
+        for column in range(5, PIXELS - 20, 25):
+            if generator.random() < 0.6:
+                height, width = generator.integers(6, 14, 2)
+                top, left = row + generator.integers(0, 8), column + generator.integers(0, 8)
+                labels[top : top + height, left : left + width] = generator.integers(1, 4)
+    return labels
+
+
+def write_raster(path: Path, labels: np.ndarray, georeferenced: bool) -> str:
+    from osgeo import gdal, osr
+
+    height, width = labels.shape
+    raster = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 1, gdal.GDT_Byte)
+    if georeferenced:
+        reference = osr.SpatialReference()
+        reference.ImportFromEPSG(int(CRS.partition(":")[2]))
+        raster.SetProjection(reference.ExportToWkt())
+        raster.SetGeoTransform((ORIGIN[0], 1, 0, ORIGIN[1], 0, -1))
+    raster.GetRasterBand(1).WriteArray(labels)
+    return str(path)
+
+
+class Area:
+    """Paths of a database, of an image cut from one of its windows, and of an image that isn't one."""
+
+    def __init__(self, folder: Path, run_algorithm) -> None:
+        labels = label_map()
+        column, row = CUT
+        self.database = str(folder / "area.gpkg")
+        self.image = write_raster(folder / "on_window.tif", labels[row : row + WINDOW, column : column + WINDOW], False)
+        self.unreadable = str(folder / "broken.tif")
+        Path(self.unreadable).write_text("not an image", encoding="utf-8")
+        parameters = {
+            "LABELS": write_raster(folder / "labels.tif", labels, True),
+            "REFERENCE_CLASSES": "1;2;3",
+            "WINDOW_SIZE": WINDOW,
+            "STRIDE": STRIDE,
+            "MINIMUM_AREA": 20,
+            "DATABASE": self.database,
+        }
+        run_algorithm("semref:builddatabase", parameters)
+
+
+def settle() -> None:
+    """Lets queued signals and deleteLater happen."""
+    from qgis.PyQt.QtCore import QCoreApplication, QEvent
+
+    for _ in range(5):
+        QCoreApplication.processEvents()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def wait_until(condition, what: str) -> None:
+    from qgis.PyQt.QtCore import QCoreApplication
+
+    deadline = time.monotonic() + DEADLINE_S
+    while not condition():
+        if time.monotonic() > deadline:
+            pytest.fail(f"{what} did not happen within {DEADLINE_S} s.")
+        QCoreApplication.processEvents()
+        time.sleep(0.005)
+
+
+AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION = range(3)
+
+
+def choose_method(dock, method: int) -> None:
+    dock.content.localize.method.choice.setCurrentIndex(dock.content.localize.method.choice.findData(method))
+
+
+def start(dock, database: str, images: list[str]) -> None:
+    dock.content.database.file.setFilePath(database)
+    dock.content.localize.images.list.add(images)
+    dock.content.localize.localize_button.click()
+
+
+def localize(dock, database: str, images: list[str]) -> None:
+    start(dock, database, images)
+    wait_until(lambda: not dock.content.localize.run.running, "the end of the run")
+
+
+def table(dock) -> list[list[str]]:
+    model = dock.content.localize.results.table.model()
+    return [
+        [model.index(row, column).data() for column in range(model.columnCount())] for row in range(model.rowCount())
+    ]
+
+
+def messages(iface) -> list[str]:
+    return [item.text() for item in iface.bar.items()]
+
+
+def shown_outline(iface):
+    """Extent of the outline on the canvas in the canvas's CRS, None when there is none."""
+    from qgis.gui import QgsRubberBand
+
+    bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
+    extents = [band.asGeometry().boundingBox() for band in bands if band.numberOfVertices()]
+    # The heading's arrow and the error's circle lie inside the outline.
+    return max(extents, key=lambda extent: extent.width()) if extents else None
+
+
+def shown_center(iface):
+    from qgis.gui import QgsVertexMarker
+
+    markers = [item for item in iface.canvas.scene().items() if isinstance(item, QgsVertexMarker) and item.isVisible()]
+    return markers[0].center() if markers else None
+
+
+def cut_extent():
+    """The window's place on the map."""
+    from qgis.core import QgsRectangle
+
+    left, top = ORIGIN[0] + CUT[0], ORIGIN[1] - CUT[1]
+    return QgsRectangle(left, top - WINDOW, left + WINDOW, top)
+
+
+def corners(extent):
+    return [extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum()]
+
+
+def rubber_bands(iface, geometry_type: str) -> list:
+    """Geometries of what is drawn on the canvas, 'Polygon' or 'Line'."""
+    from qgis.gui import QgsRubberBand
+
+    bands = [item for item in iface.canvas.scene().items() if isinstance(item, QgsRubberBand)]
+    found = [band.asGeometry() for band in bands if band.numberOfVertices()]
+    return [geometry for geometry in found if geometry_type in type(geometry.constGet()).__name__]
+
+
+def add_raster_layer(path: str, name: str):
+    from qgis.core import QgsProject, QgsRasterLayer
+
+    layer = QgsRasterLayer(path, name, "gdal")
+    QgsProject.instance().addMapLayer(layer)
+    return layer
+
+
+def dropped(widget, data) -> bool:
+    """Drags `data` over a widget and drops it; whether it was taken."""
+    from qgis.PyQt.QtCore import QPoint, QPointF, Qt
+    from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
+
+    how = Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    entering = QDragEnterEvent(QPoint(5, 5), *how)
+    widget.dragEnterEvent(entering)
+    if entering.isAccepted():
+        widget.dropEvent(QDropEvent(QPointF(5, 5), *how))
+    return entering.isAccepted()
+
+
+def from_the_layer_tree(*layers):
+    from qgis.core import QgsLayerTreeModel, QgsProject
+
+    root = QgsProject.instance().layerTreeRoot()
+    model = QgsLayerTreeModel(root)
+    return model.mimeData([model.node2index(root.findLayer(layer.id())) for layer in layers])

@@ -1,0 +1,135 @@
+"""The selected image beside the map: its picture, its landmarks, and those that agree with the map."""
+
+from __future__ import annotations
+
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+from dock_area import CONSTELLATION, CUT, DEADLINE_S, ORIGIN, WINDOW, choose_method, localize, settle, wait_until
+from made_models import RGB, metadata, painted, write_model
+
+
+def pointed_numbers(dock) -> tuple:
+    return (
+        dock.content.localize.results.image.canvas._landmarks._pointed,
+        dock.content.localize.hit.matches._item._pointed,
+    )
+
+
+def test_the_selected_image_is_shown_with_its_landmarks_and_its_vector(dock, area, tab):
+    localize(dock, area.database, [area.image])
+    canvas = tab.results.image.canvas
+    wait_until(lambda: canvas.scene().items(), "the image")
+    assert (canvas.sceneRect().width(), canvas.sceneRect().height()) == (WINDOW, WINDOW)
+    tab.results.image.opacity.setValue(30)
+    tab.results.image.star.setChecked(True)
+    assert canvas._labels.opacity() == pytest.approx(0.3)
+    assert canvas._star.isVisible() and len(canvas._star._ends) == 10
+    tab.results.image.landmarks.setChecked(False)
+    assert not canvas._landmarks.isVisible()
+
+
+def test_an_image_that_cannot_be_shown_says_why(dock, area, tab):
+    localize(dock, area.database, [area.unreadable])
+    wait_until(lambda: "can't be read" in tab.results.image.canvas._text, "the reason")
+
+
+def test_a_photo_is_shown_with_what_the_model_makes_of_it(dock, area, tmp_path, tab):
+    from osgeo import gdal
+    from qgis.PyQt.QtGui import QColor
+    from qgis.PyQt.QtWidgets import QGraphicsPixmapItem
+
+    model = write_model(tmp_path / "colors.onnx", metadata=metadata(class_names={"0": "1", "1": "2", "2": "3"}))
+    labels = np.zeros((80, 120), np.uint8)
+    labels[20:40, 30:60] = 2
+    photo = gdal.GetDriverByName("GTiff").Create(str(tmp_path / "photo.tif"), 120, 80, 3, gdal.GDT_Byte)
+    photo.WriteArray(np.moveaxis(painted(labels), 2, 0))
+    # Written when it is closed.
+    del photo
+    tab.images.model.setFilePath(str(model))
+    localize(dock, area.database, [str(tmp_path / "photo.tif")])
+    canvas = tab.results.image.canvas
+    wait_until(lambda: canvas.scene().items(), "the photo")
+    pictures = [item for item in canvas.scene().items() if isinstance(item, QGraphicsPixmapItem)]
+    shown_labels, shown_photo = (item.pixmap().toImage() for item in pictures)
+    assert QColor(shown_photo.pixel(45, 30)).getRgb()[:3] == RGB["water"]
+    assert (canvas.sceneRect().width(), canvas.sceneRect().height()) == (120, 80)
+    assert QColor(shown_labels.pixel(45, 30)) != QColor(shown_labels.pixel(5, 5))
+
+
+def test_landmarks_that_agree_are_joined_between_the_image_and_the_map(dock, iface, area, tab):
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [area.image])
+    wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
+    pairs, marks = (
+        tab.hit.matches.pairs,
+        tab.results.image.canvas._landmarks.matched,
+    )
+    assert f"{len(pairs)} agree with the map" in tab.results.details.toPlainText()
+    assert len(pairs) == len(marks) > 20
+    for (seen, on_map), (_, pixel) in zip(pairs, marks):
+        truth = ORIGIN[0] + CUT[0] + pixel.x(), ORIGIN[1] - CUT[1] - pixel.y()
+        assert (on_map.x(), on_map.y()) == pytest.approx(truth, abs=0.01)
+        assert (seen.x(), seen.y()) == pytest.approx(truth, abs=0.5)
+    dock.close()
+    assert tab.hit.matches.pairs == []
+    iface.tool_bar_actions[0].trigger()
+    assert len(tab.hit.matches.pairs) == len(marks)
+
+
+def test_the_landmark_under_the_mouse_is_stressed_on_both_sides(dock, iface, area, tab):
+    from qgis.PyQt.QtCore import QPoint
+    from qgis.PyQt.QtTest import QTest
+
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [area.image])
+    wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
+    settle()
+    view = tab.results.image.canvas
+    number, pixel = view._landmarks.matched[2]
+    QTest.mouseMove(view.viewport(), view.mapFromScene(pixel))
+    wait_until(lambda: pointed_numbers(dock) == (number, number), "the stressed landmark")
+    place = iface.canvas.getCoordinateTransform().transform(tab.hit.matches.pairs[4][1])
+    QTest.mouseMove(iface.canvas.viewport(), QPoint(round(place.x()), round(place.y())))
+    wait_until(lambda: pointed_numbers(dock) == (5, 5), "the other stressed landmark")
+    # Drawn without an error, which pytest would see.
+    tab.results.image.grab()
+    iface.canvas.grab()
+
+
+def test_going_through_many_images_quickly_reads_the_first_and_the_last(dock, area, monkeypatch, tmp_path, tab):
+    import shutil
+
+    from semref.processing.inspection.image import ImageInspector
+
+    images = [str(shutil.copy(area.image, tmp_path / f"{number:02d}.tif")) for number in range(30)]
+    read, inspect, go_on = [], ImageInspector.inspect, threading.Event()
+
+    def inspect_slowly(inspector, query, database):
+        read.append(Path(query.image).name)
+        go_on.wait(DEADLINE_S)
+        return inspect(inspector, query, database)
+
+    monkeypatch.setattr(ImageInspector, "inspect", inspect_slowly)
+    localize(dock, area.database, images)
+    for _ in range(29):
+        wait_until(lambda: read, "the first reading")
+        tab.results.after.click()
+    go_on.set()
+    wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
+    assert read == ["00.tif", "29.tif"]
+
+
+def test_pictures_need_no_conversion_to_be_shown(qgis_app):
+    """Qt would convert them in its thread pool, which the main thread must never wait for."""
+    import numpy as np
+    from qgis.PyQt.QtGui import QColor, QImage
+
+    from semref.ui.tabs.localize.picture import label_picture
+
+    image = label_picture(np.array([[0, 1], [2, 1]], np.uint8), {1: (250, 20, 30), 2: (1, 2, 200)})
+    assert image.format() == QImage.Format.Format_ARGB32_Premultiplied
+    assert image.pixelColor(1, 0) == QColor(250, 20, 30) and image.pixelColor(0, 1) == QColor(1, 2, 200)
+    assert image.pixelColor(0, 0).alpha() == 0

@@ -1,0 +1,66 @@
+"""The tab Inspect: windows picked, named, found in the locator bar, compared with an image."""
+
+from __future__ import annotations
+
+import pytest
+from dock_area import corners, cut_extent, localize, messages, rubber_bands, wait_until
+
+
+def test_a_window_is_inspected_by_name_with_its_vector_and_its_look_alikes(dock, iface, area):
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.inspect.name.setText("150_250")
+    dock.content.inspect.name.returnPressed.emit()
+    wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
+    assert dock.content.inspect.numbers.rowCount() == 10
+    assert dock.content.inspect.numbers.item(0, 1).text() == "1.000"
+    assert dock.content.inspect.look_alikes.rowCount() > 0
+    extents = [corners(band.boundingBox()) for band in rubber_bands(iface, "Polygon")]
+    assert any(extent == pytest.approx(corners(cut_extent())) for extent in extents)
+    assert iface.canvas.extent().contains(cut_extent())
+
+
+def test_a_click_on_the_map_inspects_the_window_whose_middle_is_nearest(dock, iface, area):
+    from qgis.core import QgsPointXY
+
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.inspect.pick.click()
+    assert iface.canvas.mapTool() is dock.content.inspect.tool
+    middle = cut_extent().center()
+    dock.content.inspect.tool.picked.emit(QgsPointXY(middle.x() + 9, middle.y() - 9))
+    wait_until(lambda: dock.content.inspect.name.text(), "the window")
+    assert dock.content.inspect.name.text() == "150_250"
+
+
+def test_an_unknown_window_name_is_said(dock, iface, area):
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.inspect.show_window("1_2")
+    wait_until(lambda: messages(iface), "a message")
+    assert "no window “1_2”" in messages(iface)[0]
+
+
+def test_an_image_is_compared_with_the_window_element_by_element(dock, area):
+    localize(dock, area.database, [area.image])
+    wait_until(dock.content.inspect.compare.isEnabled, "the image's vector")
+    dock.content.inspect.show_window("150_250")
+    wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
+    dock.content.inspect.compare.click()
+    assert "distance 0.000, confidence 1.00" in dock.content.inspect.title.text()
+    assert {dock.content.inspect.numbers.item(row, 3).text() for row in range(10)} == {"0.000"}
+
+
+def test_the_locator_bar_finds_windows_by_name(dock, iface, area):
+    from qgis.core import QgsFeedback, QgsLocatorContext
+
+    (locator,) = iface.locator_filters
+    found = []
+    searching = locator.clone()
+    searching.resultFetched.connect(found.append)
+    searching.fetchResults("150", QgsLocatorContext(), QgsFeedback())
+    assert found == []
+    dock.content.database.file.setFilePath(area.database)
+    searching.fetchResults("150_2", QgsLocatorContext(), QgsFeedback())
+    assert [result.displayString for result in found] == ["150_200", "150_250"]
+    locator.triggerResult(found[1])
+    wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
+    assert dock.content.inspect.isVisible()
+    assert dock.content.inspect.name.text() == "150_250"

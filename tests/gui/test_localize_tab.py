@@ -1,0 +1,400 @@
+"""The tab Localize in a real window, with a small database that the algorithms build."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from dock_area import (
+    AUTOMATIC,
+    CONSTELLATION,
+    CRS,
+    ORIGIN,
+    STRIDE,
+    TOPOLOGY_VECTOR,
+    WINDOW,
+    add_raster_layer,
+    choose_method,
+    corners,
+    cut_extent,
+    dropped,
+    from_the_layer_tree,
+    label_map,
+    localize,
+    messages,
+    rubber_bands,
+    shown_center,
+    shown_outline,
+    start,
+    table,
+    wait_until,
+    write_raster,
+)
+
+
+def test_an_empty_dock_says_what_to_do(dock, area, tab):
+    assert tab.state.text() == "Choose a database and add images."
+    dock.content.database.file.setFilePath(area.database)
+    assert tab.state.text() == "Add images."
+    assert not tab.localize_button.isEnabled()
+    tab.images.list.add([area.image])
+    assert tab.state.text() == "Ready to localize."
+    assert tab.localize_button.isEnabled()
+
+
+def test_an_image_cut_from_a_window_is_found_there(dock, area, tab):
+    localize(dock, area.database, [area.image])
+    assert table(dock) == [["on_window.tif", "1.00", "", "", "Unverified match", "150_250", "0.000"]]
+    assert tab.state.text() == "1 of 1 images have a fix."
+    details = tab.results.details.toPlainText()
+    assert "x, y: 400250.00, 5399650.00 (EPSG:25832)" in details
+    assert "lon, lat: 7.6" in details
+
+
+def test_the_automatic_method_tells_heading_pixel_size_and_error(dock, iface, area, tab):
+    choose_method(dock, AUTOMATIC)
+    localize(dock, area.database, [area.image])
+    ((image, confidence, error, heading, status, window, distance),) = table(dock)
+    assert (image, confidence, status, window, distance) == ("on_window.tif", "1.00", "Fix", "", "")
+    assert 0 <= float(error) < 0.5 and heading in ("0.0", "360.0")
+    details = tab.results.details.toPlainText()
+    assert "heading" in details and "pixel size 1 m" in details and "(95 %)" in details
+    assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=0.5)
+
+
+def test_the_method_is_remembered(dock, qgis_app):
+    from semref.ui.tabs.localize.inputs import MethodRow
+
+    choose_method(dock, TOPOLOGY_VECTOR)
+    assert MethodRow().method() == TOPOLOGY_VECTOR
+    choose_method(dock, AUTOMATIC)
+    assert MethodRow().method() == AUTOMATIC
+
+
+def test_the_hit_is_outlined_and_its_center_marked(dock, iface, area):
+    localize(dock, area.database, [area.image])
+    assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=1e-6)
+    assert shown_center(iface).x() == pytest.approx(cut_extent().center().x())
+    assert shown_center(iface).y() == pytest.approx(cut_extent().center().y())
+
+
+def test_the_outline_follows_the_canvas_into_another_crs(dock, iface, area):
+    from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsProject
+
+    localize(dock, area.database, [area.image])
+    mercator = QgsCoordinateReferenceSystem("EPSG:3857")
+    iface.canvas.setDestinationCrs(mercator)
+    transform = QgsCoordinateTransform(QgsCoordinateReferenceSystem(CRS), mercator, QgsProject.instance())
+    expected = transform.transformBoundingBox(cut_extent())
+    assert corners(shown_outline(iface)) == pytest.approx(corners(expected), abs=0.5)
+
+
+def test_the_canvas_moves_to_the_selected_hit(dock, iface, area):
+    localize(dock, area.database, [area.image])
+    assert iface.canvas.extent().contains(cut_extent())
+
+
+def test_the_canvas_stays_when_zooming_is_switched_off(dock, iface, area, tab):
+    before = corners(iface.canvas.extent())
+    tab.results.zoom.setChecked(False)
+    localize(dock, area.database, [area.image])
+    assert shown_outline(iface) is not None
+    assert corners(iface.canvas.extent()) == before
+
+
+def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, iface, area, tab):
+    localize(dock, area.database, [area.image, area.unreadable])
+    tab.results.table.selectRow(1)
+    assert table(dock)[1] == ["broken.tif", "", "", "", "Unreadable", "", ""]
+    assert "broken.tif can't be read" in tab.results.details.toPlainText()
+    assert (shown_outline(iface), shown_center(iface)) == (None, None)
+    assert not tab.results.copy.isEnabled()
+    assert messages(iface) == []
+
+
+def test_a_click_on_a_header_sorts_and_the_selection_stays_true(dock, iface, area, tab):
+    from qgis.PyQt.QtCore import Qt
+
+    localize(dock, area.database, [area.image, area.unreadable])
+    tab.results.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+    assert [row[0] for row in table(dock)] == ["broken.tif", "on_window.tif"]
+    tab.results.table.selectRow(1)
+    assert "on_window.tif" in tab.results.details.toPlainText()
+    assert shown_outline(iface) is not None
+
+
+def test_the_position_can_be_copied_in_several_ways(dock, area, tab):
+    from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject
+
+    QgsProject.instance().setCrs(QgsCoordinateReferenceSystem("EPSG:3857"))
+    localize(dock, area.database, [area.image])
+    tab.results.copy.click()
+    assert QgsApplication.clipboard().text().startswith("7.6")
+    tab.results.formats.aboutToShow.emit()
+    copied = []
+    for action in tab.results.formats.actions():
+        action.trigger()
+        copied.append(QgsApplication.clipboard().text())
+        assert action.text().endswith(copied[-1])
+    assert copied[0].startswith("7.6") and copied[1].startswith("48.7") and copied[2].startswith("48°44′")
+    assert copied[3].startswith("8") and copied[4] == "400250.00, 5399650.00"
+    assert copied[5] == f"POINT ({copied[3].replace(',', '')})"
+    # The way chosen last is the button's.
+    tab.results.formats.actions()[4].trigger()
+    QgsApplication.clipboard().clear()
+    tab.results.copy.click()
+    assert QgsApplication.clipboard().text() == "400250.00, 5399650.00"
+    assert "400250.00" in tab.state.text_shown
+
+
+def test_a_file_that_is_no_database_gives_one_sentence(dock, iface, area, tab):
+    localize(dock, area.unreadable, [area.image])
+    assert len(messages(iface)) == 1
+    assert "broken.tif is not a GeoPackage; choose a database" in messages(iface)[0]
+    assert tab.localize_button.text() == "Localize"
+    assert tab.localize_button.isEnabled()
+
+
+def test_cancel_ends_the_run_without_results(dock, iface, area, slow, tab):
+    start(dock, area.database, [area.image])
+    assert tab.localize_button.text() == "Cancel"
+    wait_until(lambda: tab.progress.value() > 0, "progress")
+    tab.localize_button.click()
+    wait_until(lambda: not tab.run.running, "the end of the run")
+    assert tab.state.text() == "Canceled."
+    assert tab.localize_button.text() == "Localize"
+    assert (table(dock), messages(iface)) == ([], [])
+
+
+def test_a_cancel_before_the_run_has_begun_ends_it_too(dock, area, slow, tab):
+    start(dock, area.database, [area.image])
+    tab.localize_button.click()
+    wait_until(lambda: not tab.run.running, "the end of the run")
+    assert tab.state.text() == "Canceled."
+
+
+def test_results_can_be_kept_as_a_layer(dock, area, tab):
+    from qgis.core import QgsProject
+
+    assert not tab.results.keep.isEnabled()
+    localize(dock, area.database, [area.image, area.unreadable])
+    tab.results.keep.click()
+    (layer,) = QgsProject.instance().mapLayers().values()
+    assert [feature["status"] for feature in layer.getFeatures()] == ["fix", "error"]
+    QgsProject.instance().removeAllMapLayers()
+    tab.results.keep.click()
+    assert len(QgsProject.instance().mapLayers()) == 1
+
+
+def test_dropped_files_are_added_once(dock, area, tab):
+    from qgis.PyQt.QtCore import QMimeData, QPointF, Qt, QUrl
+    from qgis.PyQt.QtGui import QDropEvent
+
+    dropped = QMimeData()
+    dropped.setUrls([QUrl.fromLocalFile(area.image), QUrl("https://example.org/image.png")])
+    for _ in range(2):
+        event = QDropEvent(
+            QPointF(5, 5),
+            Qt.DropAction.CopyAction,
+            dropped,
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+        )
+        tab.images.list.dropEvent(event)
+    assert tab.images.paths() == [area.image]
+
+
+def test_selected_images_can_be_removed(dock, area, tab):
+    tab.images.list.add([area.image, area.unreadable])
+    tab.images.list.setCurrentRow(0)
+    tab.images.remove.click()
+    assert tab.images.paths() == [area.unreadable]
+
+
+def test_every_status_has_words(qgis_app):
+    from semref.core import localization as localizer
+    from semref.processing.framework.localized_image import ERROR
+    from semref.ui.findings import FIX, TOPOLOGY_VECTOR, status_text
+
+    assert localizer.FIX == FIX
+    assert localizer.TOPOLOGY_VECTOR == TOPOLOGY_VECTOR
+    for status in (localizer.FIX, localizer.AMBIGUOUS, localizer.NO_MATCH, localizer.TOO_FEW_REFERENCES, ERROR):
+        assert status_text(SimpleNamespace(status=status, is_verified=True)) != status
+    assert "nverified" in status_text(SimpleNamespace(status=FIX, is_verified=False))
+
+
+def test_the_heading_arrow_points_where_the_top_of_the_image_is(dock, iface, area):
+    choose_method(dock, AUTOMATIC)
+    localize(dock, area.database, [area.image])
+    (arrow,) = rubber_bands(iface, "Line")
+    center, top = cut_extent().center(), cut_extent().yMaximum()
+    assert (arrow.boundingBox().center().x(), arrow.boundingBox().yMaximum()) == pytest.approx(
+        (center.x(), top), abs=0.5
+    )
+
+
+@pytest.mark.parametrize(("away_m", "fixes"), [(0, 1), (250, 0)])
+def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes, tab):
+    from qgis.core import QgsPointXY
+
+    choose_method(dock, CONSTELLATION)
+    middle = cut_extent().center()
+    middle = QgsPointXY(middle.x() + away_m, middle.y())
+    tab.prior.set_circle(middle, QgsPointXY(middle.x() + 60, middle.y()))
+    assert tab.prior.text.text() == "Search: within 60 m"
+    localize(dock, area.database, [area.image])
+    assert tab.state.text().startswith(f"{fixes} of 1")
+    tab.prior.clear.click()
+    assert tab.prior.parameters() == {}
+
+
+def test_an_image_is_laid_on_the_map_where_it_was_taken(dock, area, tab):
+    from qgis.core import QgsProject
+
+    choose_method(dock, AUTOMATIC)
+    localize(dock, area.database, [area.image])
+    tab.results.drape.click()
+    wait_until(QgsProject.instance().mapLayers, "the layer")
+    (layer,) = QgsProject.instance().mapLayers().values()
+    assert corners(layer.extent()) == pytest.approx(corners(cut_extent()), abs=1.0)
+    assert layer.opacity() == pytest.approx(0.6)
+
+
+def test_the_places_where_an_ambiguous_image_may_lie_are_outlined(dock, iface, run_algorithm, area, tmp_path):
+    labels = label_map()
+    twins = np.hstack([labels[:, :300], labels[:, :300]])
+    parameters = {
+        "LABELS": write_raster(tmp_path / "twins.tif", twins, True),
+        "REFERENCE_CLASSES": "1;2;3",
+        "WINDOW_SIZE": WINDOW,
+        "STRIDE": STRIDE,
+        "MINIMUM_AREA": 20,
+        "DATABASE": str(tmp_path / "twins.gpkg"),
+    }
+    run_algorithm("semref:builddatabase", parameters)
+    image = write_raster(tmp_path / "image.tif", twins[200:400, 50:250], False)
+    choose_method(dock, CONSTELLATION)
+    localize(dock, parameters["DATABASE"], [image])
+    assert table(dock)[0][4] == "Ambiguous"
+    (places,) = rubber_bands(iface, "Polygon")
+    lefts = sorted(part.boundingBox().xMinimum() - ORIGIN[0] for part in places.asGeometryCollection())
+    assert lefts == pytest.approx([50, 350], abs=2)
+    assert shown_center(iface) is None
+    assert iface.canvas.extent().contains(places.boundingBox())
+
+
+def test_the_published_methods_runners_up_are_outlined_paler(dock, iface, area, tab):
+    localize(dock, area.database, [area.image])
+    wait_until(lambda: "next best" in tab.results.details.toPlainText(), "the runners-up")
+    bands = [band for name, band in tab.hit.highlight._bands.items() if "runner" in name]
+    extents = [band.asGeometry().boundingBox() for band in bands]
+    assert len(extents) == 4
+    assert all(extent.width() == pytest.approx(WINDOW) for extent in extents)
+    assert all((extent.xMinimum() - ORIGIN[0]) % STRIDE == pytest.approx(0) for extent in extents)
+    assert corners(cut_extent()) not in [corners(extent) for extent in extents]
+    opacities = [band.strokeColor().alpha() for band in bands]
+    assert opacities == sorted(opacities, reverse=True) and opacities[0] < 255
+    choose_method(dock, CONSTELLATION)
+    tab.localize_button.click()
+    wait_until(lambda: not tab.run.running, "the end of the run")
+    assert all(not band.numberOfVertices() for band in bands)
+
+
+def test_a_key_goes_from_image_to_image(dock, iface, area, tab):
+    from qgis.PyQt.QtCore import Qt
+    from qgis.PyQt.QtTest import QTest
+
+    localize(dock, area.database, [area.image, area.unreadable])
+    iface.window.activateWindow()
+    tab.results.table.setFocus()
+    wait_until(tab.results.table.hasFocus, "the focus")
+    names = []
+    for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Up):
+        QTest.keyClick(tab.results.table, key, Qt.KeyboardModifier.AltModifier)
+        names.append(tab.results.table.selected().name)
+    assert names == ["broken.tif", "on_window.tif", "broken.tif"]
+    tab.results.after.click()
+    assert tab.results.table.selected().name == "on_window.tif"
+
+
+def test_a_raster_layer_of_the_project_is_an_image(dock, area, tab):
+    from qgis.core import QgsProject
+
+    tab.images.layers.aboutToShow.emit()
+    assert not tab.images.layers.actions()[0].isEnabled()
+    add_raster_layer(area.image, "aerial image")
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.database.add_to_map.click()
+    tab.images.layers.aboutToShow.emit()
+    (action,) = tab.images.layers.actions()
+    assert action.text() == "aerial image"
+    QgsProject.instance().clear()
+    action.trigger()
+    assert tab.images.paths() == [area.image]
+
+
+def test_layers_dropped_on_the_list_are_images_and_others_are_said(dock, iface, area, issues, tab):
+    layer = add_raster_layer(area.image, "aerial image")
+    assert dropped(tab.images.list, from_the_layer_tree(layer, issues))
+    assert tab.images.paths() == [area.image]
+    assert "issues: not added" in messages(iface)[0]
+
+
+def test_a_dropped_folder_is_an_entry(dock, area, tmp_path, tab):
+    from qgis.PyQt.QtCore import QMimeData, QUrl
+
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(tmp_path))])
+    assert dropped(tab.images.list, data)
+    assert tab.images.paths() == [str(tmp_path)]
+
+
+def test_the_search_circle_follows_the_canvas_into_another_crs(dock, iface, area, tab):
+    from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
+
+    tab.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
+    before = tab.prior.parameters()
+    iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem("EPSG:3857"))
+    (circle,) = rubber_bands(iface, "Polygon")
+    assert abs(circle.boundingBox().center().x() - 400_100) > 100_000
+    assert tab.prior.parameters() == before
+
+
+def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area, tab):
+    from qgis.core import QgsGeometry, QgsPointXY, QgsProject
+
+    localize(dock, area.database, [area.image])
+    left, bottom, right, top = corners(cut_extent())
+    trapezoid = [(left, top), (right, top), (right - 40, bottom), (left + 40, bottom)]
+    outline = QgsGeometry.fromPolygonXY([[QgsPointXY(*corner) for corner in trapezoid]])
+    finding = tab.results.table.selected()
+    tab.hit.drape(replace(finding, method="constellation", heading=0.0, pixel_size=1.0, outline=outline))
+    wait_until(QgsProject.instance().mapLayers, "the layer")
+    (layer,) = QgsProject.instance().mapLayers().values()
+    known = {True: 0, False: 0}
+    for x, y in ((left + 20, bottom + 5), (right - 20, bottom + 5), (left + 45, bottom + 5), (left + 2, top - 2)):
+        value, valid = layer.dataProvider().sample(QgsPointXY(x, y), 1)
+        inside = outline.contains(QgsPointXY(x, y))
+        known[inside] += 1
+        assert inside or not valid or value == 0
+    assert known == {True: 2, False: 2}
+
+
+def test_what_a_run_says_is_in_the_log_panel_and_a_hidden_dock_tells_the_outcome(dock, iface, area, tab):
+    from qgis.core import QgsApplication
+
+    logged = []
+    log = QgsApplication.messageLog()
+
+    def note(*entry):
+        logged.append(entry)
+
+    log.messageReceived[str, str, "Qgis::MessageLevel"].connect(note)
+    start(dock, area.database, [area.image])
+    dock.close()
+    wait_until(lambda: not tab.run.running, "the end of the run")
+    log.messageReceived[str, str, "Qgis::MessageLevel"].disconnect(note)
+    assert any("on_window.tif: 400250.0" in text for text, tag, *_ in logged if tag == "SemRef")
+    assert messages(iface) == ["1 of 1 images have a fix."]

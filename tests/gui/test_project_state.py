@@ -1,0 +1,71 @@
+"""What the dock keeps in the project, and what opening another one does to it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from dock_area import corners, localize, messages, shown_outline, start, table, wait_until
+
+
+def test_a_project_closed_while_a_run_works_does_not_disturb_it(dock, area, tab):
+    from qgis.core import QgsProject
+
+    start(dock, area.database, [area.image])
+    QgsProject.instance().clear()
+    wait_until(lambda: not tab.run.running, "the end of the run")
+    assert len(table(dock)) == 1
+
+
+def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp_path, monkeypatch, tab):
+    from qgis.core import QgsPointXY, QgsProject
+    from qgis.PyQt.QtWidgets import QFileDialog
+
+    saved = str(tmp_path / "results.gpkg")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (saved, ""))
+    localize(dock, area.database, [area.image, area.unreadable])
+    tab.results.save.trigger()
+    tab.results.image.opacity.setValue(35)
+    tab.images.model.setFilePath("")
+    tab.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
+    shown, before = table(dock), tab.state_now()
+    project = QgsProject.instance()
+    assert project.write(str(tmp_path / "project.qgs"))
+    assert "/" + Path(area.database).name in (tmp_path / "project.qgs").read_text(encoding="utf-8")
+
+    dock.prepare("", "", [])
+    project.clear()
+    assert (table(dock), tab.prior.circle()) == ([], None)
+    assert project.read(str(tmp_path / "project.qgs"))
+    assert not project.isDirty()
+    assert tab.state_now() == before
+    assert before.opacity == 35 and before.prior[:2] == (400_100, 5_399_900) and before.results == saved
+    assert table(dock) == shown
+    assert corners(shown_outline(iface)) is not None
+    assert tab.prior.text.text() == "Search: within 60 m"
+
+
+def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface, area, tmp_path, monkeypatch, tab):
+    from qgis.core import QgsProject
+    from qgis.PyQt.QtWidgets import QFileDialog
+
+    saved = tmp_path / "results.gpkg"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(saved), ""))
+    localize(dock, area.database, [area.image])
+    tab.results.save.trigger()
+    QgsProject.instance().write(str(tmp_path / "project.qgs"))
+    QgsProject.instance().clear()
+    saved.unlink()
+    iface.bar.clearWidgets()
+    QgsProject.instance().read(str(tmp_path / "project.qgs"))
+    assert "results.gpkg holds no results" in messages(iface)[0]
+    assert table(dock) == []
+
+
+def test_a_project_without_the_dock_leaves_it_as_it_is(dock, area, tmp_path):
+    from qgis.core import QgsProject
+
+    (tmp_path / "other.qgs").write_text("<qgis version='3.22.0'/>", encoding="utf-8")
+    localize(dock, area.database, [area.image])
+    QgsProject.instance().read(str(tmp_path / "other.qgs"))
+    assert len(table(dock)) == 1
+    assert dock.content.database.path() == area.database
