@@ -1824,6 +1824,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>SemRef-Bildausschnitte</translation>
   </message>
   <message>
+   <source>SemRef matches</source>
+   <translation>SemRef-Zuordnungen</translation>
+  </message>
+  <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
    <translation>SemRef braucht das Python-Paket {packages}. Installieren Sie es unter Einstellungen ▸ Optionen ▸ SemRef oder durch Eingabe von {commands}.</translation>
   </message>

@@ -1824,6 +1824,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Huellas de SemRef</translation>
   </message>
   <message>
+   <source>SemRef matches</source>
+   <translation>Coincidencias de SemRef</translation>
+  </message>
+  <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
    <translation>SemRef necesita el paquete de Python {packages}. Instálelo en Configuración ▸ Opciones ▸ SemRef, o escribiendo {commands}.</translation>
   </message>

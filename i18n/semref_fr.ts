@@ -1824,6 +1824,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Emprises au sol SemRef</translation>
   </message>
   <message>
+   <source>SemRef matches</source>
+   <translation>Correspondances SemRef</translation>
+  </message>
+  <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
    <translation>SemRef a besoin du paquet Python {packages}. Installez-le sous Préférences ▸ Options ▸ SemRef, ou en tapant {commands}.</translation>
   </message>

@@ -1824,6 +1824,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>SemRef 覆盖范围</translation>
   </message>
   <message>
+   <source>SemRef matches</source>
+   <translation>SemRef 匹配</translation>
+  </message>
+  <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
    <translation>SemRef 需要 Python 软件包 {packages}。请在 设置 ▸ 选项 ▸ SemRef 中安装，或输入 {commands}。</translation>
   </message>

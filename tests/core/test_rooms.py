@@ -14,6 +14,8 @@ ROOMS = ("core", "storage", "processing", "ui")
 QT = {"PyQt5", "PyQt6", "PySide2", "PySide6"}
 NEVER_SHIPPED = {"pickle", "random", "subprocess", "marshal", "shelve"} | QT
 CORE_MAY_IMPORT = set(sys.stdlib_module_names) | {"numpy", "cv2", "shapely", "onnxruntime", "core"}
+CORE_FOR_UI = ("core.errors", "core.database.model", "core.annotation.findings")
+"""Errors, a type and the severities of issues."""
 MATHEMATICS = {"cv2", "shapely", "onnxruntime"}
 
 
@@ -87,6 +89,12 @@ def test_mathematics_is_left_to_core(path):
 def test_only_exchange_reads_and_writes_files_with_gdal_and_sqlite(path):
     if "exchange" not in named(path):
         assert imports_of(path, "osgeo", "sqlite3") == set()
+
+
+@each_ui_file
+def test_ui_computes_nothing_itself(path):
+    """What is seen in an image or a window comes from algorithms and from processing/inspection."""
+    assert {name for name in imports_of(path, "core") if not name.startswith(CORE_FOR_UI)} == set()
 
 
 @each_ui_file
