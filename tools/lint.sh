@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Reads the code without running it: ruff with the import rules of the rooms, then Bandit, detect-secrets and
-# flake8 over the unpacked zip, with the options of the plugin repository (which refuses what they find).
+# Reads the code without running it: ruff with the import rules of the rooms, mypy over core, then Bandit,
+# detect-secrets and flake8 over the unpacked zip, with the options of the plugin repository (which refuses what they
+# find).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 python=$PWD/.venv/bin/python
@@ -11,6 +12,7 @@ for room in core processing; do
         "$python" -m ruff check --quiet --config "tools/rooms/$room.toml" "$room"
     fi
 done
+"$python" -m mypy --no-error-summary
 
 unpacked=$(mktemp -d)
 trap 'rm -rf "$unpacked"' EXIT

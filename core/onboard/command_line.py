@@ -326,7 +326,7 @@ def _destination(where: Optional[str]) -> Iterator[Callable[[str], object]]:
             yield lambda line: sender.sendto(line.encode("utf-8"), (LOOPBACK, port))
     else:
         try:
-            file = open(where, "a", encoding="utf-8", newline="")
+            file = open(where, "a", encoding="utf-8", newline="")  # noqa: SIM115  closed below
         except OSError as error:
             raise ParameterError(f"{where} can't be written: {error.strerror}; choose another place.") from None
         with file:

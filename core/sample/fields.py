@@ -101,7 +101,7 @@ def gravel_banks(line: LineString, river: BaseGeometry, rng: np.random.Generator
             heading = np.arctan2(after[k, 1], after[k, 0])
             inner = np.array([-np.sin(heading), np.cos(heading)]) * np.sign(turn[k])
             banks.append(shapes.blob(rng, points[k + 1] + inner * 20, rng.uniform(13, 21), 0.1, 3.0, heading))
-    return [bank for bank in banks if 150 < bank.difference(river).area]
+    return [bank for bank in banks if bank.difference(river).area > 150]
 
 
 def bare_ground(

@@ -70,10 +70,9 @@ class SegmentationModel:
         single = outputs.ndim == 3 or outputs.shape[1] == 1
         self._gives_numbers = single and (outputs.dtype.kind in "iu" or (names is not None and len(names) > 2))
         self._gives_probability = single and not self._gives_numbers
+        channels = 2 if single else outputs.shape[1]
         if self._gives_numbers:
             channels = len(names or class_table or ())
-        else:
-            channels = 2 if single else outputs.shape[1]
         self.classes = read_classes(texts, channels, path, class_table)
 
     def scores(self, images: Sequence[np.ndarray]) -> np.ndarray:
