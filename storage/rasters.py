@@ -55,8 +55,16 @@ def open_raster(path: str) -> gdal.Dataset:
 class GdalLabels:
     """A LabelSource on disk: one band of whole numbers 0–255. Raises LabelMapError for anything else."""
 
-    def __init__(self, path: str) -> None:
+    def __init__(self, path: str, keeps_blocks: bool = False) -> None:
+        """Opens the map.
+
+        Args:
+            path: The raster.
+            keeps_blocks: For work that returns to the same places: GDAL's cache keeps the blocks of pieces; those of
+                whole rows are still let go, as they are read once and in order.
+        """
         self._path = path
+        self._keeps_blocks = keeps_blocks
         self._dataset = open_raster(path)
         self._band = self._dataset.GetRasterBand(1)
         if self._dataset.RasterCount != 1:
@@ -81,8 +89,9 @@ class GdalLabels:
             raise LabelMapError("storage.damaged", path=self._path, reason=gdal_failure(error)) from None
         if block is None:
             raise LabelMapError("storage.damaged", path=self._path, reason=gdal_failure())
-        # Blocks are read once and in order: keeping them would only fill GDAL's cache.
-        self._dataset.FlushCache()
+        # Blocks that are read once and in order would only fill GDAL's cache.
+        if not self._keeps_blocks or width == self._dataset.RasterXSize:
+            self._dataset.FlushCache()
         if self._nodata is not None and self._nodata != 0:
             block[block == self._nodata] = 0
         if block.dtype == np.uint8:

@@ -13,7 +13,7 @@ from ..geometry.frame import MapFrame
 from ..labels.block_hashes import HASHED_BLOCK, BlockHasher, block_hash, blocks_shape, map_hash
 from ..labels.counts import count_labels
 from ..labels.overview import most_frequent_labels
-from ..labels.sources import KeptTiles, LabelSource, PartOfMap
+from ..labels.sources import LabelSource, PartOfMap
 from ..landmarks.catalogue import CatalogueBuilder
 from ..landmarks.landmarks import Landmarks, minimum_area_px
 from ..windows.describe import describe_windows
@@ -65,7 +65,7 @@ class DatabaseUpdater:
         """Makes the updater.
 
         Args:
-            source, frame: The corrected label map.
+            source, frame: The corrected label map; it is asked for the same pieces several times.
             database: With the landmarks' bounds and the windows' distinctiveness.
             areas: Rectangles that hold every changed pixel, parts beyond the map are ignored; None when they are to be
                 found by comparing block hashes, which reads the whole map. Blocks that no area touches are taken to be
@@ -78,8 +78,7 @@ class DatabaseUpdater:
             LabelMapError: The map is not of the same pixel grid.
         """
         require_same_grid(source.shape_hw, frame, database)
-        self._whole = source
-        self._source = KeptTiles(source)
+        self._source = source
         self._frame = database.parameters.frame
         self._database = database
         self._areas = areas
@@ -135,7 +134,7 @@ class DatabaseUpdater:
             with ThreadPoolExecutor(1) as pool:
                 hashing = None
                 for row in range(0, height, HASHED_BLOCK):
-                    labels = self._whole.read(0, row, width, min(HASHED_BLOCK, height - row))
+                    labels = self._source.read(0, row, width, min(HASHED_BLOCK, height - row))
                     if hashing is not None:
                         hashing.result()
                     hashing = pool.submit(hasher.add, labels)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import Protocol, Tuple
 
 import numpy as np
@@ -49,37 +48,6 @@ class PartOfMap:
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
         return self._source.read(self._column + column, self._row + row, width, height)
-
-
-class KeptTiles:
-    """A label map whose tiles are kept for a while once they were read: for work that returns to the same places."""
-
-    def __init__(self, source: LabelSource, tile_px: int = 1024, kept: int = 64) -> None:
-        self._source = source
-        self._size = tile_px
-        self._tile = lru_cache(kept)(self._read_tile)
-
-    @property
-    def shape_hw(self) -> Tuple[int, int]:
-        """(height, width) in pixels."""
-        return self._source.shape_hw
-
-    def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """(height, width) uint8 labels; the piece lies wholly on the map."""
-        labels = np.empty((height, width), np.uint8)
-        for tile_row in range(row // self._size, -(-(row + height) // self._size)):
-            for tile_column in range(column // self._size, -(-(column + width) // self._size)):
-                tile = self._tile(tile_column, tile_row)
-                left, top = tile_column * self._size - column, tile_row * self._size - row
-                right, bottom = min(left + tile.shape[1], width), min(top + tile.shape[0], height)
-                x0, y0 = max(left, 0), max(top, 0)
-                labels[y0:bottom, x0:right] = tile[y0 - top : bottom - top, x0 - left : right - left]
-        return labels
-
-    def _read_tile(self, tile_column: int, tile_row: int) -> np.ndarray:
-        height, width = self._source.shape_hw
-        left, top = tile_column * self._size, tile_row * self._size
-        return self._source.read(left, top, min(self._size, width - left), min(self._size, height - top))
 
 
 class RollingRows:

@@ -93,7 +93,7 @@ class UpdateDatabase(SemRefAlgorithm):
         from ..exchange.layers import map_frame
 
         stored = read_stored_database(values.file(self.DATABASE))
-        labels = GdalLabels(self._layer.path)
+        labels = GdalLabels(self._layer.path, keeps_blocks=True)
         frame = map_frame(labels, self._layer)
         self._check_crs(stored.database)
         self._check_classes(stored.database.class_table, labels)
