@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Union
+from typing import Any
 
 from .sentences import Sentence, english
 
@@ -19,7 +19,7 @@ class SemRefError(Exception):
         sentence: What is said to the user.
     """
 
-    def __init__(self, code: Union[str, Sentence], /, **values: Any) -> None:
+    def __init__(self, code: str | Sentence, /, **values: Any) -> None:
         """Makes the error.
 
         Args:

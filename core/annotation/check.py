@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 import shapely
@@ -35,7 +35,7 @@ class DrawnRegion:
     of the feature that covers most of it, m²."""
 
     wkb: bytes
-    bounds: Tuple[float, float, float, float]
+    bounds: tuple[float, float, float, float]
     class_value: int
     feature_id: int
     area: float
@@ -50,10 +50,10 @@ class AnnotationCheck:
     def __init__(self, features: Sequence[AnnotatedFeature], settings: CheckSettings) -> None:
         self._features = features
         self._settings = settings
-        self.findings: List[Finding] = []
-        self.landmarks: List[DrawnRegion] = []
+        self.findings: list[Finding] = []
+        self.landmarks: list[DrawnRegion] = []
 
-    def steps(self) -> Iterator[Tuple[str, float]]:
+    def steps(self) -> Iterator[tuple[str, float]]:
         """Yields (what is being done, share done 0…1)."""
         surface = yield from laid_polygons(self._features, AnnotatedPolygons.drawn_ranks, self.findings)
         if surface is None:
@@ -85,7 +85,7 @@ class AnnotationCheck:
                 self.landmarks.append(DrawnRegion(to_wkb(geometry), bounds, value, feature_id, area))
 
 
-def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartition, maximum_gap: float) -> List[Finding]:
+def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartition, maximum_gap: float) -> list[Finding]:
     """What repairing would give to a neighbor: gaps between polygons, and thin pieces that are seen between them.
 
     Overlaps without priority are taken as repaired.
@@ -103,7 +103,7 @@ def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartitio
 
 def find_raster_losses(
     landmarks: Sequence[DrawnRegion], runs: RegionRuns, minimum_area: float, pixel_size: float
-) -> List[Finding]:
+) -> list[Finding]:
     """What pixels of ``pixel_size`` m make of landmarks; ``runs`` has landmark n as region n + 1.
 
     Lost: no piece has a contour area of ``minimum_area`` m²; merged: pixels of two touch, so that they are one object;
@@ -123,7 +123,7 @@ def find_raster_losses(
     return found + [_landmark(SPLIT, landmarks[n - 1], number=float(pieces[n])) for n in np.flatnonzero(pieces > 1)]
 
 
-def _landmark(kind: str, landmark: DrawnRegion, other: Optional[DrawnRegion] = None, number: float = 0.0) -> Finding:
+def _landmark(kind: str, landmark: DrawnRegion, other: DrawnRegion | None = None, number: float = 0.0) -> Finding:
     return Finding(
         kind,
         WARNING,

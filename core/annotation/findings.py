@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional
 
 ERROR, WARNING, INFORMATION = "error", "warning", "information"
 SEVERITIES = (ERROR, WARNING, INFORMATION)
@@ -67,12 +66,12 @@ class Finding:
 
     kind: str
     severity: str
-    wkb: Optional[bytes] = None
-    feature_id: Optional[int] = None
-    other_id: Optional[int] = None
+    wkb: bytes | None = None
+    feature_id: int | None = None
+    other_id: int | None = None
     class_value: int = NOTHING
     other_class: int = NOTHING
-    area: Optional[float] = None
+    area: float | None = None
     reason: str = ""
     number: float = 0.0
     decided: bool = False

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import List, Tuple
 
 import numpy as np
 import shapely
@@ -39,7 +38,7 @@ class Merge:
 
 def merge_gaps_and_slivers(
     partition: PlanarPartition, face_classes: np.ndarray, settings: MergeSettings
-) -> Tuple[np.ndarray, List[Merge]]:
+) -> tuple[np.ndarray, list[Merge]]:
     """(F,) class values after every gap and sliver went to the neighbor it shares the longest border with.
 
     ``face_classes``: (F,) class values as seen from above. Neighbors that are no slivers themselves come first.

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 from itertools import combinations
-from typing import Dict, FrozenSet, List, Sequence, Tuple
 
 import numpy as np
 import shapely
@@ -18,12 +18,12 @@ NARROWEST_M = 0.001
 """Overlaps with a smaller mean width (m) are rounding; they are mended, but not worth telling."""
 
 
-def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> Tuple[List[Finding], np.ndarray]:
+def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> tuple[list[Finding], np.ndarray]:
     """A finding for each polygon that covers what an earlier one covers, and (N,) bool which these are.
 
     With different classes it is an error, unless a priority says which lies on top.
     """
-    first_of: Dict[bytes, int] = {}
+    first_of: dict[bytes, int] = {}
     repeated, found = np.zeros(len(polygons), bool), []
     order = np.argsort(partition.cover_polygons, kind="stable")
     bounds = np.searchsorted(partition.cover_polygons[order], np.arange(len(polygons) + 1))
@@ -41,13 +41,13 @@ def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> 
 
 def find_overlaps(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, ignored: np.ndarray
-) -> List[Finding]:
+) -> list[Finding]:
     """A finding for each two polygons of different features and classes that share an area, the upper one first.
 
     Where priorities differ they say what lies on top: information. Else it is an error. ``ranks``: (N,) higher on
     top; ``ignored``: (N,) bool polygons left out.
     """
-    faces_of: Dict[Tuple[int, int], List[int]] = defaultdict(list)
+    faces_of: dict[tuple[int, int], list[int]] = defaultdict(list)
     starts = np.flatnonzero(np.diff(partition.cover_faces, prepend=-1))
     for start, end in zip(starts, [*starts[1:], len(partition.cover_faces)]):
         if end - start < 2:
@@ -65,8 +65,8 @@ def find_overlaps(
 
 
 def find_hidden(
-    polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, duplicates: List[Finding]
-) -> List[Finding]:
+    polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, duplicates: list[Finding]
+) -> list[Finding]:
     """A finding for each polygon of which nothing is seen from above, with the polygon that covers most of it.
 
     Those that their own duplicate hides are left out: that is told already.
@@ -74,7 +74,7 @@ def find_hidden(
     top = partition.top_polygons(ranks)
     seen = np.zeros(len(polygons), bool)
     seen[top[top >= 0]] = True
-    covered: Dict[int, Dict[int, float]] = defaultdict(lambda: defaultdict(float))
+    covered: dict[int, dict[int, float]] = defaultdict(lambda: defaultdict(float))
     hidden = ~seen[partition.cover_polygons]
     for polygon, face in zip(partition.cover_polygons[hidden].tolist(), partition.cover_faces[hidden].tolist()):
         covered[polygon][int(top[face])] += partition.areas[face]
@@ -85,14 +85,14 @@ def find_hidden(
 
 def find_same_class_neighbors(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, landmark_classes: Sequence[int]
-) -> List[Finding]:
+) -> list[Finding]:
     """A finding for each two features of one class that touch as seen from above; ``number``: m of shared border.
 
     Those of ``landmark_classes`` also where they touch in a point only (``number`` is 0): pixels that touch by a
     corner belong to one object, too.
     """
     top = partition.top_polygons(ranks)
-    lengths: Dict[Tuple[int, int], float] = defaultdict(float)
+    lengths: dict[tuple[int, int], float] = defaultdict(float)
     pairs, same = _of_one_class(polygons, top, partition.neighbors)
     for pair, length in zip(pairs, partition.border_lengths[same].tolist()):
         lengths[pair] += length
@@ -119,7 +119,7 @@ def classes_of_faces(polygons: AnnotatedPolygons, top: np.ndarray) -> np.ndarray
 
 def _of_one_class(
     polygons: AnnotatedPolygons, top: np.ndarray, neighbors: np.ndarray
-) -> Tuple[List[Tuple[int, int]], np.ndarray]:
+) -> tuple[list[tuple[int, int]], np.ndarray]:
     """Pairs of polygons of one class and different features, and (E,) bool which of the ``neighbors`` they are."""
     pairs = top[neighbors]
     both = (pairs >= 0).all(axis=1)
@@ -129,11 +129,11 @@ def _of_one_class(
     return [tuple(pair) for pair in np.sort(pairs[same], axis=1).tolist()], same
 
 
-def _features(polygons: AnnotatedPolygons, pair: Tuple[int, int]) -> FrozenSet[int]:
+def _features(polygons: AnnotatedPolygons, pair: tuple[int, int]) -> frozenset[int]:
     return frozenset(polygons.features[list(pair)].tolist())
 
 
-def _overlap(polygons: AnnotatedPolygons, ranks: np.ndarray, pair: Tuple[int, int], shared) -> Finding:
+def _overlap(polygons: AnnotatedPolygons, ranks: np.ndarray, pair: tuple[int, int], shared) -> Finding:
     upper, lower = sorted(pair, key=lambda n: -ranks[n])
     decided = bool(polygons.priorities[upper] != polygons.priorities[lower])
     return _pair(OVERLAP, INFORMATION if decided else ERROR, polygons, upper, lower, decided, geometry=shared)

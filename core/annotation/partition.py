@@ -7,7 +7,6 @@ faces then have the same vertices, so that areas add up exactly and a second pas
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Tuple
 
 import numpy as np
 import shapely
@@ -178,7 +177,7 @@ def _count_segments(lines) -> int:
     return int(shapely.get_num_coordinates(lines)) - int(shapely.get_num_geometries(lines))
 
 
-def _shared_borders(faces: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+def _shared_borders(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(E, 2) int64 pairs of faces, first < second, and the (E,) m that they share."""
     rings, face_of_ring = shapely.get_rings(faces, return_index=True)
     coordinates, ring = shapely.get_coordinates(rings, return_index=True)
@@ -194,7 +193,7 @@ def _shared_borders(faces: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
     return _summed_pairs(np.sort(pairs, axis=1), length[order[shared]], len(faces))
 
 
-def _summed_pairs(pairs: np.ndarray, weights: np.ndarray, count: int) -> Tuple[np.ndarray, np.ndarray]:
+def _summed_pairs(pairs: np.ndarray, weights: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
     """Each of the (P, 2) pairs of numbers below ``count`` once, ordered, with the sum of its weights."""
     keys, place = np.unique(pairs[:, 0] * max(count, 1) + pairs[:, 1], return_inverse=True)
     found = np.column_stack(np.divmod(keys, max(count, 1))).reshape(-1, 2)

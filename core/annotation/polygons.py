@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Optional, Sequence, Tuple
 
 import numpy as np
 import shapely
@@ -24,7 +24,7 @@ class AnnotatedFeature:
     """
 
     feature_id: int
-    wkb: Optional[bytes]
+    wkb: bytes | None
     class_value: int
     priority: float = 0.0
 
@@ -95,7 +95,7 @@ def valid_polygons(features: Sequence[AnnotatedFeature], parts: FeatureParts) ->
     )
 
 
-def _made_valid(parts: FeatureParts) -> Tuple[np.ndarray, np.ndarray]:
+def _made_valid(parts: FeatureParts) -> tuple[np.ndarray, np.ndarray]:
     """Single geometries and the place of their feature, in the features' order."""
     geometries = parts.geometries.copy()
     broken = ~shapely.is_valid(geometries)

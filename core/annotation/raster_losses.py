@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import List, Tuple
 
 import numpy as np
 
@@ -43,7 +42,7 @@ def runs_of_strip(regions_hw: np.ndarray, first_row: int) -> RegionRuns:
     return RegionRuns(rows + first_row, starts - rows * width, stops - rows * width, regions)
 
 
-def join_runs(strips: List[RegionRuns]) -> RegionRuns:
+def join_runs(strips: list[RegionRuns]) -> RegionRuns:
     """The runs of strips that follow each other, top first."""
     names = ("rows", "starts", "stops", "regions")
     empty = np.empty(0, np.int64)
@@ -85,7 +84,7 @@ def lost_regions(runs: RegionRuns, count: int, minimum_area_px: float) -> np.nda
     return lost
 
 
-def _mask(rows: np.ndarray, starts: np.ndarray, stops: np.ndarray, shape: Tuple[int, int]) -> np.ndarray:
+def _mask(rows: np.ndarray, starts: np.ndarray, stops: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     """(H, W) uint8, 1 on the runs."""
     steps = np.zeros((shape[0], shape[1] + 1), np.int8)
     left = starts.min()

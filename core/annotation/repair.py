@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Dict, Iterator, List, Sequence, Set, Tuple
 
 import numpy as np
 import shapely
@@ -34,10 +34,10 @@ class AnnotationRepair:
     def __init__(self, features: Sequence[AnnotatedFeature], settings: MergeSettings) -> None:
         self._features = features
         self._settings = settings
-        self.polygons: List[RepairedPolygon] = []
-        self.changes: List[Finding] = []
+        self.polygons: list[RepairedPolygon] = []
+        self.changes: list[Finding] = []
 
-    def steps(self) -> Iterator[Tuple[str, float]]:
+    def steps(self) -> Iterator[tuple[str, float]]:
         """Yields (what is being done, share done 0…1)."""
         surface = yield from laid_polygons(self._features, AnnotatedPolygons.repair_ranks, self.changes)
         if surface is None:
@@ -70,10 +70,10 @@ class AnnotationRepair:
 
 
 def _dissolved(
-    polygons: AnnotatedPolygons, regions: Regions, own: np.ndarray, geometries: Dict[int, object], owners: np.ndarray
-) -> List[Finding]:
+    polygons: AnnotatedPolygons, regions: Regions, own: np.ndarray, geometries: dict[int, object], owners: np.ndarray
+) -> list[Finding]:
     """One finding for each region that several features became, with how many."""
-    members: Dict[int, Set[int]] = {}
+    members: dict[int, set[int]] = {}
     for region, polygon in zip(regions.of_face[own >= 0].tolist(), own[own >= 0].tolist()):
         members.setdefault(region, set()).add(int(polygons.features[polygon]))
     return [

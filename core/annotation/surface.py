@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass
-from typing import Callable, Generator, List, Optional, Sequence, Tuple
+from typing import Callable
 
 import numpy as np
 
@@ -39,8 +40,8 @@ class Surface:
 def laid_polygons(
     features: Sequence[AnnotatedFeature],
     ranks_of: Callable[[AnnotatedPolygons], np.ndarray],
-    findings: List[Finding],
-) -> Generator[Tuple[str, float], None, Optional[Surface]]:
+    findings: list[Finding],
+) -> Generator[tuple[str, float], None, Surface | None]:
     """Lays the features on each other step by step: ``surface = yield from laid_polygons(…)``.
 
     Args:

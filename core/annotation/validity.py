@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import List, Sequence, Tuple
+from collections.abc import Sequence
 
 import numpy as np
 import shapely
@@ -22,7 +22,7 @@ _REASON = re.compile(r"(?P<why>[^\[]*)\[(?P<x>\S+) (?P<y>[^\s\]]+)")
 """GEOS's own sentence: why[x y]."""
 
 
-def find_invalid(features: Sequence[AnnotatedFeature], geometries: np.ndarray, parts: FeatureParts) -> List[Finding]:
+def find_invalid(features: Sequence[AnnotatedFeature], geometries: np.ndarray, parts: FeatureParts) -> list[Finding]:
     """One finding for each invalid part, with place and reason; for features whose valid parts don't fit, one."""
     broken = np.flatnonzero(~shapely.is_valid(parts.geometries))
     found = [_invalid(features[parts.features[n]], parts.geometries[n]) for n in broken]
@@ -33,7 +33,7 @@ def find_invalid(features: Sequence[AnnotatedFeature], geometries: np.ndarray, p
 
 def find_unusable(
     features: Sequence[AnnotatedFeature], geometries: np.ndarray, polygons: AnnotatedPolygons
-) -> List[Finding]:
+) -> list[Finding]:
     """Features without geometry, with one that can't be read, and with one that has no area."""
     found = []
     with_area = set(polygons.features.tolist())
@@ -70,7 +70,7 @@ def _mark_at(x: float, y: float) -> bytes:
     return to_wkb(shapely.box(x - _MARK_M, y - _MARK_M, x + _MARK_M, y + _MARK_M))
 
 
-def _reason(geometry) -> Tuple[str, float, float]:
+def _reason(geometry) -> tuple[str, float, float]:
     """Why it is invalid and where; its first vertex where GEOS names no place."""
     text = str(shapely.is_valid_reason(geometry))
     match = _REASON.match(text)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Tuple
 
 import numpy as np
 
@@ -41,13 +40,13 @@ class Chances:
     means: np.ndarray
     weights: np.ndarray
 
-    def interval(self) -> Tuple[np.ndarray, np.ndarray]:
+    def interval(self) -> tuple[np.ndarray, np.ndarray]:
         """(P,) low and (P,) high ends of the 95 % interval; the mean lies in it."""
         low, high = beta_quantiles(self.means * self.weights, (1 - self.means) * self.weights, (0.025, 0.975))
         # Of a skewed distribution the mean may lie beyond a quantile.
         return np.minimum(low, self.means), np.maximum(high, self.means)
 
-    def either(self, other: "Chances") -> "Chances":
+    def either(self, other: Chances) -> Chances:
         """That one of two comes true of which the second is tried when the first fails; the Beta distribution with the
         mean and variance of the product of both failures."""
         one, two = 1 - self.means, 1 - other.means
@@ -57,7 +56,7 @@ class Chances:
         weights = np.maximum(failure * (1 - failure) / variance - 1, 1.0)
         return Chances(1 - failure, weights)
 
-    def averaged(self, count: int) -> "Chances":
+    def averaged(self, count: int) -> Chances:
         """Of each ``count`` places that follow each other their mean."""
         return Chances(self.means.reshape(-1, count).mean(axis=1), self.weights.reshape(-1, count).mean(axis=1))
 
@@ -108,7 +107,7 @@ def fit_success(features: np.ndarray, places: np.ndarray, successes: np.ndarray,
 
 def local_sums(
     places: np.ndarray, trials: np.ndarray, reach: float, values: np.ndarray
-) -> Tuple[np.ndarray, np.ndarray]:
+) -> tuple[np.ndarray, np.ndarray]:
     """(P,) summed weights of trials (T, 2) around places (P, 2), and (P,) or (P, K) sums of values (T,) or (T, K)."""
     counts = np.empty(len(places))
     sums = np.empty((len(places), *values.shape[1:]))
@@ -120,7 +119,7 @@ def local_sums(
     return counts, sums
 
 
-def beta_quantiles(alpha: np.ndarray, beta: np.ndarray, shares: Tuple[float, ...]) -> Tuple[np.ndarray, ...]:
+def beta_quantiles(alpha: np.ndarray, beta: np.ndarray, shares: tuple[float, ...]) -> tuple[np.ndarray, ...]:
     """(P,) quantiles of Beta distributions, by summing their densities over even steps; shares in 0…1."""
     steps = (np.arange(QUANTILE_STEPS) + 0.5) / QUANTILE_STEPS
     found = [np.empty(len(alpha)) for _ in shares]
@@ -144,7 +143,7 @@ def _weights(places: np.ndarray, trials: np.ndarray, reach: float) -> np.ndarray
 
 def _tuned(
     guess: np.ndarray, places: np.ndarray, successes: np.ndarray, footprint: float
-) -> Tuple[float, float, np.ndarray]:
+) -> tuple[float, float, np.ndarray]:
     """Reach and strength by which each trial is best predicted from the others, and these predictions (T,)."""
     best = -math.inf, REACHES[0] * footprint, STRENGTHS[-1], guess
     for share in REACHES:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import List, Optional, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -15,18 +15,18 @@ LANDMARK_BINS = (0, 3, 6, 10, 15, 20, 40, 80)
 PROBABILITY_BINS = tuple(np.linspace(0, 1, 11).tolist())
 
 
-def success_by_landmarks(trials: Sequence[Trial]) -> List[RateAt]:
+def success_by_landmarks(trials: Sequence[Trial]) -> list[RateAt]:
     """Right fixes of simulated images by the landmarks in view."""
     return binned([t.landmarks for t in trials], [t.is_right for t in trials], (*LANDMARK_BINS, np.inf))
 
 
-def calibration(predicted: np.ndarray, right: np.ndarray) -> List[RateAt]:
+def calibration(predicted: np.ndarray, right: np.ndarray) -> list[RateAt]:
     """Right ones among images by their predicted success (n,) 0…1; NaN is left out."""
     known = np.isfinite(predicted)
     return binned(predicted[known], np.asarray(right, bool)[known], PROBABILITY_BINS)
 
 
-def brier_score(predicted: np.ndarray, right: np.ndarray) -> Optional[float]:
+def brier_score(predicted: np.ndarray, right: np.ndarray) -> float | None:
     """Mean squared difference of predicted success and what came of it (1 right, 0 not); None without predictions."""
     known = np.isfinite(predicted)
     if not known.any():

@@ -5,8 +5,8 @@ Told in docs/method.md#constellation.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Iterator, Tuple
 
 import numpy as np
 
@@ -169,7 +169,7 @@ def fine_values(numbers: np.ndarray) -> np.ndarray:
 
 def key_ranges(
     index: ConstellationIndex, numbers: np.ndarray, ranks: np.ndarray, tolerances: np.ndarray
-) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Stretches of the index that may hold triangles like the given ones: (R,) triangle, (R,) first, (R,) last + 1.
 
     numbers: (Q, 5) descriptors; ranks: (Q, 3) label ranks of A, B, C, all known; tolerances: (Q, 5).
@@ -194,7 +194,7 @@ def key_ranges(
     return which[order][some], first[some], last[some]
 
 
-def expand_ranges(first: np.ndarray, last: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+def expand_ranges(first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(H,) which stretch, (H,) every number in it, of stretches first … last − 1."""
     spans = last - first
     which = np.repeat(np.arange(len(first)), spans)
@@ -244,7 +244,7 @@ def _all_triangles(points, ranks, log_areas, whole, neighbor_count):
     return neighbors, keys, codes, fine
 
 
-def _chunks(usable: np.ndarray, exists: np.ndarray) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
+def _chunks(usable: np.ndarray, exists: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     for first in range(0, len(usable), BUILD_CHUNK):
         yield usable[first : first + BUILD_CHUNK], exists[first : first + BUILD_CHUNK]
 

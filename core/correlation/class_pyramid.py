@@ -13,8 +13,8 @@ they differ most (principal components). That keeps the time the same for 5 and 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Sequence, Tuple
 
 import cv2
 import numpy as np
@@ -60,10 +60,10 @@ class EvidenceLevel:
 
     evidence: np.ndarray
     known: np.ndarray
-    pixel: Tuple[float, float]
+    pixel: tuple[float, float]
 
 
-def class_fractions(labels_hw: np.ndarray, values: Sequence[int], size_wh: Tuple[int, int]) -> np.ndarray:
+def class_fractions(labels_hw: np.ndarray, values: Sequence[int], size_wh: tuple[int, int]) -> np.ndarray:
     """(h, w, K) uint8: the share of each coarse pixel (``FULL`` = all of it) that each class covers.
 
     ``size_wh``: number of coarse pixels along x and y, not more than the raster has; pixel edges needn't fall together.
@@ -96,7 +96,7 @@ def class_space(fractions: np.ndarray, values: np.ndarray) -> ClassSpace:
     return ClassSpace(values, usual, projection.astype(np.float32))
 
 
-def evidence_of(fractions: np.ndarray, space: ClassSpace) -> Tuple[np.ndarray, np.ndarray]:
+def evidence_of(fractions: np.ndarray, space: ClassSpace) -> tuple[np.ndarray, np.ndarray]:
     """Evidence (h, w, C) float32 and labeled share (h, w) float32 of fractions (h, w, K) uint8.
 
     Evidence = projection · (fraction − labeled share × usual fraction), 0 where nothing is labeled.
@@ -109,13 +109,13 @@ def evidence_of(fractions: np.ndarray, space: ClassSpace) -> Tuple[np.ndarray, n
     return np.ascontiguousarray(both[..., :-1]), np.ascontiguousarray(both[..., -1])
 
 
-def evidence_level(labels_hw: np.ndarray, space: ClassSpace, size_wh: Tuple[int, int]) -> EvidenceLevel:
+def evidence_level(labels_hw: np.ndarray, space: ClassSpace, size_wh: tuple[int, int]) -> EvidenceLevel:
     """A label raster's evidence on ``size_wh`` coarse pixels; ``pixel`` is in pixels of the raster."""
     evidence, known = evidence_of(class_fractions(labels_hw, space.values, size_wh), space)
     return EvidenceLevel(evidence, known, (labels_hw.shape[1] / size_wh[0], labels_hw.shape[0] / size_wh[1]))
 
 
-def reduced_level(level: EvidenceLevel, size_wh: Tuple[int, int]) -> EvidenceLevel:
+def reduced_level(level: EvidenceLevel, size_wh: tuple[int, int]) -> EvidenceLevel:
     """The same evidence on fewer, larger pixels (means of areas; evidence is linear in the fractions)."""
     height, width = level.known.shape
     if size_wh == (width, height):
@@ -140,7 +140,7 @@ class MapPyramid:
     pixels each); finer ones are computed for the crop that is asked for.
     """
 
-    def __init__(self, overview_hw: np.ndarray, frame: Tuple[float, float, float]) -> None:
+    def __init__(self, overview_hw: np.ndarray, frame: tuple[float, float, float]) -> None:
         self.labels = np.ascontiguousarray(overview_hw)
         self.frame = tuple(float(number) for number in frame)
         values = np.unique(self.labels)
@@ -170,11 +170,11 @@ class MapPyramid:
         return float((level.evidence[known] ** 2).sum(axis=1).mean()) if known.any() else 0.0
 
     @property
-    def size_m(self) -> Tuple[float, float]:
+    def size_m(self) -> tuple[float, float]:
         """Width and height of the map in map units."""
         return self.labels.shape[1] * self.frame[2], self.labels.shape[0] * self.frame[2]
 
-    def crop(self, pixel_m: float, box_m: Tuple[float, float, float, float]) -> Tuple[EvidenceLevel, float, float]:
+    def crop(self, pixel_m: float, box_m: tuple[float, float, float, float]) -> tuple[EvidenceLevel, float, float]:
         """The level whose pixels are nearest to ``pixel_m`` from below (×0.71 to ×1.41), cut to a box.
 
         ``box_m``: (left, top, right, bottom) in meters right and down from the map's upper left corner. Returns the

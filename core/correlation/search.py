@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import List, Tuple
 
 import cv2
 import numpy as np
@@ -41,7 +40,7 @@ class SearchSpace:
 
     headings_deg: np.ndarray
     pixel_sizes_m: np.ndarray
-    box_m: Tuple[float, float, float, float]
+    box_m: tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
@@ -96,7 +95,7 @@ def search(
     mask_spectrum = _spectrum(mean_mask, tile_size)
     quiet = QUIET_ENERGY * pyramid.energy * float(mean_mask.sum())
 
-    def one_tile(job) -> List[Tuple[float, ...]]:
+    def one_tile(job) -> list[tuple[float, ...]]:
         size_m, (left, top, columns, rows) = job
         best, turn = _tile_scores(
             pyramid, size_m * pixel, (left, top), tile_size, edge, spectra, mask_spectrum, float(mean_mask.sum()), quiet

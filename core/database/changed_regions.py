@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Iterator, List, Sequence, Set, Tuple
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from ..landmarks.regions import Region, RegionFinder
 from .build import map_references
 from .model import MapLandmarks, ReferenceDatabase
 
-Bounds = Tuple[int, int, int, int]
+Bounds = tuple[int, int, int, int]
 """(left, top, right, bottom) in pixels of the label map, right and bottom beyond the last."""
 
 
@@ -37,8 +37,8 @@ class ChangedLandmarks:
         self._places = places
         self._frame = database.parameters.frame
         self._minimum_area_px = minimum_area_px(database.parameters.minimum_area, self._frame.pixel_size)
-        self._removed: List[int] = []
-        self._rows: List[tuple] = []
+        self._removed: list[int] = []
+        self._rows: list[tuple] = []
 
     @property
     def removed(self) -> np.ndarray:
@@ -57,13 +57,13 @@ class ChangedLandmarks:
             for share in self._compare(value):
                 yield (n + share) / len(values)
 
-    def _landmarks(self, rows: List[tuple]) -> MapLandmarks:
+    def _landmarks(self, rows: list[tuple]) -> MapLandmarks:
         return map_references(objects_from_rows(rows_array(rows), self._source.shape_hw), self._frame)
 
     def _compare(self, value: int) -> Iterator[float]:
         """Compares the landmarks of one class; yields the share done."""
         finder = RegionFinder(self._source, value)
-        regions: Set[Region] = set()
+        regions: set[Region] = set()
         for n, place in enumerate(self._places, start=1):
             regions |= finder.touching(place)
             yield 0.3 * n / len(self._places)
@@ -85,7 +85,7 @@ class ChangedLandmarks:
             yield 0.9
         self._rows += new.values()
 
-    def _stands(self, bounds: Bounds, crossing: Sequence[Region], finder: RegionFinder, regions: Set[Region]) -> bool:
+    def _stands(self, bounds: Bounds, crossing: Sequence[Region], finder: RegionFinder, regions: set[Region]) -> bool:
         """Whether an old object whose bounds meet a changed place has no pixel in one.
 
         Its pixels outside the places, and on their outermost lines, are what they were. So an object with pixels
@@ -110,7 +110,7 @@ def _key(landmarks: MapLandmarks, k: int) -> tuple:
 # --- places ---
 
 
-def changed_places(before: Sequence[str], now: Sequence[str], shape_hw: Tuple[int, int]) -> List[Bounds]:
+def changed_places(before: Sequence[str], now: Sequence[str], shape_hw: tuple[int, int]) -> list[Bounds]:
     """Rectangles apart from each other that hold the changed blocks and, around them, a line of unchanged pixels.
 
     Whole blocks, also where only a corner of one was said to have changed: its new hash stands for all of it.
@@ -129,7 +129,7 @@ def changed_places(before: Sequence[str], now: Sequence[str], shape_hw: Tuple[in
     return _joined(found)
 
 
-def blocks_of(area: Bounds, shape_hw: Tuple[int, int]) -> Set[Tuple[int, int]]:
+def blocks_of(area: Bounds, shape_hw: tuple[int, int]) -> set[tuple[int, int]]:
     """(row, column) of the hashed blocks that share a pixel with ``area``."""
     left, top, right, bottom = _common(area, (0, 0, shape_hw[1], shape_hw[0]))
     if left >= right or top >= bottom:
@@ -139,7 +139,7 @@ def blocks_of(area: Bounds, shape_hw: Tuple[int, int]) -> Set[Tuple[int, int]]:
     return {(row, column) for row in rows for column in columns}
 
 
-def block_bounds(block: Tuple[int, int], shape_hw: Tuple[int, int]) -> Bounds:
+def block_bounds(block: tuple[int, int], shape_hw: tuple[int, int]) -> Bounds:
     """Where a hashed block (row, column) lies on a map of ``shape_hw`` pixels."""
     top, left = block[0] * HASHED_BLOCK, block[1] * HASHED_BLOCK
     return left, top, min(left + HASHED_BLOCK, shape_hw[1]), min(top + HASHED_BLOCK, shape_hw[0])
@@ -165,9 +165,9 @@ def _common(a: Bounds, b: Bounds) -> Bounds:
     return max(a[0], b[0]), max(a[1], b[1]), min(a[2], b[2]), min(a[3], b[3])
 
 
-def _joined(places: Sequence[Bounds]) -> List[Bounds]:
+def _joined(places: Sequence[Bounds]) -> list[Bounds]:
     """Rectangles of which no two share a pixel; those that do become the one around both."""
-    joined: List[Bounds] = []
+    joined: list[Bounds] = []
     waiting = sorted(places)
     while waiting:
         place = waiting.pop()

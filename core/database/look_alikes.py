@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Tuple
 
 import numpy as np
 
@@ -75,7 +74,7 @@ def _apart(windows: Windows, index: int, order: np.ndarray, count: int) -> np.nd
     return np.array(chosen[1:], np.int64)
 
 
-def vector_rows(vector: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+def vector_rows(vector: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Distance ratios, angle differences and class ranks of a (3·X,) vector, without the padding at their ends."""
     ratios, angles, ranks = np.asarray(vector).reshape(3, -1)
     count = int((ranks > 0).sum())

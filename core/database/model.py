@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Optional
 
 import numpy as np
 
@@ -40,7 +39,7 @@ class Windows:
     counts: np.ndarray
     vectors: np.ndarray
     described: np.ndarray
-    distinctiveness: Optional[np.ndarray] = None
+    distinctiveness: np.ndarray | None = None
 
     def __len__(self) -> int:
         return len(self.levels)
@@ -86,7 +85,7 @@ class MapLandmarks:
     classes: np.ndarray
     areas_m2: np.ndarray
     touches_edge: np.ndarray
-    bounds_px: Optional[np.ndarray] = None
+    bounds_px: np.ndarray | None = None
 
     def __len__(self) -> int:
         return len(self.classes)
@@ -103,5 +102,5 @@ class ReferenceDatabase:
     references: MapLandmarks
     class_table: ClassTable
     parameters: BuildParameters
-    source: Optional[str] = None
-    overview: Optional[np.ndarray] = None
+    source: str | None = None
+    overview: np.ndarray | None = None

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Iterable, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -12,7 +12,7 @@ Z_95 = 1.959964
 """Two-sided 95 % quantile of the normal distribution."""
 
 
-def wilson(successes: int, trials: int) -> Tuple[float, float]:
+def wilson(successes: int, trials: int) -> tuple[float, float]:
     """95 % interval of a rate, (low, high) in 0…1; (0, 1) without trials."""
     if trials == 0:
         return 0.0, 1.0
@@ -30,12 +30,12 @@ class Rate:
     trials: int
 
     @property
-    def share(self) -> Optional[float]:
+    def share(self) -> float | None:
         """0…1; None without trials."""
         return self.successes / self.trials if self.trials else None
 
     @property
-    def interval(self) -> Tuple[float, float]:
+    def interval(self) -> tuple[float, float]:
         """The 95 % interval of the share."""
         return wilson(self.successes, self.trials)
 
@@ -63,7 +63,7 @@ def rate_of(successes: Iterable[bool]) -> Rate:
     return Rate(sum(found), len(found))
 
 
-def binned(values: Sequence[float], successes: Sequence[bool], edges: Sequence[float]) -> List[RateAt]:
+def binned(values: Sequence[float], successes: Sequence[bool], edges: Sequence[float]) -> list[RateAt]:
     """One rate for each bin that has values.
 
     Args:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -38,15 +38,15 @@ class MethodSummary:
     right: Rate
     wrong: Rate
     false_accepts: Rate
-    median_error: Optional[float]
-    error_95: Optional[float]
-    heading_error_deg: Optional[float]
-    scale_error: Optional[float]
+    median_error: float | None
+    error_95: float | None
+    heading_error_deg: float | None
+    scale_error: float | None
     covered: Rate
-    statuses: Dict[str, int]
+    statuses: dict[str, int]
 
 
-def of_method(trials: Sequence[Trial], method: str, *kinds: str) -> List[Trial]:
+def of_method(trials: Sequence[Trial], method: str, *kinds: str) -> list[Trial]:
     """The trials of a method with some kinds of queries."""
     return [t for t in trials if t.method == method and t.query.kind in kinds]
 
@@ -74,38 +74,38 @@ def covered(trials: Sequence[Trial]) -> Rate:
     return rate_of(t.radius_ratio <= 1 for t in trials if t.radius_ratio is not None)
 
 
-def percentile(values: Sequence[Optional[float]], percent: float) -> Optional[float]:
+def percentile(values: Sequence[float | None], percent: float) -> float | None:
     """Percentile of the values that are known; None when none is."""
     known = [value for value in values if value is not None]
     return float(np.percentile(known, percent)) if known else None
 
 
-def success_by_offset(trials: Sequence[Trial], method: str) -> List[RateAt]:
+def success_by_offset(trials: Sequence[Trial], method: str) -> list[RateAt]:
     """Right fixes of windows that were moved by each of OFFSETS."""
     moved = of_method(trials, method, OFFSET)
     return _right_by([round(t.query.offset, 6) for t in moved], moved, (*OFFSETS, np.inf))
 
 
-def success_by_landmarks(trials: Sequence[Trial], method: str) -> List[RateAt]:
+def success_by_landmarks(trials: Sequence[Trial], method: str) -> list[RateAt]:
     """Right fixes by the number of landmarks that the database has in the window."""
     tried = of_method(trials, method, MAP)
     return _right_by([t.landmarks for t in tried], tried, (*LANDMARK_BINS, np.inf))
 
 
-def reliability(trials: Sequence[Trial], method: str) -> List[RateAt]:
+def reliability(trials: Sequence[Trial], method: str) -> list[RateAt]:
     """Share of right ones among the fixes of a confidence, mirrored images among them."""
     fixes = [t for t in of_method(trials, method, MAP, MIRRORED) if t.is_fix]
     return _right_by([t.result.confidence for t in fixes], fixes, CONFIDENCE_BINS)
 
 
-def error_curve(trials: Sequence[Trial], method: str) -> Tuple[np.ndarray, np.ndarray]:
+def error_curve(trials: Sequence[Trial], method: str) -> tuple[np.ndarray, np.ndarray]:
     """Errors of all fixes in order (n,), and the share of the map's images with a fix at most so far off (n,)."""
     tried = of_method(trials, method, MAP)
     errors = np.sort([t.error for t in tried if t.is_fix])
     return errors, np.arange(1, len(errors) + 1) / max(len(tried), 1)
 
 
-def noise_rates(trials: Sequence[Trial]) -> List[List[Rate]]:
+def noise_rates(trials: Sequence[Trial]) -> list[list[Rate]]:
     """Right fixes of the noise grid: a row for each level missed, a column for each level spurious."""
     tried = [t for t in trials if t.query.kind == NOISE]
     levels = [level / 100 for level in NOISE_LEVELS]
@@ -115,6 +115,6 @@ def noise_rates(trials: Sequence[Trial]) -> List[List[Rate]]:
     ]
 
 
-def _right_by(values: Sequence[float], trials: Sequence[Trial], edges: Sequence[float]) -> List[RateAt]:
+def _right_by(values: Sequence[float], trials: Sequence[Trial], edges: Sequence[float]) -> list[RateAt]:
     """Right fixes by one value a trial."""
     return binned(values, [t.is_right for t in trials], edges)

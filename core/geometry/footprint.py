@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Tuple
-
 import numpy as np
 
 
 def image_corners(
-    center: Tuple[float, float], heading_deg: float, pixel_size: float, width_px: int, height_px: int
+    center: tuple[float, float], heading_deg: float, pixel_size: float, width_px: int, height_px: int
 ) -> np.ndarray:
     """(4, 2) map coordinates of an image's upper left, upper right, lower right and lower left corner.
 
@@ -21,7 +19,7 @@ def image_corners(
     return np.asarray(center) + np.array([along - across, across + along, across - along, -across - along])
 
 
-def on_ground(points_xy: np.ndarray, footprint: np.ndarray, shape_hw: Tuple[int, int]) -> np.ndarray:
+def on_ground(points_xy: np.ndarray, footprint: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarray:
     """(n, 2) map coordinates of pixel coordinates (n, 2) (column, row) of an image of ``shape_hw`` pixels.
 
     footprint: (4, 2) map coordinates of the ground at the image's corners, upper left first, clockwise. The one

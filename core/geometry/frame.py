@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Sequence, Tuple
 
 import numpy as np
 
@@ -21,18 +21,18 @@ class MapFrame:
     """
 
     crs: str
-    geotransform: Tuple[float, ...]
-    shape_hw: Tuple[int, int] = (0, 0)
+    geotransform: tuple[float, ...]
+    shape_hw: tuple[int, int] = (0, 0)
 
     @classmethod
     def at(
-        cls, origin: Sequence[float], pixel_size: float, shape_hw: Tuple[int, int] = (0, 0), crs: str = ""
+        cls, origin: Sequence[float], pixel_size: float, shape_hw: tuple[int, int] = (0, 0), crs: str = ""
     ) -> MapFrame:
         """The frame whose first pixel has its upper left corner at ``origin`` (x, y)."""
         return cls(crs, (origin[0], pixel_size, 0.0, origin[1], 0.0, -pixel_size), shape_hw)
 
     @property
-    def origin(self) -> Tuple[float, float]:
+    def origin(self) -> tuple[float, float]:
         """(x, y) of the first pixel's upper left corner, map units."""
         return self.geotransform[0], self.geotransform[3]
 
@@ -42,7 +42,7 @@ class MapFrame:
         return self.geotransform[1]
 
     @property
-    def extent(self) -> Tuple[float, float, float, float]:
+    def extent(self) -> tuple[float, float, float, float]:
         """(x_min, y_min, x_max, y_max), map units."""
         (x0, y0), pixel, (height, width) = self.origin, self.pixel_size, self.shape_hw
         return x0, y0 - pixel * height, x0 + pixel * width, y0
@@ -57,7 +57,7 @@ class MapFrame:
         points_xy, (x0, y0), pixel = np.asarray(points_xy), self.origin, self.pixel_size
         return np.stack([(points_xy[..., 0] - x0) / pixel, (y0 - points_xy[..., 1]) / pixel], axis=-1)
 
-    def part(self, column: int, row: int, shape_hw: Tuple[int, int]) -> MapFrame:
+    def part(self, column: int, row: int, shape_hw: tuple[int, int]) -> MapFrame:
         """The frame of ``shape_hw`` pixels that begins at (column, row)."""
         (x0, y0), pixel = self.origin, self.pixel_size
         return MapFrame.at((x0 + column * pixel, y0 - row * pixel), pixel, shape_hw, self.crs)
@@ -67,6 +67,6 @@ class MapFrame:
         height, width = self.shape_hw
         return MapFrame.at(self.origin, self.pixel_size * factor, (-(-height // factor), -(-width // factor)), self.crs)
 
-    def of_shape(self, shape_hw: Tuple[int, int]) -> MapFrame:
+    def of_shape(self, shape_hw: tuple[int, int]) -> MapFrame:
         """The same grid with so many pixels (height, width)."""
         return replace(self, shape_hw=shape_hw)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Callable, Optional, Sequence, Tuple
+from typing import Callable
 
 import numpy as np
 
@@ -22,7 +23,7 @@ _CHECKED = 41
 _EQUATOR_M, _MERIDIAN_M = 111_319.5, 110_574.3
 """Meters a degree of longitude and the shortest meters a degree of latitude, at WGS 84's equator."""
 
-Transform = Callable[[np.ndarray], Tuple[np.ndarray, np.ndarray]]
+Transform = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
 @dataclass(frozen=True)
@@ -36,20 +37,20 @@ class LonLatPolynomial:
     """
 
     degree: int
-    center: Tuple[float, float]
-    half_size: Tuple[float, float]
-    longitude: Tuple[float, ...]
-    latitude: Tuple[float, ...]
+    center: tuple[float, float]
+    half_size: tuple[float, float]
+    longitude: tuple[float, ...]
+    latitude: tuple[float, ...]
     error_m: float
 
-    def __call__(self, points_xy: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    def __call__(self, points_xy: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(N, 2) map coordinates → longitudes (N,) in [−180, 180), latitudes (N,)."""
         terms = _terms(points_xy, self.degree, self.center, self.half_size)
         longitudes = (terms @ np.array(self.longitude) + 180) % 360 - 180
         return longitudes, terms @ np.array(self.latitude)
 
 
-def fit_lon_lat(transform: Transform, extent: Tuple[float, float, float, float]) -> Optional[LonLatPolynomial]:
+def fit_lon_lat(transform: Transform, extent: tuple[float, float, float, float]) -> LonLatPolynomial | None:
     """The polynomial of lowest degree within WANTED_ERROR_M of ``transform``, else the best one.
 
     ``transform``: (N, 2) map coordinates → longitudes, latitudes, NaN where there are none; ``extent``: (x_min, y_min,
@@ -66,7 +67,7 @@ def fit_lon_lat(transform: Transform, extent: Tuple[float, float, float, float])
         return None
     # Without the jump at the antimeridian.
     true_lon = true_lon[0] + (true_lon - true_lon[0] + 180) % 360 - 180
-    best: Optional[LonLatPolynomial] = None
+    best: LonLatPolynomial | None = None
     for degree in range(LOWEST_DEGREE, HIGHEST_DEGREE + 1):
         terms = _terms(fitted, degree, center, half_size)
         lon, lat = (np.linalg.lstsq(terms, values, rcond=None)[0] for values in (true_lon, true_lat))

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Sequence
 from functools import lru_cache
-from typing import List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -21,8 +21,8 @@ class BlockHasher:
     def __init__(self, width: int) -> None:
         self._columns = range(0, width, HASHED_BLOCK)
         self._row = 0
-        self._open: List[_BlockDigest] = []
-        self._done: List[str] = []
+        self._open: list[_BlockDigest] = []
+        self._done: list[str] = []
 
     def add(self, labels_hw: np.ndarray) -> None:
         """The next rows of the map, (h, W) uint8, any number of them."""
@@ -38,7 +38,7 @@ class BlockHasher:
             first = last
 
     @property
-    def hashes(self) -> Tuple[str, ...]:
+    def hashes(self) -> tuple[str, ...]:
         """One a block, row by row."""
         self._close()
         return tuple(self._done)
@@ -58,7 +58,7 @@ class _BlockDigest:
     def __init__(self) -> None:
         self._value = 0
         self._count = 0
-        self._pixels: Optional[hashlib.blake2b] = None
+        self._pixels: hashlib.blake2b | None = None
 
     def add(self, labels_hw: np.ndarray) -> None:
         """The block's next rows, (h, w) uint8."""
@@ -92,12 +92,12 @@ def _hash_of_one_value(value: int, count: int) -> str:
     return hashlib.blake2b(_one_value(value, count), digest_size=_HASH_BYTES).hexdigest()
 
 
-def blocks_shape(shape_hw: Tuple[int, int]) -> Tuple[int, int]:
+def blocks_shape(shape_hw: tuple[int, int]) -> tuple[int, int]:
     """(rows, columns) of the blocks of a map of ``shape_hw`` pixels."""
     return -(-shape_hw[0] // HASHED_BLOCK), -(-shape_hw[1] // HASHED_BLOCK)
 
 
-def map_hash(shape_hw: Tuple[int, int], geotransform: Sequence[float], hashes: Sequence[str]) -> str:
+def map_hash(shape_hw: tuple[int, int], geotransform: Sequence[float], hashes: Sequence[str]) -> str:
     """SHA-256 of a map's shape, place and block hashes."""
     place = repr((tuple(shape_hw), tuple(geotransform)))
     return hashlib.sha256((place + "".join(hashes)).encode("ascii")).hexdigest()

@@ -6,8 +6,8 @@ import csv
 import hashlib
 import io
 import re
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Dict, Iterable, Iterator, List, Optional, Sequence, Tuple, Union
 
 from ..errors import ClassTableError
 from ..sentences import Sentence
@@ -41,8 +41,8 @@ _PALETTE = (
 
 _COLUMNS = ("value", "name", "color", "role", "draw_order", "hsv_min", "hsv_max")
 
-Hsv = Tuple[int, int, int]
-Rgb = Tuple[int, int, int]
+Hsv = tuple[int, int, int]
+Rgb = tuple[int, int, int]
 
 
 @dataclass(frozen=True)
@@ -57,9 +57,9 @@ class LandCoverClass:
     name: str
     color: str
     role: str = BACKGROUND
-    draw_order: Optional[float] = None
-    hsv_min: Optional[Hsv] = None
-    hsv_max: Optional[Hsv] = None
+    draw_order: float | None = None
+    hsv_min: Hsv | None = None
+    hsv_max: Hsv | None = None
 
     def __post_init__(self) -> None:
         if not 0 <= self.value <= MAXIMUM_VALUE:
@@ -93,7 +93,7 @@ class LandCoverClass:
 class ClassTable:
     """Classes in ascending order of value. Raises ClassTableError when values or names repeat."""
 
-    classes: Tuple[LandCoverClass, ...]
+    classes: tuple[LandCoverClass, ...]
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "classes", tuple(sorted(self.classes, key=lambda c: c.value)))
@@ -110,18 +110,18 @@ class ClassTable:
         return len(self.classes)
 
     @property
-    def references(self) -> Tuple[LandCoverClass, ...]:
+    def references(self) -> tuple[LandCoverClass, ...]:
         """The reference classes, in order of class value; a class's rank is its 1-based place here."""
         return tuple(c for c in self.classes if c.is_reference)
 
     @property
-    def reference_values(self) -> Tuple[int, ...]:
+    def reference_values(self) -> tuple[int, ...]:
         return tuple(c.value for c in self.references)
 
-    def by_value(self, value: int) -> Optional[LandCoverClass]:
+    def by_value(self, value: int) -> LandCoverClass | None:
         return next((c for c in self.classes if c.value == value), None)
 
-    def find(self, text: str) -> Optional[LandCoverClass]:
+    def find(self, text: str) -> LandCoverClass | None:
         """The class a person means by ``text``: its name (case-insensitive if need be) or its value."""
         wanted = text.strip()
         for key in (lambda c: c.name == wanted, lambda c: c.name.casefold() == wanted.casefold()):
@@ -130,7 +130,7 @@ class ClassTable:
                 return found[0]
         return self.by_value(int(wanted)) if re.fullmatch(r"\d{1,3}", wanted) else None
 
-    def with_references(self, names_or_values: Sequence[str]) -> "ClassTable":
+    def with_references(self, names_or_values: Sequence[str]) -> ClassTable:
         """The same table with exactly the named classes as references. Raises ClassTableError for unknown names."""
         chosen = set()
         for text in names_or_values:
@@ -140,13 +140,13 @@ class ClassTable:
             chosen.add(found.value)
         return ClassTable(tuple(replace(c, role=REFERENCE if c.value in chosen else BACKGROUND) for c in self.classes))
 
-    def require_references(self) -> "ClassTable":
+    def require_references(self) -> ClassTable:
         """Itself, if it has a reference class; else raises ClassTableError."""
         if not self.references:
             raise ClassTableError("labels.no_reference_class", classes=self.describe())
         return self
 
-    def describe(self) -> Union[Tuple[str, ...], Sentence]:
+    def describe(self) -> tuple[str, ...] | Sentence:
         """“1 building, 2 bare_land” as a value of a sentence."""
         return shortened([f"{c.value} {c.name}" for c in self.classes])
 
@@ -211,19 +211,19 @@ def default_color(value: int) -> str:
     return "#" + hashlib.sha256(str(value).encode("ascii")).hexdigest()[:6]
 
 
-def split_list(text: Optional[str]) -> List[str]:
+def split_list(text: str | None) -> list[str]:
     """Items of a list given as text, without empty ones: ``"building; water"`` → ["building", "water"]."""
     return [item.strip() for item in (text or "").split(LIST_SEPARATOR) if item.strip()]
 
 
-def shortened(items: Sequence[str], most: int = 12) -> Union[Tuple[str, ...], Sentence]:
+def shortened(items: Sequence[str], most: int = 12) -> tuple[str, ...] | Sentence:
     """The items as a value of a sentence; of many the first ``most``, and how many more there are."""
     if len(items) <= most:
         return tuple(items)
     return Sentence("labels.and_more", shown=items[:most], count=len(items) - most)
 
 
-def _class_from_row(row: Dict[str, Optional[str]], where: Sentence) -> LandCoverClass:
+def _class_from_row(row: dict[str, str | None], where: Sentence) -> LandCoverClass:
     cell = {
         key: (value or "").strip() for key, value in row.items() if isinstance(key, str) and not isinstance(value, list)
     }
@@ -249,7 +249,7 @@ def _class_from_row(row: Dict[str, Optional[str]], where: Sentence) -> LandCover
         raise ClassTableError("labels.at_line", where=where, fault=error.sentence) from None
 
 
-def _hsv(text: str, where: Sentence) -> Optional[Hsv]:
+def _hsv(text: str, where: Sentence) -> Hsv | None:
     if not text:
         return None
     parts = text.split()
@@ -265,5 +265,5 @@ def _number_text(number: float) -> str:
     return short if float(short) == number else repr(number)
 
 
-def _hsv_text(hsv: Optional[Hsv]) -> str:
+def _hsv_text(hsv: Hsv | None) -> str:
     return "" if hsv is None else " ".join(str(part) for part in hsv)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Tuple
-
 import cv2
 import numpy as np
 
@@ -58,7 +56,7 @@ def decode_by_nearest_color(image_bgr: np.ndarray, table: ClassTable) -> np.ndar
     return labels_hw
 
 
-def _in_hsv_range(hsv: np.ndarray, low: Tuple[int, int, int], high: Tuple[int, int, int]) -> np.ndarray:
+def _in_hsv_range(hsv: np.ndarray, low: tuple[int, int, int], high: tuple[int, int, int]) -> np.ndarray:
     if low[0] <= high[0]:
         return cv2.inRange(hsv, low, high) > 0
     # The hue is a circle: red goes through 180 back to 0.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Optional, Tuple
 
 import cv2
 import numpy as np
@@ -27,9 +26,9 @@ class ClassMatch:
     """
 
     values: np.ndarray
-    table: Optional[ClassTable]
+    table: ClassTable | None
     by_name: bool
-    only_predicted: Tuple[str, ...] = ()
+    only_predicted: tuple[str, ...] = ()
 
     def name(self, value: int) -> str:
         """The class's name; “unlabeled” for 0, the number for a class without a name."""
@@ -37,7 +36,7 @@ class ClassMatch:
         return found.name if found else ("unlabeled" if value == UNLABELED else str(value))
 
 
-def match_classes(annotated: Optional[ClassTable], predicted: Optional[ClassTable]) -> ClassMatch:
+def match_classes(annotated: ClassTable | None, predicted: ClassTable | None) -> ClassMatch:
     """Matches by name (in any case) where both maps name their classes and share a name, else by value.
 
     By name, predicted classes that the annotated map lacks keep their value if it is free and get a free one if not;
@@ -103,7 +102,7 @@ class LabelComparison:
         return self.counts.sum(axis=0)
 
     @property
-    def values(self) -> Tuple[int, ...]:
+    def values(self) -> tuple[int, ...]:
         """Values that occur in either map, ascending."""
         return tuple(int(v) for v in np.flatnonzero(self.annotated + self.predicted))
 
@@ -112,11 +111,11 @@ class LabelComparison:
         both = self.counts[value, value]
         return float(both / (self.annotated[value] + self.predicted[value] - both))
 
-    def recall(self, value: int) -> Optional[float]:
+    def recall(self, value: int) -> float | None:
         """Share of the annotated pixels of a class that are predicted so (producer's accuracy)."""
         return _share(self.counts[value, value], self.annotated[value])
 
-    def precision(self, value: int) -> Optional[float]:
+    def precision(self, value: int) -> float | None:
         """Share of the predicted pixels of a class that are annotated so (user's accuracy)."""
         return _share(self.counts[value, value], self.predicted[value])
 
@@ -126,7 +125,7 @@ class LabelComparison:
         return float(np.mean([self.iou(int(value)) for value in np.flatnonzero(self.annotated)]))
 
 
-def _share(part: int, whole: int) -> Optional[float]:
+def _share(part: int, whole: int) -> float | None:
     return float(part / whole) if whole else None
 
 
@@ -147,6 +146,6 @@ def disagreement_codes(annotated_hw: np.ndarray, predicted_hw: np.ndarray) -> np
     return codes
 
 
-def decode_disagreement(code: int) -> Tuple[int, int]:
+def decode_disagreement(code: int) -> tuple[int, int]:
     """(annotated, predicted) value of a code of ``disagreement_codes``."""
     return divmod(code, _VALUES)

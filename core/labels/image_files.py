@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 import struct
 import zlib
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Iterator, List, Optional, Tuple, Type
 
 import cv2
 import numpy as np
@@ -77,7 +77,7 @@ class Photo:
     """
 
     image: ArrayImage
-    pixel_size_m: Optional[Tuple[float, float]]
+    pixel_size_m: tuple[float, float] | None
 
 
 def read_photo(path: str) -> Photo:
@@ -106,7 +106,7 @@ def _photo(data: bytes, path: str) -> Photo:
     return Photo(pixels, None if tags is None else pixel_size_m(tags, pixels.shape_hw))
 
 
-def _with_plain_bands(data: bytes, tags: Optional[TiffTags]) -> bytes:
+def _with_plain_bands(data: bytes, tags: TiffTags | None) -> bytes:
     """The TIFF with colors that count as darkened by their opacity already: else OpenCV would darken them."""
     if tags is None or tags.values(EXTRA_SAMPLES) != (_TIFF_OPACITY,):
         return data
@@ -115,7 +115,7 @@ def _with_plain_bands(data: bytes, tags: Optional[TiffTags]) -> bytes:
     return bytes(patched)
 
 
-def _has_data(image: np.ndarray, tags: Optional[TiffTags]) -> Optional[np.ndarray]:
+def _has_data(image: np.ndarray, tags: TiffTags | None) -> np.ndarray | None:
     """(H, W) bool: where a decoded photo has data; None everywhere. As GDAL decides: nodata goes before opacity."""
     nodata = None if tags is None else tags.nodata()
     if nodata is not None:
@@ -126,9 +126,9 @@ def _has_data(image: np.ndarray, tags: Optional[TiffTags]) -> Optional[np.ndarra
     return image[..., 3] > 0 if image.ndim == 3 and image.shape[2] == 4 and is_opacity else None
 
 
-def image_files(paths: List[str]) -> List[str]:
+def image_files(paths: list[str]) -> list[str]:
     """Files as given; a folder stands for the images in it, by name. Raises LabelMapError for an empty folder."""
-    found: List[str] = []
+    found: list[str] = []
     for path in paths:
         if not os.path.isdir(path):
             found.append(path)
@@ -145,7 +145,7 @@ def is_image_name(name: str) -> bool:
     return name.lower().endswith(IMAGE_EXTENSIONS) and not name.startswith(".")
 
 
-def _read(path: str, kind: Type[SemRefError]) -> bytes:
+def _read(path: str, kind: type[SemRefError]) -> bytes:
     try:
         with open(path, "rb") as file:
             return file.read()
@@ -153,7 +153,7 @@ def _read(path: str, kind: Type[SemRefError]) -> bytes:
         raise kind("labels.image_unreadable", path=path, reason=error.strerror) from None
 
 
-def _decoded(data: bytes, flags: int, path: str, kind: Type[SemRefError]) -> np.ndarray:
+def _decoded(data: bytes, flags: int, path: str, kind: type[SemRefError]) -> np.ndarray:
     # The orientation of EXIF is left alone: GDAL, which the plugin reads with, doesn't know it.
     try:
         image = cv2.imdecode(np.frombuffer(data, np.uint8), flags | cv2.IMREAD_IGNORE_ORIENTATION) if data else None
@@ -173,7 +173,7 @@ def _decoded(data: bytes, flags: int, path: str, kind: Type[SemRefError]) -> np.
     return image
 
 
-def _png_values(data: bytes, path: str) -> Tuple[bytes, Optional[int]]:
+def _png_values(data: bytes, path: str) -> tuple[bytes, int | None]:
     """The PNG with a palette's indices as gray values, and its highest value when it has fewer than 8 bits."""
     _, kind, header = struct.unpack_from(">I4s13s", data, len(_PNG))
     bits, color = header[8], header[9]
@@ -189,7 +189,7 @@ def _png_values(data: bytes, path: str) -> Tuple[bytes, Optional[int]]:
     return data, 2**bits - 1 if color in (_PNG_PALETTE, _PNG_GRAY) and bits < 8 else None
 
 
-def _png_chunks(data: bytes) -> Iterator[Tuple[bytes, bytes]]:
+def _png_chunks(data: bytes) -> Iterator[tuple[bytes, bytes]]:
     place = len(_PNG)
     while place + 12 <= len(data):
         length, name = struct.unpack_from(">I4s", data, place)
@@ -201,7 +201,7 @@ def _png_chunk(name: bytes, content: bytes) -> bytes:
     return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
 
 
-def _tiff_values(data: bytes, path: str) -> Tuple[bytes, Optional[float]]:
+def _tiff_values(data: bytes, path: str) -> tuple[bytes, float | None]:
     """The TIFF with a palette's indices as gray values, and its nodata value (GDAL's tag), None without one."""
     tags = TiffTags(data)
     if tags.values(PHOTOMETRIC) == (_TIFF_PALETTE,):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional, Protocol, Tuple
+from typing import Protocol
 
 import numpy as np
 
@@ -11,10 +11,10 @@ class ImageSource(Protocol):
     """A color image that is read in pieces; rasters on disk implement it outside ``core``."""
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
         """(height, width) in pixels."""
 
-    def read(self, column: int, row: int, width: int, height: int) -> Tuple[np.ndarray, Optional[np.ndarray]]:
+    def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
         """(height, width, 3) uint8 pixels, red first, and (height, width) bool: where there is data; None everywhere.
 
         Pixels without data are 0. The piece lies wholly on the image. Pieces are asked for row by row of tiles, from
@@ -25,14 +25,14 @@ class ImageSource(Protocol):
 class ArrayImage:
     """An image in memory, (H, W, 3) uint8, red first."""
 
-    def __init__(self, image_hw3: np.ndarray, has_data_hw: Optional[np.ndarray] = None) -> None:
+    def __init__(self, image_hw3: np.ndarray, has_data_hw: np.ndarray | None = None) -> None:
         self._image_hw3 = image_hw3
         self._has_data_hw = has_data_hw
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
         return self._image_hw3.shape[0], self._image_hw3.shape[1]
 
-    def read(self, column: int, row: int, width: int, height: int) -> Tuple[np.ndarray, Optional[np.ndarray]]:
+    def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
         piece = slice(row, row + height), slice(column, column + width)
         return self._image_hw3[piece], None if self._has_data_hw is None else self._has_data_hw[piece]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import struct
 from math import cos, hypot, radians, sin
-from typing import Dict, Optional, Tuple
 
 ORDERS = {b"II*\0": "<", b"MM\0*": ">"}
 """Byte order of a TIFF by its first four bytes."""
@@ -37,7 +36,7 @@ class TiffTags:
         self.order = ORDERS[data[:4]]
         (first,) = struct.unpack_from(self.order + "I", data, 4)
         (count,) = struct.unpack_from(self.order + "H", data, first)
-        self.entries: Dict[int, Tuple[int, int, int]] = {}
+        self.entries: dict[int, tuple[int, int, int]] = {}
         for place in range(first + 2, first + 2 + 12 * count, 12):
             tag, kind, length = struct.unpack_from(self.order + "HHI", data, place)
             self.entries[tag] = kind, length, place + 8
@@ -54,7 +53,7 @@ class TiffTags:
             raise struct.error("longer than the file")
         return struct.unpack_from(f"{self.order}{length}{code}", self._data, place)
 
-    def nodata(self) -> Optional[float]:
+    def nodata(self) -> float | None:
         """GDAL's nodata value, None without one."""
         found = self.values(NODATA)
         try:
@@ -63,7 +62,7 @@ class TiffTags:
             return None
 
 
-def pixel_size_m(tags: TiffTags, shape_hw: Tuple[int, int]) -> Optional[Tuple[float, float]]:
+def pixel_size_m(tags: TiffTags, shape_hw: tuple[int, int]) -> tuple[float, float] | None:
     """Ground meters along a row and along a column of a pixel of a GeoTIFF, as QGIS measures them in its middle.
 
     Degrees are measured on WGS 84's ellipsoid. None where the file itself has no georeference, does not say what its
@@ -88,7 +87,7 @@ def pixel_size_m(tags: TiffTags, shape_hw: Tuple[int, int]) -> Optional[Tuple[fl
     return None
 
 
-def _geotransform(tags: TiffTags) -> Optional[Tuple[float, float, float, float, float]]:
+def _geotransform(tags: TiffTags) -> tuple[float, float, float, float, float] | None:
     """Map units that x and y grow by a column and by a row, and y of the upper left corner; None without any."""
     matrix = tags.values(_TRANSFORMATION)
     if len(matrix) == 16:
@@ -99,14 +98,14 @@ def _geotransform(tags: TiffTags) -> Optional[Tuple[float, float, float, float, 
     return scale[0], 0.0, 0.0, -scale[1], tie[4] + tie[1] * scale[1]
 
 
-def _geo_keys(tags: TiffTags) -> Dict[int, int]:
+def _geo_keys(tags: TiffTags) -> dict[int, int]:
     """GeoTIFF's keys whose value is a single number."""
     found = tags.values(_GEO_KEYS)
     keys = (found[place : place + 4] for place in range(4, len(found) - 3, 4))
     return {key: value for key, where, _, value in keys if where == 0}
 
 
-def _meters_per_degree(latitude_deg: float) -> Tuple[float, float]:
+def _meters_per_degree(latitude_deg: float) -> tuple[float, float]:
     """Of longitude and of latitude."""
     flattened = 1 - _ECCENTRICITY_SQUARED * sin(radians(latitude_deg)) ** 2
     east = _EQUATOR_RADIUS_M / flattened**0.5 * cos(radians(latitude_deg))

@@ -8,7 +8,6 @@ and a tile counts only when it lies wholly on blocks of one kind: no pixel is in
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import List, Tuple
 
 import numpy as np
 
@@ -37,7 +36,7 @@ class Tile:
         return f"{self.column}_{self.row}"
 
 
-def block_size(shape_hw: Tuple[int, int], tile_size: int) -> int:
+def block_size(shape_hw: tuple[int, int], tile_size: int) -> int:
     """Edge of a block of ground in pixels: about an eighth of the longer side, in whole tiles so that few straddle."""
     return tile_size * max(1, -(-max(shape_hw) // (BLOCKS_ACROSS * tile_size)))
 
@@ -59,7 +58,7 @@ def validation_blocks(labeled: np.ndarray, fraction: float) -> np.ndarray:
     return taken
 
 
-def plan_tiles(shape_hw: Tuple[int, int], tile_size: int, stride: int, held_out: np.ndarray, block: int) -> List[Tile]:
+def plan_tiles(shape_hw: tuple[int, int], tile_size: int, stride: int, held_out: np.ndarray, block: int) -> list[Tile]:
     """Tiles row by row, without those that lie on blocks of both kinds.
 
     ``held_out``: (R, C) bool, the validation blocks of edge ``block`` px. Tiles never reach beyond the image.

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Optional, Tuple
-
 import numpy as np
 
 from ..labels.sources import LabelSource
@@ -34,7 +32,7 @@ class _Surroundings:
     def holds_neighbors(self, x: int, y: int) -> bool:
         return 0 < x - self.left < self.width - 1 and 0 < y - self.top < self.width - 1
 
-    def direction(self, x: int, y: int, first: int, turn: int) -> Optional[int]:
+    def direction(self, x: int, y: int, first: int, turn: int) -> int | None:
         """The first direction with a set neighbor, from ``first`` on, counter-clockwise (turn 1) or clockwise (−1)."""
         place = (y - self.top) * self.width + x - self.left
         for step in range(8):
@@ -45,8 +43,8 @@ class _Surroundings:
 
 
 def follow_outer_border(
-    source: LabelSource, value: int, first_pixel: Tuple[int, int], minimum_area: float
-) -> Optional[tuple]:
+    source: LabelSource, value: int, first_pixel: tuple[int, int], minimum_area: float
+) -> tuple | None:
     """Region row (class, center, area, bounds) of the 8-connected region whose first pixel in raster order is given.
 
     Area and center are those of the polygon through the border pixels' centers (Green's formula, exact in

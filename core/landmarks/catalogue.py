@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Dict, Iterator, List, Optional, Sequence, Tuple
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -51,14 +51,14 @@ class CatalogueBuilder:
         height, width = source.shape_hw
         rows = max(band_multiple, band_pixels // width // band_multiple * band_multiple)
         self._band_rows = min(rows, height)
-        self._rows: List[np.ndarray] = [NO_ROWS]
-        self._seams: Dict[int, _Seam] = {value: _Seam() for value in self._values}
+        self._rows: list[np.ndarray] = [NO_ROWS]
+        self._seams: dict[int, _Seam] = {value: _Seam() for value in self._values}
 
     @property
     def band_count(self) -> int:
         return -(-self._source.shape_hw[0] // self._band_rows)
 
-    def bands(self) -> Iterator[Tuple[int, np.ndarray]]:
+    def bands(self) -> Iterator[tuple[int, np.ndarray]]:
         height, width = self._source.shape_hw
         for first in range(0, height, self._band_rows):
             labels = self._source.read(0, first, width, min(self._band_rows, height - first))
@@ -107,11 +107,11 @@ class CatalogueBuilder:
 def measure_region(
     source: LabelSource,
     value: int,
-    bounds: Tuple[int, int, int, int],
-    first_pixel: Tuple[int, int],
+    bounds: tuple[int, int, int, int],
+    first_pixel: tuple[int, int],
     minimum_area_px: float,
     patch_pixels: int = PATCH_PIXELS,
-) -> Optional[tuple]:
+) -> tuple | None:
     """Region row of the region within ``bounds`` (left, top, right, bottom) with this first pixel (column, row).
 
     None when the region is smaller than ``minimum_area_px``.
@@ -134,11 +134,11 @@ def measure_region(
 class _Group:
     """Pieces of one region: bounds (left, top, right, bottom) and its first pixel (column, row) in raster order."""
 
-    def __init__(self, bounds: Tuple[int, int, int, int], first_pixel: Tuple[int, int]) -> None:
+    def __init__(self, bounds: tuple[int, int, int, int], first_pixel: tuple[int, int]) -> None:
         self.bounds = bounds
         self.first_pixel = first_pixel
 
-    def join(self, other: "_Group") -> None:
+    def join(self, other: _Group) -> None:
         a, b = self.bounds, other.bounds
         self.bounds = (min(a[0], b[0]), min(a[1], b[1]), max(a[2], b[2]), max(a[3], b[3]))
         self.first_pixel = min(self.first_pixel, other.first_pixel, key=lambda pixel: (pixel[1], pixel[0]))
@@ -148,9 +148,9 @@ class _Seam:
     """Joins the pieces of one class over the seams between bands (union–find)."""
 
     def __init__(self) -> None:
-        self._parents: List[int] = []
-        self._groups: List[_Group] = []
-        self._bottom_runs: List[Tuple[int, int, int]] = []
+        self._parents: list[int] = []
+        self._groups: list[_Group] = []
+        self._bottom_runs: list[tuple[int, int, int]] = []
 
     def add_band(self, mask: np.ndarray, contours: list, first: int) -> None:
         base = len(self._groups)
@@ -170,8 +170,8 @@ class _Seam:
         self._join(self._bottom_runs, top_runs)
         self._bottom_runs = _runs(mask, contours, len(mask) - 1, base)
 
-    def groups(self) -> List[_Group]:
-        joined: Dict[int, _Group] = {}
+    def groups(self) -> list[_Group]:
+        joined: dict[int, _Group] = {}
         for index, group in enumerate(self._groups):
             root = self._root(index)
             if root in joined:
@@ -180,7 +180,7 @@ class _Seam:
                 joined[root] = _Group(group.bounds, group.first_pixel)
         return list(joined.values())
 
-    def _join(self, above: List[Tuple[int, int, int]], below: List[Tuple[int, int, int]]) -> None:
+    def _join(self, above: list[tuple[int, int, int]], below: list[tuple[int, int, int]]) -> None:
         """Runs (first, last, piece) of two adjacent rows, each in order; 8-connected ones are one region."""
         i = j = 0
         while i < len(above) and j < len(below):
@@ -198,7 +198,7 @@ class _Seam:
         return index
 
 
-def _runs(mask: np.ndarray, contours: list, row: int, base: int) -> List[Tuple[int, int, int]]:
+def _runs(mask: np.ndarray, contours: list, row: int, base: int) -> list[tuple[int, int, int]]:
     """(first column, last column, piece) of every run of set pixels in a band's first or last row.
 
     A contour turns at both ends of such a run, so ``CHAIN_APPROX_SIMPLE`` keeps them: they tell whose run it is.

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Iterable, Sequence
 
 import cv2
 import numpy as np
@@ -40,7 +40,7 @@ class Landmarks:
     def __len__(self) -> int:
         return len(self.classes)
 
-    def select(self, index: np.ndarray) -> "Landmarks":
+    def select(self, index: np.ndarray) -> Landmarks:
         """The objects picked by a boolean mask or an index array, in that order."""
         return Landmarks(
             self.centers_xy[index],

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Dict, Iterator, List, Set, Tuple
 
 import cv2
 import numpy as np
@@ -19,8 +19,8 @@ hashed block with a line of pixels around it lies in four of them, not in nine."
 _KEPT_TILES = 100
 """Tiles whose numbered parts are kept; 1 MB each."""
 
-_TileKey = Tuple[int, int]
-_Part = Tuple[_TileKey, int]
+_TileKey = tuple[int, int]
+_Part = tuple[_TileKey, int]
 """A tile (column, row of tiles) and the number of one connected part in it."""
 
 _AROUND = [(dx, dy) for dy in (-1, 0, 1) for dx in (-1, 0, 1) if (dx, dy) != (0, 0)]
@@ -30,8 +30,8 @@ _AROUND = [(dx, dy) for dy in (-1, 0, 1) for dx in (-1, 0, 1) if (dx, dy) != (0,
 class Region:
     """An 8-connected region: bounds (left, top, right, bottom) and first pixel (column, row) in raster order."""
 
-    bounds: Tuple[int, int, int, int]
-    first_pixel: Tuple[int, int]
+    bounds: tuple[int, int, int, int]
+    first_pixel: tuple[int, int]
 
 
 class RegionFinder:
@@ -41,10 +41,10 @@ class RegionFinder:
         self._source = source
         self._value = value
         self._size = tile_px
-        self._regions: Dict[_Part, Region] = {}
+        self._regions: dict[_Part, Region] = {}
         self._tile = lru_cache(_KEPT_TILES)(self._number_parts)
 
-    def touching(self, bounds: Tuple[int, int, int, int]) -> Set[Region]:
+    def touching(self, bounds: tuple[int, int, int, int]) -> set[Region]:
         """Every region with a pixel inside ``bounds`` (left, top, right, bottom)."""
         left, top, right, bottom = bounds
         found = set()
@@ -74,7 +74,7 @@ class RegionFinder:
             self._regions.update(dict.fromkeys(parts, region))
         return self._regions[part]
 
-    def _follow(self, start: _Part) -> Set[_Part]:
+    def _follow(self, start: _Part) -> set[_Part]:
         found, waiting = {start}, [start]
         while waiting:
             new = self._adjoining(waiting.pop()) - found
@@ -82,7 +82,7 @@ class RegionFinder:
             waiting += new
         return found
 
-    def _adjoining(self, part: _Part) -> Set[_Part]:
+    def _adjoining(self, part: _Part) -> set[_Part]:
         """Parts of the neighboring tiles that touch this one, be it by a corner."""
         (tile_column, tile_row), number = part
         parts, _ = self._tile((tile_column, tile_row))
@@ -102,7 +102,7 @@ class RegionFinder:
                 found |= {(neighbor, n) for n in np.unique(others[y[on_map], x[on_map]]).tolist() if n}
         return found
 
-    def _extent(self, part: _Part) -> Tuple[Tuple[int, int, int, int], Tuple[int, int]]:
+    def _extent(self, part: _Part) -> tuple[tuple[int, int, int, int], tuple[int, int]]:
         (tile_column, tile_row), number = part
         parts, boxes = self._tile((tile_column, tile_row))
         x, y, width, height = boxes[number].tolist()
@@ -122,7 +122,7 @@ class RegionFinder:
         height, width = self._source.shape_hw
         return min(tile) >= 0 and self._first_of(tile[0]) < width and self._first_of(tile[1]) < height
 
-    def _number_parts(self, tile: _TileKey) -> Tuple[np.ndarray, np.ndarray]:
+    def _number_parts(self, tile: _TileKey) -> tuple[np.ndarray, np.ndarray]:
         """(h, w) int32 part numbers of a tile, 0 for other classes, and (parts, 4) left, top, width, height."""
         height, width = self._source.shape_hw
         left, top = self._first_of(tile[0]), self._first_of(tile[1])
@@ -133,9 +133,9 @@ class RegionFinder:
         return parts, statistics[:, :4]
 
 
-def _on_border(parts: np.ndarray, number: int) -> Tuple[np.ndarray, np.ndarray]:
+def _on_border(parts: np.ndarray, number: int) -> tuple[np.ndarray, np.ndarray]:
     """Rows and columns of a part's pixels on the sides of its tile."""
-    sides: List[Tuple[np.ndarray, np.ndarray]] = []
+    sides: list[tuple[np.ndarray, np.ndarray]] = []
     last_row, last_column = parts.shape[0] - 1, parts.shape[1] - 1
     for row in {0, last_row}:
         xs = np.flatnonzero(parts[row] == number)

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import hashlib
 import zipfile
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Mapping, Optional
 
 from ..database.model import ReferenceDatabase
 from ..geometry.lon_lat import LonLatPolynomial
@@ -55,7 +55,7 @@ class OnboardDatabase:
     """
 
     database: ReferenceDatabase
-    lon_lat: Optional[LonLatPolynomial]
+    lon_lat: LonLatPolynomial | None
     position_error: float
     area_error: float
     vector_error: float

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Iterator, Optional, Sequence, Tuple
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -23,7 +23,7 @@ class PhotoLabels:
         model: SegmentationModel,
         photo: ImageSource,
         values: Sequence[int],
-        pixel_size_m: Optional[Tuple[float, float]] = None,
+        pixel_size_m: tuple[float, float] | None = None,
     ) -> None:
         """Nothing is read yet.
 

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Tuple, Union
 
 import numpy as np
 
@@ -54,7 +53,7 @@ class View:
     is_mirrored: bool = False
 
     @property
-    def position(self) -> Tuple[float, float]:
+    def position(self) -> tuple[float, float]:
         """Map (x, y) of the image's center."""
         return self.x, self.y
 
@@ -64,7 +63,7 @@ class View:
         return self.width_px * self.pixel_size
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
         """(height, width) in pixels."""
         return self.height_px, self.width_px
 
@@ -73,7 +72,7 @@ class View:
         return replace(self, is_mirrored=False) if self.is_mirrored else self
 
 
-def map_coordinates(view: View, columns: np.ndarray, rows: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+def map_coordinates(view: View, columns: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Where on the map image points lie: the view's truth.
 
     Args:
@@ -88,7 +87,7 @@ def map_coordinates(view: View, columns: np.ndarray, rows: np.ndarray) -> Tuple[
     return view.x + east, view.y - south
 
 
-def cut(source: Union[LabelSource, np.ndarray], frame: MapFrame, view: View) -> np.ndarray:
+def cut(source: LabelSource | np.ndarray, frame: MapFrame, view: View) -> np.ndarray:
     """What the view shows of a raster, by nearest neighbor.
 
     Args:
@@ -137,9 +136,9 @@ def image_coordinates(view: View, positions: np.ndarray) -> np.ndarray:
 
 def random_view(
     rng: np.random.Generator,
-    extent: Tuple[float, float, float, float],
-    size_px: Tuple[int, int] = (1280, 1280),
-    pixel_sizes: Tuple[float, float] = (1.0, 1.0),
+    extent: tuple[float, float, float, float],
+    size_px: tuple[int, int] = (1280, 1280),
+    pixel_sizes: tuple[float, float] = (1.0, 1.0),
 ) -> View:
     """A view of any heading.
 
@@ -155,7 +154,7 @@ def random_view(
     return View(float(x), float(y), float(rng.uniform(0, 360)), pixel_size, *size_px)
 
 
-def _offsets(view: View, columns: np.ndarray, rows: np.ndarray, scale: float) -> Tuple[np.ndarray, np.ndarray]:
+def _offsets(view: View, columns: np.ndarray, rows: np.ndarray, scale: float) -> tuple[np.ndarray, np.ndarray]:
     """Offsets to the east and south of the image's center, ``scale`` an image pixel."""
     right, up = columns - view.width_px / 2, view.height_px / 2 - rows
     if view.is_mirrored:
@@ -167,7 +166,7 @@ def _offsets(view: View, columns: np.ndarray, rows: np.ndarray, scale: float) ->
     return scale * (cosine * right + sine * up), scale * (sine * right - cosine * up)
 
 
-def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Offsets on level ground, in pixels of the vertical view, that a tilted camera sees at image offsets."""
     tilt, direction = np.radians(view.tilt_deg), np.radians(view.tilt_direction_deg)
     focal = view.width_px / 2 / np.tan(np.radians(view.field_of_view_deg) / 2)
@@ -183,7 +182,7 @@ def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> Tuple[np.nd
     )
 
 
-def _sampled(source: Union[LabelSource, np.ndarray], columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+def _sampled(source: LabelSource | np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """(h, w[, bands]) pixels of a raster at integer places (h, w); 0 beyond it. Reads what holds them alone."""
     is_array = isinstance(source, np.ndarray)
     height, width = source.shape[:2] if is_array else source.shape_hw

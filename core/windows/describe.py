@@ -8,9 +8,10 @@ that row, those on a window's left and right border once for that window, each i
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Callable, Deque, Dict, Iterator, List, Sequence, Tuple
+from typing import Callable
 
 import numpy as np
 
@@ -81,7 +82,7 @@ def describe_windows(
         return strip.describe(grid.size, reference_values, minimum_area_px, references_per_vector)
 
     with ThreadPoolExecutor(threads) as pool:
-        pending: Deque = deque()
+        pending: deque = deque()
         try:
             for strip in strips:
                 pending.append(pool.submit(describe, strip))
@@ -94,9 +95,9 @@ def describe_windows(
                 future.cancel()
 
 
-def _strips(source: LabelSource, grid: WindowGrid, all_rows: np.ndarray, strip_pixels: int) -> Iterator["_Strip"]:
+def _strips(source: LabelSource, grid: WindowGrid, all_rows: np.ndarray, strip_pixels: int) -> Iterator[_Strip]:
     for columns in _column_blocks(grid, strip_pixels):
-        cuts: Dict[tuple, list] = {}
+        cuts: dict[tuple, list] = {}
         first, width = int(columns[0]), int(columns[-1]) + grid.size - int(columns[0])
         rows_of = _row_reader(source, first, width, grid.size)
         inside = (all_rows[:, RIGHT] > first) & (all_rows[:, LEFT] < first + width)
@@ -115,7 +116,7 @@ def _row_reader(source: LabelSource, column: int, width: int, height: int) -> Ca
     return lambda row: rolling.strip(row).copy()
 
 
-def _column_blocks(grid: WindowGrid, strip_pixels: int) -> List[np.ndarray]:
+def _column_blocks(grid: WindowGrid, strip_pixels: int) -> list[np.ndarray]:
     columns = grid.columns
     width = max(grid.size, strip_pixels // grid.size)
     per_block = max(1, (width - grid.size) // grid.stride + 1)
@@ -132,7 +133,7 @@ class _Strip:
         column: int,
         row: int,
         columns: np.ndarray,
-        known_cuts: Dict[tuple, list],
+        known_cuts: dict[tuple, list],
     ) -> None:
         """``labels``: (size, W) uint8; ``near``: region rows of the map that reach into the strip.
 
@@ -150,7 +151,7 @@ class _Strip:
     ) -> DescribedWindows:
         columns = self._columns
         counts = np.zeros(len(columns), np.int64)
-        nearest: List[np.ndarray] = [NO_ROWS] * len(columns)
+        nearest: list[np.ndarray] = [NO_ROWS] * len(columns)
         for k, rows in enumerate(self._regions_by_window(size, minimum_area)):
             counts[k] = len(rows)
             nearest[k] = _nearest(rows, np.array([columns[k] + size / 2, size / 2]), references_per_vector)
@@ -193,7 +194,7 @@ class _Strip:
     def _cut(
         self,
         crossing: np.ndarray,
-        frame: Tuple[int, int, int, int],
+        frame: tuple[int, int, int, int],
         side: int,
         done: Sequence[int],
         minimum_area: float,
@@ -243,7 +244,7 @@ class _Strip:
 _SIDES = (TOP, BOTTOM, LEFT, RIGHT)
 
 
-def _reaches(rows: np.ndarray, frame: Tuple[int, int, int, int]) -> Dict[int, np.ndarray]:
+def _reaches(rows: np.ndarray, frame: tuple[int, int, int, int]) -> dict[int, np.ndarray]:
     """For each side of ``frame`` a mask of the regions that reach that side's line of pixels, or over it."""
     return {
         LEFT: rows[:, LEFT] <= frame[0],
@@ -253,7 +254,7 @@ def _reaches(rows: np.ndarray, frame: Tuple[int, int, int, int]) -> Dict[int, np
     }
 
 
-def _patches(crossing: np.ndarray, frame: Tuple[int, int, int, int], side: int) -> Iterator[Tuple[int, int, int, int]]:
+def _patches(crossing: np.ndarray, frame: tuple[int, int, int, int], side: int) -> Iterator[tuple[int, int, int, int]]:
     """(left, top, right, bottom) of patches that hold regions of one class wholly inside ``frame``.
 
     Regions whose extents along the side's line overlap share a patch, so that the patches' extents along the line
@@ -275,7 +276,7 @@ def _patches(crossing: np.ndarray, frame: Tuple[int, int, int, int], side: int) 
         yield tuple(patch)
 
 
-def _rows_by_line(rows: np.ndarray, lines: np.ndarray) -> Dict[int, np.ndarray]:
+def _rows_by_line(rows: np.ndarray, lines: np.ndarray) -> dict[int, np.ndarray]:
     """For each vertical line (pixel column) that regions lie on: line index → indices of those regions."""
     first = np.searchsorted(lines, rows[:, LEFT], side="left")
     after = np.searchsorted(lines, rows[:, RIGHT], side="left")
@@ -299,7 +300,7 @@ def _nearest(rows: np.ndarray, center: np.ndarray, count: int) -> np.ndarray:
     return offsets[squared <= reach**2]
 
 
-def _vectors(nearest: List[np.ndarray], reference_values: Sequence[int], references_per_vector: int) -> np.ndarray:
+def _vectors(nearest: list[np.ndarray], reference_values: Sequence[int], references_per_vector: int) -> np.ndarray:
     longest = max(len(rows) for rows in nearest)
     offsets = np.full((len(nearest), longest, 2), np.inf)
     ranks = np.zeros((len(nearest), longest))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Iterator, Tuple
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -13,13 +13,13 @@ _BLOCK_BYTES = 32_000_000
 
 _PAIRS_AT_ONCE = 100_000
 
-_Windows = Tuple[np.ndarray, np.ndarray, np.ndarray]
+_Windows = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 _TOUCHING = 1 - 1e-6
 """Windows side by side share no area, though rounding of large map coordinates may let them overlap by a hair."""
 
 
-def distinctiveness(vectors: np.ndarray, centers: np.ndarray, sizes: np.ndarray) -> Iterator[Tuple[slice, np.ndarray]]:
+def distinctiveness(vectors: np.ndarray, centers: np.ndarray, sizes: np.ndarray) -> Iterator[tuple[slice, np.ndarray]]:
     """Yields (slice of windows, (n,) float64 distances); infinity where every other window overlaps.
 
     ``vectors``: (N, 3·X) float32; ``centers``: (N, 2) map coordinates; ``sizes``: (N,) edge lengths in map units.
@@ -29,7 +29,7 @@ def distinctiveness(vectors: np.ndarray, centers: np.ndarray, sizes: np.ndarray)
     yield from nearest_distances(windows, windows)
 
 
-def nearest_distances(windows: _Windows, others: _Windows) -> Iterator[Tuple[slice, np.ndarray]]:
+def nearest_distances(windows: _Windows, others: _Windows) -> Iterator[tuple[slice, np.ndarray]]:
     """The same for ``windows`` compared with ``others``, both (vectors, centers, sizes) as of ``distinctiveness``.
 
     Distances depend on nothing but the two vectors, to the last bit.

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Sequence, Tuple
 
 import numpy as np
 
@@ -55,7 +55,7 @@ def whole_pixels(length: float, pixel_size: float) -> int:
     return int(np.floor(length / pixel_size + 0.5))
 
 
-def centered_square(shape_hw: Sequence[int]) -> Tuple[int, int, int]:
+def centered_square(shape_hw: Sequence[int]) -> tuple[int, int, int]:
     """(first column, first row, size) of the largest centered square of an image (docs/method.md#topology-vector)."""
     height, width = shape_hw
     size = min(height, width)

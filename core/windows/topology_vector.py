@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -22,7 +22,7 @@ def topology_vector(
     image_center_xy: Sequence[float],
     reference_values: Sequence[int],
     references_per_vector: int = REFERENCES_PER_VECTOR,
-) -> Optional[np.ndarray]:
+) -> np.ndarray | None:
     """The vector of one image: (3·X,) float32 in [0, 1], or None with fewer than 3 landmarks.
 
     ``centers_xy``: (N, 2) centers of gravity, y down; ``classes``: (N,) class values, each one of
