@@ -1825,7 +1825,7 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   </message>
   <message>
    <source>SemRef matches</source>
-   <translation>Coincidencias de SemRef</translation>
+   <translation>Correspondencias de SemRef</translation>
   </message>
   <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>

@@ -97,13 +97,18 @@ def make_window():
 
 
 def load_plugin(interface):
-    """(the plugin, its dock, open)."""
+    """The plugin, its dock not opened yet."""
     from semref.plugin import SemRefPlugin
 
     plugin = SemRefPlugin(interface)
     plugin.initGui()
+    return plugin
+
+
+def open_dock(interface):
+    """The dock, after a click on its button."""
     interface.tool_bar_actions[0].trigger()
-    return plugin, interface.docks[0]
+    return interface.docks[0]
 
 
 def turn_events(condition, pause_s: float = 0.002) -> None:
@@ -221,9 +226,12 @@ def stall_round(interface, folder: Path, photos: list, told_s: float):
     heart = Heartbeat(told_s)
     settle(3.0)
     yield "nothing", heart.take()
-    plugin, dock = load_plugin(interface)
+    plugin = load_plugin(interface)
+    settle(2.0)
+    yield "load the plugin", heart.take()
+    dock = open_dock(interface)
     settle()
-    yield "load the plugin, open the dock", heart.take()
+    yield "open the dock", heart.take()
     # Each photo as often as it is asked for: the list holds a file once.
     dock.prepare(str(folder / DATABASE_FILE), str(MODEL), linked(photos, folder))
     settle()
@@ -285,7 +293,7 @@ def measure_growth(folder: Path, count: int, rounds: int) -> None:
     print("|---|---:|---:|---:|---:|")
     print_counts(interface, "nothing yet")
     for number in range(1, rounds + 1):
-        plugin, dock = load_plugin(interface)
+        plugin, dock = load_plugin(interface), open_dock(interface)
         dock.prepare(database, "", images[:1])
         localize(dock)
         show(dock, 0)
@@ -296,7 +304,7 @@ def measure_growth(folder: Path, count: int, rounds: int) -> None:
         settle()
         if number in {1, 2, 5, 10, 15, 20} or number % 20 == 0:
             print_counts(interface, f"{number} × loaded, used and unloaded")
-    plugin, dock = load_plugin(interface)
+    plugin, dock = load_plugin(interface), open_dock(interface)
     dock.prepare(database, "", images)
     localize(dock)
     settle()

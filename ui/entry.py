@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from qgis.core import QgsApplication
+from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import Qt, QUrl
 from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
@@ -12,6 +13,7 @@ from ..processing.packages.components import OPENCV, SHAPELY, how_to_install, mi
 from ..processing.translation import tr
 from ..processing.version import guide_url
 from .dock.dock import SemRefDock
+from .dock.preload import Preload
 from .options import OptionsFactory
 from .packages.component_installer import ComponentInstaller
 from .packages.components_page import PAGE
@@ -24,7 +26,7 @@ MENU = "SemRef"
 class DockEntry:
     """Adds dock, button, menu entries, locator filter and options page; ``remove`` takes them away in reverse order."""
 
-    def __init__(self, iface) -> None:
+    def __init__(self, iface: QgisInterface) -> None:
         self._iface = iface
         window = iface.mainWindow()
         self._action = QAction(QIcon(str(ICON_PATH)), "SemRef", window)
@@ -37,6 +39,7 @@ class DockEntry:
         self._dock.setUserVisible(False)
         self._dock.setToggleVisibilityAction(self._action)
         self._dock.let_open()
+        self._preload = Preload(self._dock)
         self._locator = WindowLocator(self._dock.read_database, self._dock.inspect_window)
         iface.registerLocatorFilter(self._locator)
         self._sample = None
@@ -76,6 +79,8 @@ class DockEntry:
         return self._sample
 
     def remove(self) -> None:
+        """Takes everything away again."""
+        self._preload.stop()
         self._installer.cancel()
         self._iface.unregisterOptionsWidgetFactory(self._options)
         self._options.deleteLater()
@@ -96,7 +101,7 @@ class DockEntry:
         self._iface.removePluginMenu(MENU, self._action)
         self._iface.removeToolBarIcon(self._action)
         self._action.deleteLater()
-        self._dock = self._action = self._locator = self._help = self._options = self._installer = None
+        self._dock = self._action = self._locator = self._help = self._options = self._installer = self._preload = None
 
     def _show_options(self) -> None:
         self._iface.showOptionsDialog(self._iface.mainWindow(), PAGE)

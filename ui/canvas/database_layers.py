@@ -7,7 +7,6 @@ from pathlib import Path
 from qgis.core import QgsLayerTreeGroup, QgsProject, QgsRasterLayer, QgsVectorLayer
 
 from ...core.errors import DatabaseError
-from ...processing.exchange.styles import apply_overview_style
 from ...processing.translation import tr
 
 
@@ -29,6 +28,9 @@ def add_database_to_map(path: str, project: QgsProject) -> QgsLayerTreeGroup:
                 path=path
             )
         )
+    # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
+    from ...processing.exchange.styles import apply_overview_style
+
     apply_overview_style(layers[-1], path)
     project.addMapLayers(layers, False)
     group = project.layerTreeRoot().insertGroup(0, Path(path).stem)
