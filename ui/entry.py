@@ -36,7 +36,8 @@ class DockEntry:
         iface.addPluginToMenu(MENU, self._action)
         self._dock = SemRefDock(iface.mapCanvas(), iface.messageBar(), window)
         iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
-        self._dock.setUserVisible(False)
+        # setUserVisible would do nothing to a dock that its window has not laid out yet.
+        self._dock.hide()
         self._dock.setToggleVisibilityAction(self._action)
         self._dock.let_open()
         self._preload = Preload(self._dock)
