@@ -1,31 +1,124 @@
-"""THE result of localizing an image, whatever the method."""
+"""The one result of localizing an image, whatever the road, and what every road is told beforehand."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Optional, Tuple
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import TYPE_CHECKING, Optional, Tuple
 
-import numpy as np
+from .sentences import Sentence
 
-from .constellation.solver import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, ConstellationResult
-from .correlation.solver import MAP_CORRELATION, TOO_LITTLE_INFORMATION, CorrelationResult
-from .geometry.pose import PoseUncertainty
+if TYPE_CHECKING:  # The toolbox lists methods before NumPy is loaded.
+    import numpy as np
 
-__all__ = ["AMBIGUOUS", "FIX", "NO_MATCH", "TOO_FEW_REFERENCES", "Localization", "PossiblePlace"]
+    from .geometry.pose import PoseCovariance
 
-AUTOMATIC = "automatic"
-TOPOLOGY_VECTOR = "topology vector"
-CONSTELLATION = "constellation"
-METHODS = (AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION, MAP_CORRELATION)
+
+class Status(str, Enum):
+    """What came of an image; each equals its key, the text of the column ``status``.
+
+    Attributes:
+        title: The status in words.
+    """
+
+    title: Sentence
+
+    FIX = "fix", Sentence("localization.status_fix")
+    AMBIGUOUS = "ambiguous", Sentence("localization.status_ambiguous")
+    NO_MATCH = "no_match", Sentence("localization.status_no_match")
+    TOO_FEW_REFERENCES = "too_few_references", Sentence("localization.status_too_few_references")
+
+    def __new__(cls, key: str, title: Sentence) -> Status:
+        member = str.__new__(cls, key)
+        member._value_ = key
+        member.title = title
+        return member
+
+    @property
+    def key(self) -> str:
+        """The text that files have."""
+        return self.value
+
+    __str__ = str.__str__
+    __format__ = str.__format__
+
+
+class Method(str, Enum):
+    """A road to a fix; each equals its key, the text of the column ``method``.
+
+    The order is that of the parameter METHOD: ``list(Method)[number]``.
+
+    Attributes:
+        number: Value of the parameter METHOD.
+        title: The method in words.
+    """
+
+    number: int
+    title: Sentence
+
+    AUTOMATIC = "automatic", 0, Sentence("localization.method_automatic")
+    TOPOLOGY_VECTOR = "topology vector", 1, Sentence("localization.method_topology_vector")
+    CONSTELLATION = "constellation", 2, Sentence("localization.method_constellation")
+    MAP_CORRELATION = "map correlation", 3, Sentence("localization.method_map_correlation")
+
+    def __new__(cls, key: str, number: int, title: Sentence) -> Method:
+        member = str.__new__(cls, key)
+        member._value_ = key
+        member.number, member.title = number, title
+        return member
+
+    @property
+    def key(self) -> str:
+        """The text that files have."""
+        return self.value
+
+    __str__ = str.__str__
+    __format__ = str.__format__
+
+    @classmethod
+    def of_number(cls, number: int) -> Method:
+        """The method that the parameter METHOD means."""
+        return list(cls)[number]
 
 
 @dataclass(frozen=True)
-class PossiblePlace:
-    """Where an image may lie: map (x, y) of its center, heading of its top clockwise from grid north, pixel size."""
+class Prior:
+    """What is known of an image beforehand, each narrowing the search; None is nothing.
+
+    Attributes:
+        position: Map (x, y) of the image's center; counts only with a radius.
+        radius: How far off that may be, map units.
+        heading_deg: Of the image's top, clockwise from grid north.
+        heading_range_deg: How far off that may be to either side.
+        pixel_size_range: Smallest and largest ground sampling distance, map units.
+    """
+
+    position: Optional[Tuple[float, float]] = None
+    radius: Optional[float] = None
+    heading_deg: Optional[float] = None
+    heading_range_deg: float = 180.0
+    pixel_size_range: Optional[Tuple[float, float]] = None
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where an image may lie.
+
+    Attributes:
+        position: Map (x, y) of its center.
+        heading_deg: Of its top, clockwise from grid north; None where the method doesn't tell.
+        pixel_size_m: Ground sampling distance; None where the method doesn't tell.
+        log_odds: Natural logarithm of the odds against chance; of the constellation.
+        inliers: Landmarks that agree with the map; of the constellation.
+        score: Correlation of class areas, −1 to 1; of map correlation.
+    """
 
     position: Tuple[float, float]
-    heading_deg: float
-    pixel_size_m: float
+    heading_deg: Optional[float] = None
+    pixel_size_m: Optional[float] = None
+    log_odds: Optional[float] = None
+    inliers: Optional[int] = None
+    score: Optional[float] = None
 
 
 @dataclass(frozen=True)
@@ -44,83 +137,93 @@ class Matches:
     seen_xy: np.ndarray
     residuals: np.ndarray
 
+    def __len__(self) -> int:
+        return len(self.on_map)
+
+
+@dataclass(frozen=True)
+class CorrelationPeaks:
+    """How well class areas agree with the map, correlations −1 to 1.
+
+    Attributes:
+        score: At the best place.
+        runner_up: At the best other place.
+        mirror: At the best place of the mirrored image, which can't be right.
+    """
+
+    score: float
+    runner_up: float
+    mirror: float
+
 
 @dataclass(frozen=True)
 class Localization:
-    """What is known of an image's position; None where a method doesn't tell.
+    """What is known of an image's place; None where the method doesn't tell.
 
-    status: ``fix``, ``ambiguous``, ``no_match`` or ``too_few_references``; reason: one sentence without a fix, two if
-    two methods were tried, else empty; method: that of METHODS which found the fix, or was tried first;
-    position: map coordinates (x, y) of the image's center; heading_deg: of the image's top, clockwise from grid north;
-    pixel_size_m: ground sampling distance; error_95_m: radius; distance: of topology vectors;
-    references: landmarks described; inliers: those that agree with the map.
-    confidence: of the constellation and of map correlation, the probability that the best place is the right one,
-    calibrated on trials; alternatives: without a fix, the places that it may be, most likely first;
-    uncertainty: 95 % ellipse, deviations of heading and pixel size;
-    search_capped: the search left out the most common patterns, as it does in very large databases.
+    Attributes:
+        status: What came of the image.
+        method: The road that found the fix, or was tried first.
+        references: Landmarks described.
+        reason: Why there is no fix; None with one.
+        best: The best place, also where it is not good enough for a fix.
+        confidence: Probability that the best place is the right one, calibrated on trials; 1 − d/T of topology vectors.
+        alternatives: Without a fix, the places that it may be, most likely first (``best`` among them).
+        error_95_m: Radius around ``best`` that holds the true position in 95 % of fixes, or the longer semi-axis.
+        covariance: Of the best place's position, heading and pixel size.
+        matches: The landmarks that agree with the map at the best place; no part of a comparison of results.
+        search_capped: The search left out the most common patterns, as it does in very large databases.
+        mirror_log_odds: Of the best place of the mirrored image, which can't be right; of the constellation.
+        runner_up_log_odds: Of the best other place; of the constellation, −inf without one.
+        peaks: Of map correlation, also where it was only the second road.
+        distance: Between topology vectors.
+        window: Name of the window matched.
+        window_index: Its number in the database.
+        footprint: (4, 2) map coordinates of the ground at the image's corners, upper left first, clockwise, of a fix;
+            the window's where only that is known. No part of a comparison of results.
+        nadir: Map (x, y) straight below the camera of an image that was leveled.
     """
 
-    status: str
-    method: str
-    references: int
-    reason: str = ""
-    position: Optional[Tuple[float, float]] = None
-    heading_deg: Optional[float] = None
-    pixel_size_m: Optional[float] = None
+    status: Status
+    method: Method
+    references: int = 0
+    reason: Optional[Sentence] = None
+    best: Optional[Place] = None
     confidence: float = 0.0
-    distance: Optional[float] = None
-    inliers: Optional[int] = None
-    log_odds: Optional[float] = None
+    alternatives: Tuple[Place, ...] = ()
     error_95_m: Optional[float] = None
+    covariance: Optional[PoseCovariance] = None
+    matches: Optional[Matches] = field(default=None, compare=False)
+    search_capped: bool = False
+    mirror_log_odds: Optional[float] = None
+    runner_up_log_odds: Optional[float] = None
+    peaks: Optional[CorrelationPeaks] = None
+    distance: Optional[float] = None
     window: Optional[str] = None
     window_index: Optional[int] = None
-    alternatives: Tuple[PossiblePlace, ...] = ()
-    uncertainty: Optional[PoseUncertainty] = None
-    search_capped: bool = False
+    footprint: Optional[np.ndarray] = field(default=None, compare=False)
+    nadir: Optional[Tuple[float, float]] = None
 
+    @property
+    def is_fix(self) -> bool:
+        """Whether the best place is accepted."""
+        return self.status is Status.FIX
 
-def place_of(found) -> PossiblePlace:
-    """The pose of anything that has one: a result with a fix, a place of the constellation, of map correlation."""
-    x, y = found.position
-    return PossiblePlace((float(x), float(y)), float(found.heading_deg), float(found.pixel_size_m))
+    @property
+    def place(self) -> Optional[Place]:
+        """Where the image lies; None without a fix."""
+        return self.best if self.is_fix else None
 
+    @property
+    def position(self) -> Optional[Tuple[float, float]]:
+        """Map (x, y) of the image's center; None without a fix."""
+        return self.place and self.place.position
 
-def from_constellation(result: ConstellationResult) -> Localization:
-    """The constellation's result: places without a fix are alternatives, never a position."""
-    place = result.place
-    common = {"status": result.status, "method": CONSTELLATION, "references": result.references}
-    common.update(reason=result.reason, search_capped=result.capped, confidence=result.confidence)
-    if place is None:
-        return Localization(**common)
-    common.update(log_odds=place.log_odds, inliers=place.inliers)
-    if result.status != FIX:
-        places = (place, *result.alternatives) if result.status == AMBIGUOUS else ()
-        return Localization(**common, alternatives=tuple(place_of(other) for other in places))
-    return Localization(
-        **common,
-        position=place.position,
-        heading_deg=place.heading_deg,
-        pixel_size_m=place.pixel_size_m,
-        error_95_m=result.uncertainty.semi_major if result.uncertainty else None,
-        uncertainty=result.uncertainty,
-    )
+    @property
+    def heading_deg(self) -> Optional[float]:
+        """Of the image's top, clockwise from grid north; None without a fix, and of topology vectors."""
+        return self.place and self.place.heading_deg
 
-
-def from_correlation(result: CorrelationResult) -> Localization:
-    """Map correlation's result: places without a fix are alternatives, never a position."""
-    status = NO_MATCH if result.status == TOO_LITTLE_INFORMATION else result.status
-    if status != FIX:
-        places = (result, *result.alternatives) if status == AMBIGUOUS else ()
-        alternatives = tuple(place_of(place) for place in places)
-        return Localization(status, MAP_CORRELATION, 0, result.reason, alternatives=alternatives)
-    place = place_of(result)
-    return Localization(
-        status,
-        MAP_CORRELATION,
-        0,
-        position=place.position,
-        heading_deg=place.heading_deg,
-        pixel_size_m=place.pixel_size_m,
-        confidence=float(result.confidence),
-        error_95_m=float(result.error_95_m),
-    )
+    @property
+    def pixel_size_m(self) -> Optional[float]:
+        """Ground sampling distance; None without a fix, and of topology vectors."""
+        return self.place and self.place.pixel_size_m

@@ -976,10 +976,6 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Befunde</translation>
   </message>
   <message>
-   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
-   <translation>Mit {speed:g} Karteneinheiten pro Sekunde ist er von den Standorten davor und danach nicht zu erreichen.</translation>
-  </message>
-  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Es darf die Datenbank selbst sein; sie wird dann ersetzt, wenn die neue vollständig ist.</translation>
   </message>

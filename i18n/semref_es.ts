@@ -976,10 +976,6 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Hallazgos</translation>
   </message>
   <message>
-   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
-   <translation>No se puede alcanzar a {speed:g} unidades del mapa por segundo desde las posiciones encontradas antes y después de ella.</translation>
-  </message>
-  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Puede ser la propia base de datos, que entonces se reemplaza cuando la actualización está completa.</translation>
   </message>

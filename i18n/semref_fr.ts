@@ -976,10 +976,6 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Constats</translation>
   </message>
   <message>
-   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
-   <translation>Elle ne peut pas être atteinte à {speed:g} unités de carte par seconde depuis les positions trouvées avant et après elle.</translation>
-  </message>
-  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Ce peut être la base de données elle-même, qui est alors remplacée une fois la mise à jour terminée.</translation>
   </message>

@@ -976,10 +976,6 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>问题</translation>
   </message>
   <message>
-   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
-   <translation>以每秒 {speed:g} 地图单位的速度，无法从前后的定位结果到达该处。</translation>
-  </message>
-  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>可以是该数据库本身，更新完成后即被替换。</translation>
   </message>

@@ -83,7 +83,8 @@ def fresh_trials(work: Path, labels: Path, database: Path, count: int, automatic
 
     from semref.core.assessment.cells import ground_cells
     from semref.core.labels.sources import ArrayLabels
-    from semref.core.localizer.localizer import AUTOMATIC, CONSTELLATION, Localizer
+    from semref.core.localization import Method
+    from semref.core.localizer.localizer import Localizer
     from semref.storage.database.reader import read_database
 
     path = work / f"fresh_{'automatic' if automatic else 'constellation'}.jsonl"
@@ -92,7 +93,7 @@ def fresh_trials(work: Path, labels: Path, database: Path, count: int, automatic
         found = read_database(str(database), with_overview=True)
         cells, localizer = ground_cells(found, SPACING), Localizer(found)
         source = ArrayLabels(gdal.Open(str(labels)).ReadAsArray())
-        method = AUTOMATIC if automatic else CONSTELLATION
+        method = Method.AUTOMATIC if automatic else Method.CONSTELLATION
         with path.open("a") as file:
             for number in range(len(done), count):
                 done.append(fresh_trial(number, source, found, localizer, cells, method))

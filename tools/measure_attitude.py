@@ -24,9 +24,9 @@ from measure_constellation import CLASSES, DATA, GOAL, IMAGE_PX, LAYER, MINIMUM_
 from semref.core.simulation.noise import spoil_landmarks
 from semref.core.simulation.views import PIXELS, View, cut, random_view
 from semref.core.geometry.leveling import Attitude, focal_length_from_view, leveling
-from semref.core.constellation.solver import FIX, localize
+from semref.core.constellation.solver import localize
 from semref.core.constellation.index import build_index
-from semref.core.constellation.hypotheses import Prior
+from semref.core.localization import Prior
 from semref.core.geometry.pose import turn_of
 from semref.core.landmarks.landmarks import extract_landmarks
 
@@ -108,7 +108,7 @@ def trial(area: constellation.Area, index, view: View, labels: np.ndarray, error
     population = replace(area.objects, areas_px=area.objects.areas_px / view.pixel_size**2)
     objects = spoil_landmarks(objects, GOAL, np.random.default_rng(seed), population, (width, height))
     found = localize(objects, width, height, index, Prior(pixel_size_range=PIXEL_SIZES_M))
-    if found.status != FIX:
+    if not found.is_fix:
         return False, np.nan, seconds
     place = found.place
     center = complex(*place.position) - turn_of(place.heading_deg, place.pixel_size_m) * middle

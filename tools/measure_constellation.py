@@ -53,14 +53,14 @@ def load_package() -> None:
 load_package()
 sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != ROOT]
 
-from semref.core.constellation.hypotheses import Prior  # noqa: E402
 from semref.core.constellation.index import build_index  # noqa: E402
-from semref.core.constellation.solver import FIX, localize  # noqa: E402
+from semref.core.constellation.solver import localize  # noqa: E402
 from semref.core.database.model import MapLandmarks  # noqa: E402
 from semref.core.evaluation.rates import wilson  # noqa: E402
 from semref.core.evaluation.trial import ellipse_ratio  # noqa: E402
 from semref.core.labels.sources import ArrayLabels  # noqa: E402
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks  # noqa: E402
+from semref.core.localization import Prior, Status  # noqa: E402
 from semref.core.simulation.noise import LabelNoise, spoil_labels, spoil_landmarks  # noqa: E402
 from semref.core.simulation.views import PIXELS, cut, random_view  # noqa: E402
 
@@ -231,19 +231,19 @@ def trial(area: Area, row: Row, index, rng: np.random.Generator, sample) -> Outc
     started = time.process_time()
     found = localize(objects, IMAGE_PX, IMAGE_PX, index, Prior(pixel_size_range=PIXEL_SIZES_M))
     outcome = Outcome(found.status, time.process_time() - started, confidence=found.confidence)
-    if found.place is not None:
-        outcome.log_odds = found.place.log_odds
-    if found.place is None or row.elsewhere:
+    if found.best is not None:
+        outcome.log_odds = found.best.log_odds
+    if found.best is None or row.elsewhere:
         return outcome
-    off = complex(*found.place.position) - complex(*view.position)
+    off = complex(*found.best.position) - complex(*view.position)
     outcome.error_m = abs(off)
     outcome.footprint_m = IMAGE_PX * view.pixel_size
     outcome.place_right = outcome.error_m <= (RIGHT_TILTED * outcome.footprint_m if view.tilt_deg else RIGHT_M)
-    outcome.right = found.status == FIX and outcome.place_right
-    outcome.heading_deg = abs((found.place.heading_deg - view.heading_deg + 180) % 360 - 180)
-    outcome.scale = abs(found.place.pixel_size_m / view.pixel_size - 1)
-    if found.uncertainty is not None:
-        outcome.ratio = ellipse_ratio(off.real, off.imag, found.uncertainty)
+    outcome.right = found.is_fix and outcome.place_right
+    outcome.heading_deg = abs((found.best.heading_deg - view.heading_deg + 180) % 360 - 180)
+    outcome.scale = abs(found.best.pixel_size_m / view.pixel_size - 1)
+    if found.covariance is not None:
+        outcome.ratio = ellipse_ratio(off.real, off.imag, found.covariance.ellipse_95)
     return outcome
 
 
@@ -285,7 +285,7 @@ def try_elsewhere(area: Area, index, options: argparse.Namespace) -> None:
             rng = np.random.default_rng([options.seed, 77, number])
             kind, objects = image_from_elsewhere(area, regions, number, rng)
             found = localize(objects, IMAGE_PX, IMAGE_PX, index, Prior(pixel_size_range=PIXEL_SIZES_M))
-            log_odds = found.place.log_odds if found.place is not None else np.nan
+            log_odds = found.best.log_odds if found.best is not None else np.nan
             file.write(f"{number};{kind};{len(objects)};{found.status};{log_odds:.1f}\n")
             file.flush()
     print_elsewhere(options.elsewhere)
@@ -323,7 +323,7 @@ def print_elsewhere(path: Path) -> None:
     print("| images from elsewhere | fixes | ambiguous | highest log odds |\n|---|---|---|---|")
     for kind in ["", *sorted({line[1] for line in lines})]:
         chosen = [line for line in lines if kind in ("", line[1])]
-        fixes, ambiguous = (sum(line[3] == status for line in chosen) for status in (FIX, "ambiguous"))
+        fixes, ambiguous = (sum(line[3] == status for line in chosen) for status in (Status.FIX, "ambiguous"))
         highest = np.nanmax([float(line[4]) for line in chosen] + [-np.inf])
         print(f"| {kind or 'all'} | {rate_text(fixes, len(chosen))} | {ambiguous} | {highest:.1f} |")
 
@@ -361,7 +361,7 @@ def print_header() -> None:
 
 def print_row(row: Row, outcomes: list) -> None:
     total = len(outcomes)
-    fixes = [o for o in outcomes if o.status == FIX]
+    fixes = [o for o in outcomes if o.status == Status.FIX]
     right = [o for o in fixes if o.right]
     wrong = len(fixes) - len(right)
     ambiguous = sum(o.status == "ambiguous" for o in outcomes)

@@ -67,13 +67,14 @@ from semref.core.correlation.places import (  # noqa: E402
     DECISION_EDGE,
     SCALE_STEP,
     TURN_STEP_DEG,
+    CorrelationSettings,
     finest_pose,
     image_evidence,
     reduced_image,
 )
-from semref.core.correlation.refine import Pose, axes, refine  # noqa: E402
+from semref.core.correlation.refine import ScoredPose, axes, refine  # noqa: E402
 from semref.core.correlation.search import QUIET_ENERGY  # noqa: E402
-from semref.core.correlation.solver import CorrelationSettings, Prior, agreement_at, localize  # noqa: E402
+from semref.core.correlation.solver import agreement_at, localize  # noqa: E402
 from semref.core.database.build import BuildSettings, DatabaseBuilder  # noqa: E402
 from semref.core.evaluation.rates import wilson  # noqa: E402
 from semref.core.geometry.frame import MapFrame  # noqa: E402
@@ -81,7 +82,8 @@ from semref.core.labels.class_table import ClassTable, LandCoverClass  # noqa: E
 from semref.core.labels.overview import most_frequent_labels  # noqa: E402
 from semref.core.labels.sources import ArrayLabels  # noqa: E402
 from semref.core.landmarks.landmarks import extract_landmarks  # noqa: E402
-from semref.core.localizer.localizer import AUTOMATIC, Localizer  # noqa: E402
+from semref.core.localization import CorrelationPeaks, Method, Prior  # noqa: E402
+from semref.core.localizer.localizer import Localizer  # noqa: E402
 from semref.core.simulation.noise import MODEST, STRONG, LabelNoise, spoil_labels  # noqa: E402
 
 OBJECT_CLASSES = (1, 2, 3)  # building, bare land, water
@@ -153,34 +155,44 @@ def trial(job) -> dict:
     meters = STATE["meters"]
     if noise is not None:
         image = spoiled(image, pixel * meters, noise, seed)
-    prior = Prior()
+    prior = Prior(pixel_size_range=STATE["search"])
     if prior_m:
         away = rng.uniform(-0.7, 0.7, 2) * prior_m
-        prior = Prior((center[0] + away[0], -center[1] + away[1]), prior_m)
+        position = center[0] + away[0], -center[1] + away[1]
+        prior = Prior(position, prior_m, pixel_size_range=STATE["search"])
     started, cpu = time.perf_counter(), time.process_time()
     settings = CorrelationSettings(threads=STATE["threads"])
-    found = localize(image, STATE["pyramids"][kind], STATE["search"], prior, settings)
+    found = localize(image, STATE["pyramids"][kind], prior, settings)
     row = {
         "kind": kind,
         "noise": noise_name,
         "seed": seed,
         "size": size_wh[0],
         "status": found.status,
-        "score": found.score,
-        "runner_up": found.runner_up,
-        "decoy": found.decoy,
+        **_peaks(found),
         "confidence": found.confidence,
         "seconds": time.perf_counter() - started,
         "cpu": time.process_time() - cpu,
         "footprint": size_wh[0] * pixel,
     }
-    if found.position is not None:
-        row["error"] = float(np.hypot(found.position[0] - center[0], found.position[1] + center[1]))
-        row["heading_error"] = abs((found.heading_deg - heading + 180) % 360 - 180)
-        row["scale_error"] = abs(found.pixel_size_m / pixel - 1)
+    if found.best is not None:
+        best = found.best
+        row["error"] = float(np.hypot(best.position[0] - center[0], best.position[1] + center[1]))
+        row["heading_error"] = abs((best.heading_deg - heading + 180) % 360 - 180)
+        row["scale_error"] = abs(best.pixel_size_m / pixel - 1)
         row["error_95"] = found.error_95_m
-        row["deviation"] = float(np.sqrt(max(np.linalg.eigvalsh(np.array(found.covariance_m2)).max(), 0)))
+        row["deviation"] = _deviation(found)
     return row
+
+
+def _peaks(found) -> dict:
+    """Scores of the best place, the best other one and the mirrored image's; 0 without any."""
+    return vars(found.peaks or CorrelationPeaks(0.0, 0.0, 0.0))
+
+
+def _deviation(found) -> float:
+    """Standard deviation of the position along its longer axis."""
+    return float(np.sqrt(max(np.linalg.eigvalsh(np.array(found.covariance.position)).max(), 0)))
 
 
 def read_halves(half: str):
@@ -211,7 +223,7 @@ def radius_trial(job) -> dict:
     quiet = QUIET_ENERGY * pyramid.energy
     image = image_evidence(labels, pyramid)
     off = rng.uniform(-0.5, 0.5, 4) * (edge * pixel / COARSE_EDGE, edge * pixel / COARSE_EDGE, TURN_STEP_DEG, 1)
-    pose = Pose(center[0] + off[0], center[1] + off[1], heading + off[2], pixel * SCALE_STEP ** off[3])
+    pose = ScoredPose(center[0] + off[0], center[1] + off[1], heading + off[2], pixel * SCALE_STEP ** off[3])
     for coarse in (COARSE_EDGE, DECISION_EDGE):
         pose = refine(reduced_image(image, coarse), pyramid, pose, quiet, 4)
     finest, covariance = finest_pose(image, pyramid, pose, quiet)
@@ -310,8 +322,14 @@ def automatic_trial(job) -> dict:
         return float(np.hypot(position[0] - center[0], position[1] + center[1]))
 
     started = time.perf_counter()
-    found = localizer.localize(image, AUTOMATIC)
-    row = {"kind": kind, "seed": seed, "status": found.status, "method": found.method, "reason": found.reason}
+    found = localizer.localize(image, Method.AUTOMATIC)
+    row = {
+        "kind": kind,
+        "seed": seed,
+        "status": found.status,
+        "method": found.method,
+        "reason": str(found.reason or ""),
+    }
     row.update(seconds=time.perf_counter() - started, footprint=FOOTPRINT_PX * pixel, confidence=found.confidence)
     if found.position is not None:
         row.update(error=error(found.position), error_95=found.error_95_m)
@@ -328,19 +346,19 @@ def both_evidences(localizer: Localizer, image: np.ndarray, error) -> dict:
     objects = extract_landmarks(image, OBJECT_CLASSES, smallest)
     sizes = localizer.pixel_sizes(image.shape, (0.4, 2.5))
     stars = constellation.localize(
-        objects, *image.shape[::-1], localizer.index, constellation.Prior(pixel_size_range=sizes), smallest
+        objects, *image.shape[::-1], localizer.index, Prior(pixel_size_range=sizes), smallest
     )
     evidence = {"constellation": stars.status, "confidence": stars.confidence}
-    if stars.place is not None:
-        place = stars.place
+    if stars.best is not None:
+        place = stars.best
         evidence.update(log_odds=place.log_odds, inliers=place.inliers, constellation_error=error(place.position))
-        pose = place.position, place.heading_deg, place.pixel_size_m
-        evidence["agreement"] = agreement_at(image, localizer.pyramid, *pose)
-    areas = localize(image, localizer.pyramid, localizer.pixel_sizes(image.shape, (0.7, 1.4)))
-    evidence.update(correlation=areas.status, score=areas.score, runner_up=areas.runner_up, decoy=areas.decoy)
-    if areas.position is not None:
-        evidence.update(correlation_error=error(areas.position), error_95=areas.error_95_m)
-        evidence["deviation"] = float(np.sqrt(max(np.linalg.eigvalsh(np.array(areas.covariance_m2)).max(), 0)))
+        evidence["agreement"] = agreement_at(image, localizer.pyramid, place)
+    prior = Prior(pixel_size_range=localizer.pixel_sizes(image.shape, (0.7, 1.4)))
+    areas = localize(image, localizer.pyramid, prior)
+    evidence.update(correlation=areas.status, **_peaks(areas))
+    if areas.best is not None:
+        evidence.update(correlation_error=error(areas.best.position), error_95=areas.error_95_m)
+        evidence["deviation"] = _deviation(areas)
     return evidence
 
 
@@ -424,10 +442,10 @@ def print_table(rows: list[dict], title: str) -> None:
 
 def print_fit(rows: list[dict]) -> None:
     """Margins and errors from which the constants of correlation_decision are chosen."""
-    from semref.core.correlation.decision import Evidence
+    from semref.core.correlation.decision import smaller_lead
 
     for row in rows:
-        row["margin"] = Evidence(row["score"], row["runner_up"], row["decoy"]).margin
+        row["margin"] = smaller_lead(CorrelationPeaks(*(row[name] for name in ("score", "runner_up", "mirror"))))
     posed = [row for row in rows if "error" in row]
     wrong = np.array([row["margin"] for row in posed if not (row["kind"] == "right" and is_right(row))])
     right = np.array([row["margin"] for row in posed if row["kind"] == "right" and is_right(row)])

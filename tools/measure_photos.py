@@ -34,20 +34,13 @@ from semref.core.geometry.frame import MapFrame  # noqa: E402
 from semref.core.labels.class_table import class_table_from_csv  # noqa: E402
 from semref.core.labels.image_source import ArrayImage  # noqa: E402
 from semref.core.labels.sources import ArrayLabels  # noqa: E402
-from semref.core.localization import from_correlation  # noqa: E402
-from semref.core.localizer.localizer import (  # noqa: E402
-    AUTOMATIC,
-    CONSTELLATION,
-    FIX,
-    MAP_CORRELATION,
-    Localizer,
-    Prior,
-)
+from semref.core.localization import Method, Prior, Status  # noqa: E402
+from semref.core.localizer.localizer import Localizer  # noqa: E402
 from semref.core.segmentation.model import SegmentationModel  # noqa: E402
 from semref.core.segmentation.photo_labels import PhotoLabels  # noqa: E402
 
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
-METHODS = (CONSTELLATION, MAP_CORRELATION, AUTOMATIC)
+METHODS = (Method.CONSTELLATION.key, Method.MAP_CORRELATION.key, Method.AUTOMATIC.key)
 RIGHT_SHARE = 0.02  # of the ground that the photo's edge shows
 ELSEWHERE_SHARE = 0.1  # a fix farther off shows another place; between the two it is only inaccurate
 SAMPLE_RIGHT_M = 10.0
@@ -167,7 +160,7 @@ class OnceLocalizer(Localizer):
 
     def localize_by_map_correlation(self, labels_hw, prior=None):
         self.correlated(labels_hw, prior)
-        return from_correlation(self._found)
+        return self._found
 
     def correlated(self, labels_hw, prior):
         """Map correlation's whole result; ``saved_seconds``: what it took, added to by every later answer."""
@@ -228,15 +221,22 @@ def trial(job) -> list[dict]:
             localizer = STATE["localizer"]
             started, localizer.saved_seconds = time.perf_counter(), 0.0
             found = localizer.localize(labels, method, prior)
-            row = {**common, "labels": source, "method": method, "status": found.status, "reason": found.reason}
+            row = {
+                **common,
+                "labels": source,
+                "method": method,
+                "status": found.status.key,
+                "reason": str(found.reason or ""),
+            }
             row["seconds"] = time.perf_counter() - started + localizer.saved_seconds
             row["error_95"] = found.error_95_m
             place = found.position
-            if method == MAP_CORRELATION:
+            if method == Method.MAP_CORRELATION:
                 correlated = localizer.correlated(labels, prior)
-                row.update({name: getattr(correlated, name) for name in ("score", "runner_up", "decoy")})
+                if correlated.peaks is not None:
+                    row.update(vars(correlated.peaks))
                 # Where it would have put the photo, had it not refused: tells a poor search from a careful decision.
-                place, row["error_95"] = correlated.position, correlated.error_95_m
+                place, row["error_95"] = correlated.best and correlated.best.position, correlated.error_95_m
             if place is not None:
                 row["error"] = float(np.hypot(place[0] - center[0], place[1] + center[1]))
                 row["right"] = bool(row["error"] <= limit)
@@ -283,7 +283,7 @@ def print_fixes(rows: list[dict]) -> None:
 
 def summary(group: list[dict]) -> str:
     """The numbers of one row of the table."""
-    fixes = [row for row in group if row["status"] == FIX]
+    fixes = [row for row in group if row["status"] == Status.FIX]
     right = [row for row in fixes if row["right"]]
     errors = f"{np.median([row['error'] for row in right]):.1f}" if right else "–"
     here = [row for row in fixes if not row["elsewhere"]]
@@ -292,7 +292,7 @@ def summary(group: list[dict]) -> str:
     return (
         f"{rate(len(right), len(group))} | {rate(len(fixes) - len(right), len(group))} | "
         f"{sum(row['elsewhere'] for row in fixes)} | {len(group) - len(fixes)} | "
-        f"{best if group[0]['method'] == MAP_CORRELATION else '–'} | {errors} | {held} | "
+        f"{best if group[0]['method'] == Method.MAP_CORRELATION else '–'} | {errors} | {held} | "
         f"{np.median([row['seconds'] for row in group]):.2f}"
     )
 

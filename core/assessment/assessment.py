@@ -14,17 +14,16 @@ import cv2
 import numpy as np
 
 from ..constellation.verification import DISTRACTORS, center_noise
-from ..correlation.solver import TOO_LITTLE_INFORMATION
 from ..database.model import ReferenceDatabase
 from ..evaluation.trial import Query, Trial
-from ..localization import AMBIGUOUS, NO_MATCH, TOO_FEW_REFERENCES
+from ..localization import Status
 from ..localizer.localizer import Localizer
 from ..simulation.noise import LabelNoise
 from .images import ImageSimulator
 from .model import SuccessModel, fit_success, local_sums
 
 WRONG = "wrong_fix"
-REASONS = (TOO_FEW_REFERENCES, AMBIGUOUS, NO_MATCH, WRONG)
+REASONS = (Status.TOO_FEW_REFERENCES.key, Status.AMBIGUOUS.key, Status.NO_MATCH.key, WRONG)
 """Why there is no right fix."""
 
 HEADINGS_DEG = (0.0, 30.0, 60.0)
@@ -188,7 +187,7 @@ class Assessment:
             np.bincount([trial.query.place for trial in trials], minlength=len(places))[: len(places)],
             landmarks.reshape(-1, count).mean(axis=1),
             classes.reshape(-1, count).max(axis=1),
-            shares[:, REASONS.index(AMBIGUOUS)],
+            shares[:, REASONS.index(Status.AMBIGUOUS.key)],
             shares[:, REASONS.index(WRONG)],
             reasons,
         )
@@ -245,7 +244,7 @@ def _cause(trial: Trial) -> str:
     """Of REASONS, '' for a right fix."""
     if trial.is_fix:
         return "" if trial.is_right else WRONG
-    return TOO_FEW_REFERENCES if trial.status == TOO_LITTLE_INFORMATION else trial.status
+    return trial.status.key
 
 
 def _errors_near(places: np.ndarray, trials: Sequence[Trial], reach: float) -> np.ndarray:

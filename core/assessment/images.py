@@ -13,7 +13,6 @@ from typing import Optional, Tuple
 
 import numpy as np
 
-from ..constellation.hypotheses import Prior
 from ..constellation.solver import localize as solve
 from ..correlation.solver import NOMINAL_RANGE
 from ..database.model import ReferenceDatabase
@@ -21,7 +20,7 @@ from ..errors import DatabaseError, ParameterError
 from ..evaluation.trial import Query, Trial, judge
 from ..labels.sources import ArrayLabels
 from ..landmarks.landmarks import Landmarks
-from ..localization import CONSTELLATION, MAP_CORRELATION, TOO_FEW_REFERENCES, Localization, from_constellation
+from ..localization import Localization, Method, Prior, Status
 from ..localizer.localizer import SCALES, SMALLEST_OBJECT_PX, Localizer
 from ..simulation.noise import JITTER_LENGTH_PX, joined, spoil_labels, spoil_landmarks, with_moved_boundaries
 from ..simulation.views import View, cut, image_coordinates
@@ -123,11 +122,10 @@ class ImageSimulator:
         """An image at a place, localized by its landmarks."""
         landmarks, count = self.landmarks(query, rng)
         if not len(landmarks):
-            found = Localization(TOO_FEW_REFERENCES, CONSTELLATION, 0)
+            found = Localization(Status.TOO_FEW_REFERENCES, Method.CONSTELLATION)
         else:
-            solved = solve(landmarks, self.size_px, self.size_px, self._localizer.index, self._prior, self._smallest_px)
-            found = from_constellation(solved)
-        return judge(query, CONSTELLATION, found, landmarks=count)
+            found = solve(landmarks, self.size_px, self.size_px, self._localizer.index, self._prior, self._smallest_px)
+        return judge(query, Method.CONSTELLATION, found, landmarks=count)
 
     def correlation(self, query: Query, rng: np.random.Generator) -> Trial:
         """An image at a place, cut from the overview and spoiled, localized by its class areas."""
@@ -142,7 +140,7 @@ class ImageSimulator:
         noise = replace(query.noise.in_pixels(pixel), jitter_length=max(JITTER_LENGTH_PX / pixel, 2.0))
         labels = spoil_labels(labels, noise, rng, database.class_table.reference_values, donor)
         found = self._localizer.localize_by_map_correlation(labels)
-        return judge(query, MAP_CORRELATION, found, landmarks=len(self.whole_landmarks(query.view)[0]))
+        return judge(query, Method.MAP_CORRELATION, found, landmarks=len(self.whole_landmarks(query.view)[0]))
 
     def _coarse_view(self, view: View, pixel: float) -> View:
         """The same ground in about as coarse pixels as the overview's."""

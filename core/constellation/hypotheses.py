@@ -11,6 +11,7 @@ from typing import Optional
 import numpy as np
 
 from ..geometry.pose import fit_similarity
+from ..localization import Prior
 from .index import ConstellationIndex, expand_ranges, key_ranges, like_triangles
 from .triangles import MINIMUM_SIDE_IN_SIZES, ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
 
@@ -38,22 +39,15 @@ CELL_OF_TURN = 0.1
 
 
 @dataclass(frozen=True)
-class Prior:
-    """What is known beforehand, each narrowing the search: position (map x, y) within radius (map units), heading
-    within ± range (degrees), pixel size between two bounds (map units)."""
+class SeenLandmarks:
+    """Landmarks as an image shows them, n of them.
 
-    position: Optional[tuple] = None
-    radius: Optional[float] = None
-    heading_deg: Optional[float] = None
-    heading_range_deg: float = 180.0
-    pixel_size_range: Optional[tuple] = None
-
-
-@dataclass(frozen=True)
-class Query:
-    """An image's objects as complex points (n,), ranks (n,) −1 unknown class, log_areas (n,) ln px², whole (n,) bool.
-
-    diagonal: of the image in pixels.
+    Attributes:
+        points: (n,) complex, pixels from the image's center, y up.
+        ranks: (n,) int64, place of each class in the catalogue's, −1 of a class that it doesn't have.
+        log_areas: (n,) ln of areas in px².
+        whole: (n,) bool, not cut by the image's border.
+        diagonal: Of the image in pixels.
     """
 
     points: np.ndarray
@@ -62,13 +56,19 @@ class Query:
     whole: np.ndarray
     diagonal: float
 
-    def select(self, chosen: np.ndarray) -> "Query":
-        """The chosen objects of the image, in that order."""
-        return Query(self.points[chosen], self.ranks[chosen], self.log_areas[chosen], self.whole[chosen], self.diagonal)
+    @property
+    def usable_count(self) -> int:
+        """Whole landmarks of known class."""
+        return int((self.whole & (self.ranks >= 0)).sum())
 
-    def mirrored(self) -> "Query":
-        """The image as it can never be seen: same density, same regularity, wrong hand."""
-        return Query(-self.points.conj(), self.ranks, self.log_areas, self.whole, self.diagonal)
+    def select(self, chosen: np.ndarray) -> "SeenLandmarks":
+        """The chosen objects of the image, in that order."""
+        columns = (column[chosen] for column in (self.points, self.ranks, self.log_areas, self.whole))
+        return SeenLandmarks(*columns, self.diagonal)
+
+    def mirrored(self) -> "SeenLandmarks":
+        """The landmarks of the mirrored image: same density, same regularity, and no camera can see it."""
+        return SeenLandmarks(-self.points.conj(), self.ranks, self.log_areas, self.whole, self.diagonal)
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class Seeds:
     capped: bool
 
 
-def query_triangles(query: Query) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def query_triangles(query: SeenLandmarks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(Q, 3) objects A, B, C; (Q, 5) descriptors; (Q,) tolerances of the place of C.
 
     A triangle whose sides are so alike that noise could change their order is given in each order.
@@ -113,7 +113,7 @@ def query_triangles(query: Query) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def find_seeds(
-    index: ConstellationIndex, query: Query, triangles: tuple, prior: Optional[Prior], seed_count: int, cap: int
+    index: ConstellationIndex, query: SeenLandmarks, triangles: tuple, prior: Optional[Prior], seed_count: int, cap: int
 ) -> Seeds:
     """The most voted poses of an image; triangles as of ``query_triangles``; at most ``cap`` of the index's are looked
     at, those of the rarest first."""

@@ -5,18 +5,35 @@ Told in docs/method.md#constellation.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import List, Optional, Tuple
 
 import numpy as np
 
-from ..geometry.pose import Pose, PoseUncertainty, heading_of, image_points, pose_uncertainty, tilted_uncertainty
+from ..geometry.pose import (
+    Pose,
+    PoseCovariance,
+    heading_of,
+    image_points,
+    level_covariance,
+    tilted_covariance,
+    turn_of,
+)
 from ..landmarks.landmarks import Landmarks
-from .hypotheses import Prior, Query, find_seeds, query_triangles
+from ..localization import Localization, Matches, Method, Place, Prior, Status
+from ..sentences import Sentence
+from .hypotheses import SeenLandmarks, find_seeds, query_triangles
 from .index import ConstellationIndex, full_area
-from .verification import LARGEST_OBJECTS, Evidence, Verifier, rough_scores, telling_objects, verify, verify_tilted
-
-FIX, AMBIGUOUS, NO_MATCH, TOO_FEW_REFERENCES = "fix", "ambiguous", "no_match", "too_few_references"
+from .verification import (
+    LARGEST_OBJECTS,
+    MINIMUM_MATCHES,
+    PoseEvidence,
+    Verifier,
+    rough_scores,
+    telling_objects,
+    verify,
+    verify_tilted,
+)
 
 MINIMUM_LOG_ODDS = 20.7
 """ln 10⁹: the odds that a fix must have against chance, as astrometry.net asks of stars."""
@@ -76,42 +93,6 @@ SAME_PLACE_IN_NOISE = 5.0
 """Poses whose objects lie nearer to each other than this many σ are the same."""
 
 
-@dataclass(frozen=True)
-class Place:
-    """A pose found: position (map x, y) of the image's center, heading, pixel size (map units), log odds, inliers."""
-
-    position: Tuple[float, float]
-    heading_deg: float
-    pixel_size_m: float
-    log_odds: float
-    inliers: int
-
-
-@dataclass(frozen=True)
-class ConstellationResult:
-    """What the constellation tells of an image.
-
-    status: ``fix``, ``ambiguous``, ``no_match`` or ``too_few_references``; reason: one sentence unless a fix;
-    place: best pose, also where it is not good enough (None where there is none); alternatives: other places almost
-    as good; mirror_log_odds: of the mirrored image; uncertainty: of ``place``; references: objects used;
-    missing: objects of the map that should be seen and aren't; capped: common triangles were left out;
-    confidence: probability that ``place`` is right; matches: (m, 2) objects of the image and of the
-    map that agree.
-    """
-
-    status: str
-    reason: str = ""
-    place: Optional[Place] = None
-    alternatives: Tuple[Place, ...] = ()
-    mirror_log_odds: float = 0.0
-    uncertainty: Optional[PoseUncertainty] = None
-    references: int = 0
-    missing: int = 0
-    capped: bool = False
-    confidence: float = 0.0
-    matches: np.ndarray = field(default_factory=lambda: np.empty((0, 2), np.int64))
-
-
 def localize(
     objects: Landmarks,
     width_px: float,
@@ -119,16 +100,21 @@ def localize(
     index: ConstellationIndex,
     prior: Optional[Prior] = None,
     minimum_area_px: Optional[float] = None,
-) -> ConstellationResult:
-    """Position, heading and pixel size of an image from its landmarks, or why there is no fix.
+) -> Localization:
+    """Position, heading and pixel size of an image from its landmarks, or why there is no fix. Deterministic.
 
-    objects: of the whole image, pixel coordinates; minimum_area_px: contour area below which objects were
-    not extracted (by default the smallest one's). Deterministic. Never raises for an image without a fix.
+    Args:
+        objects: Landmarks of the whole image.
+        width_px: Of the image.
+        height_px: Of the image.
+        index: The map's catalogue.
+        prior: What is known beforehand.
+        minimum_area_px: Contour area below which landmarks were not extracted; by default the smallest one's.
     """
     query = make_query(objects, index, width_px, height_px)
-    count = int((query.whole & (query.ranks >= 0)).sum())
+    count = query.usable_count
     if count < MINIMUM_OBJECTS:
-        return _too_few(count, index)
+        return _too_few(count, index, False)
     smallest = minimum_area_px if minimum_area_px is not None else float(objects.areas_px.min())
     verifier = Verifier(index, width_px, height_px, float(full_area(smallest, 1.0)))
     for triangles, cap in _rounds(query_triangles(query)):
@@ -138,16 +124,45 @@ def localize(
             # A mirrored image has no heading that could be known.
             blind = None if prior is None else replace(prior, heading_deg=None)
             decoys, _ = _solve(verifier, query.mirrored(), mirrored(triangles), blind, cap)
-            return _decide(query, found, decoys, index, count, capped)
-    return _decide(query, found, [], index, count, capped)
+            return _decide(objects, query, found, decoys, index, capped)
+    return _decide(objects, query, found, [], index, capped)
 
 
-def make_query(objects: Landmarks, index: ConstellationIndex, width_px: float, height_px: float) -> Query:
+def matches_at(
+    objects: Landmarks, width_px: float, height_px: float, index: ConstellationIndex, place: Place
+) -> Optional[Matches]:
+    """Which landmarks agree with the map's at a place that another method found, as the constellation verifies it.
+
+    Args:
+        objects: Landmarks of the whole image, at least one.
+        width_px: Of the image.
+        height_px: Of the image.
+        index: The map's catalogue.
+        place: Where the image lies, with heading and pixel size.
+
+    Returns:
+        None where no more agree than by chance.
+    """
+    query = make_query(objects, index, width_px, height_px)
+    telling = query.select(telling_objects(query, LARGEST_OBJECTS))
+    if len(telling.points) < MINIMUM_MATCHES:
+        return None
+    verifier = Verifier(index, width_px, height_px, float(full_area(objects.areas_px.min(), 1.0)))
+    pose = Pose(complex(*place.position) - index.origin, turn_of(place.heading_deg, place.pixel_size_m))
+    evidence = verify(verifier, telling, pose)
+    if len(evidence.matched):
+        focus = complex(telling.points[evidence.matched].mean())
+        tilted = verify_tilted(verifier, telling, pose, focus)
+        evidence = tilted if tilted.log_odds > evidence.log_odds + TILTED_MARGIN else evidence
+    return _matches(objects, query, index, evidence) if evidence.log_odds > 0 else None
+
+
+def make_query(objects: Landmarks, index: ConstellationIndex, width_px: float, height_px: float) -> SeenLandmarks:
     """An image's objects as localization uses them."""
     points = image_points(objects.centers_xy, width_px, height_px)
     log_areas = np.log(full_area(np.asarray(objects.areas_px, np.float64), 1.0))
     whole = ~np.asarray(objects.touches_edge, bool)
-    return Query(points, index.rank_of(objects.classes), log_areas, whole, float(np.hypot(width_px, height_px)))
+    return SeenLandmarks(points, index.rank_of(objects.classes), log_areas, whole, float(np.hypot(width_px, height_px)))
 
 
 def mirrored(triangles: tuple) -> tuple:
@@ -165,8 +180,8 @@ def _rounds(triangles: tuple) -> List[Tuple[tuple, int]]:
 
 
 def _solve(
-    verifier: Verifier, query: Query, triangles: tuple, prior: Optional[Prior], cap: int
-) -> Tuple[List[Evidence], bool]:
+    verifier: Verifier, query: SeenLandmarks, triangles: tuple, prior: Optional[Prior], cap: int
+) -> Tuple[List[PoseEvidence], bool]:
     """The best few poses at different places, best first; and whether the search was capped."""
     seeds = find_seeds(verifier.index, query, triangles, prior, SEEDS, cap)
     if not len(seeds.centers):
@@ -175,7 +190,7 @@ def _solve(
     rough = query.select(telling_objects(query, ROUGH_OBJECTS))
     centers, turns, scores = rough_scores(verifier, rough, seeds.centers, seeds.turns, gates)
     telling = query.select(telling_objects(query, LARGEST_OBJECTS))
-    found: List[Evidence] = []
+    found: List[PoseEvidence] = []
     tried: List[Pose] = []
     best = 0.0
     for number in np.argsort(-scores, kind="stable"):
@@ -204,13 +219,13 @@ def _solve(
     return sorted(found, key=lambda evidence: -evidence.log_odds), seeds.capped
 
 
-def _agrees(evidence: Evidence) -> bool:
+def _agrees(evidence: PoseEvidence) -> bool:
     """Whether a level camera explains the image, so that a tilted one needs no trial."""
     share = len(evidence.matched) / max(evidence.considered, 1)
     return evidence.log_odds >= MINIMUM_LOG_ODDS and evidence.noise_factor < TILTED_NOISE and share > TILTED_SHARE
 
 
-def _add(query: Query, found: List[Evidence], evidence: Evidence) -> None:
+def _add(query: SeenLandmarks, found: List[PoseEvidence], evidence: PoseEvidence) -> None:
     """Adds a pose; of those at one place the best stays, a tilted one only if it is clearly better."""
     same = [other for other in found if same_place(query, evidence, other)]
     better = evidence.log_odds - (0 if evidence.pose.is_level else TILTED_MARGIN)
@@ -218,7 +233,7 @@ def _add(query: Query, found: List[Evidence], evidence: Evidence) -> None:
         found[:] = [other for other in found if not any(other is one for one in same)] + [evidence]
 
 
-def _with_repeats(verifier: Verifier, query: Query, found: List[Evidence]) -> List[Evidence]:
+def _with_repeats(verifier: Verifier, query: SeenLandmarks, found: List[PoseEvidence]) -> List[PoseEvidence]:
     """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
     best, telling = found[0], query.select(telling_objects(query, LARGEST_OBJECTS))
     all_found = list(found)
@@ -229,7 +244,7 @@ def _with_repeats(verifier: Verifier, query: Query, found: List[Evidence]) -> Li
     return sorted(all_found, key=lambda evidence: -evidence.log_odds)
 
 
-def repeats(verifier: Verifier, query: Query, evidence: Evidence) -> List[complex]:
+def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> List[complex]:
     """Steps at which REPEATED of the matched objects have another of their class, most frequent first."""
     index = verifier.index
     points, ranks = index.points[evidence.objects], index.ranks[evidence.objects]
@@ -244,7 +259,7 @@ def repeats(verifier: Verifier, query: Query, evidence: Evidence) -> List[comple
     return [complex(steps[first[k]]) for k in order if counts[k] >= REPEATED * len(points)]
 
 
-def same_place(query: Query, one: Evidence, other: Evidence) -> bool:
+def same_place(query: SeenLandmarks, one: PoseEvidence, other: PoseEvidence) -> bool:
     """Whether two poses put the image's objects on the same spots, as far as their noise tells."""
     noise = max((float(np.median(e.deviations)) if len(e.deviations) else 0.0) for e in (one, other))
     reach = max(SAME_PLACE_IN_NOISE * noise, 2.0 * abs(one.pose.turn))
@@ -253,47 +268,65 @@ def same_place(query: Query, one: Evidence, other: Evidence) -> bool:
     return _distance(query, one.pose, other.pose) < reach
 
 
-def _distance(query: Query, pose: Pose, other: Pose) -> float:
+def _distance(query: SeenLandmarks, pose: Pose, other: Pose) -> float:
     """Median distance on the map between an image's objects at two poses."""
     return float(np.median(np.abs(pose.on_map(query.points) - other.on_map(query.points))))
 
 
 def _decide(
-    query: Query, found: List[Evidence], decoys: List[Evidence], index: ConstellationIndex, count: int, capped: bool
-) -> ConstellationResult:
-    mirror = max(decoys[0].log_odds, 0.0) if decoys else 0.0
+    objects: Landmarks,
+    query: SeenLandmarks,
+    found: List[PoseEvidence],
+    decoys: List[PoseEvidence],
+    index: ConstellationIndex,
+    capped: bool,
+) -> Localization:
+    """The verdict on the poses found, best first, and on those found for the mirrored image."""
+    count = query.usable_count
     if not found:
-        return ConstellationResult(NO_MATCH, "No place on the map has triangles like the image's.", references=count)
-    best = found[0]
-    uncertainty = _uncertainty(index, query, best)
+        reason = Sentence("localization.no_triangles")
+        return Localization(Status.NO_MATCH, Method.CONSTELLATION, count, reason, search_capped=capped)
+    best, covariance = found[0], _covariance(index, query, found[0])
+    mirror = float(max(decoys[0].log_odds, 0.0)) if decoys else 0.0
     needed = best.log_odds - max(MARGIN, MARGIN_SHARE * best.log_odds)
     rivals = [other for other in found[1:] if other.log_odds > needed]
-    if best.log_odds < MINIMUM_LOG_ODDS:
-        status, reason = NO_MATCH, f"The best place has log odds of {best.log_odds:.1f}; {MINIMUM_LOG_ODDS} are needed."
-    elif rivals:
-        status = AMBIGUOUS
-        reason = f"{len(rivals)} other place{'s fit' if len(rivals) > 1 else ' fits'} almost as well as the best one."
-    elif mirror > needed:
-        status, reason = AMBIGUOUS, "The mirrored image fits almost as well, so the pattern is too regular."
-    elif uncertainty is None or uncertainty.semi_major > LARGEST_ERROR * query.diagonal * abs(best.pose.turn):
-        status, reason = NO_MATCH, "The objects that agree with the map don't fix the position closely enough."
-    else:
-        status, reason = FIX, ""
-    if status == NO_MATCH and count < objects_needed(index):
-        return _too_few(count, index)
-    return ConstellationResult(
+    status, reason = _verdict(query, best, len(rivals), mirror > needed, covariance)
+    if status is Status.NO_MATCH and count < objects_needed(index):
+        return _too_few(count, index, capped)
+    runner_up = max((other.log_odds for other in found[1:]), default=-np.inf)
+    places = tuple(_place(index, evidence) for evidence in (best, *rivals))
+    return Localization(
         status,
-        reason,
-        _place(index, best),
-        tuple(_place(index, other) for other in rivals),
-        float(mirror),
-        uncertainty,
+        Method.CONSTELLATION,
         count,
-        best.missing,
-        capped,
-        confidence(best.log_odds, max([mirror, *(other.log_odds for other in found[1:])])),
-        np.column_stack([telling_objects(query, LARGEST_OBJECTS)[best.matched], best.objects]),
+        reason,
+        best=places[0],
+        confidence=confidence(best.log_odds, max(mirror, runner_up)),
+        alternatives=places if status is Status.AMBIGUOUS else (),
+        error_95_m=covariance.ellipse_95.semi_major if covariance else None,
+        covariance=covariance,
+        matches=_matches(objects, query, index, best),
+        search_capped=capped,
+        mirror_log_odds=mirror,
+        runner_up_log_odds=float(runner_up),
     )
+
+
+def _verdict(
+    query: SeenLandmarks, best: PoseEvidence, rivals: int, mirror_fits: bool, covariance: Optional[PoseCovariance]
+) -> Tuple[Status, Optional[Sentence]]:
+    """Whether the best pose is a fix, and why not."""
+    if best.log_odds < MINIMUM_LOG_ODDS:
+        reason = Sentence("localization.log_odds_too_low", log_odds=best.log_odds, needed=MINIMUM_LOG_ODDS)
+        return Status.NO_MATCH, reason
+    if rivals:
+        return Status.AMBIGUOUS, Sentence("localization.rivals", count=rivals)
+    if mirror_fits:
+        return Status.AMBIGUOUS, Sentence("localization.mirror_fits")
+    largest = LARGEST_ERROR * query.diagonal * abs(best.pose.turn)
+    if covariance is None or covariance.ellipse_95.semi_major > largest:
+        return Status.NO_MATCH, Sentence("localization.position_too_loose")
+    return Status.FIX, None
 
 
 def confidence(log_odds: float, rival_log_odds: float) -> float:
@@ -302,25 +335,38 @@ def confidence(log_odds: float, rival_log_odds: float) -> float:
     return float(1 / (1 + np.exp(-np.clip((margin - EVEN_LOG_ODDS) / LOG_ODDS_UNIT, -50, 50))))
 
 
-def _place(index: ConstellationIndex, evidence: Evidence) -> Place:
-    position = evidence.pose.center + index.origin
+def _place(index: ConstellationIndex, evidence: PoseEvidence) -> Place:
+    position, turn = evidence.pose.center + index.origin, evidence.pose.turn
     return Place(
-        (position.real, position.imag),
-        heading_of(evidence.pose.turn),
-        abs(evidence.pose.turn),
+        (float(position.real), float(position.imag)),
+        heading_of(turn),
+        float(abs(turn)),
         evidence.log_odds,
         len(evidence.matched),
     )
 
 
-def _uncertainty(index: ConstellationIndex, query: Query, evidence: Evidence) -> Optional[PoseUncertainty]:
+def _matched(query: SeenLandmarks, evidence: PoseEvidence) -> np.ndarray:
+    """(m,) the matched ones among all landmarks of the image."""
+    return telling_objects(query, LARGEST_OBJECTS)[evidence.matched]
+
+
+def _matches(objects: Landmarks, query: SeenLandmarks, index: ConstellationIndex, evidence: PoseEvidence) -> Matches:
+    matched = _matched(query, evidence)
+    seen = evidence.pose.on_map(query.points[matched])
+    residuals = np.abs(seen - index.points[evidence.objects])
+    seen = seen + index.origin
+    return Matches(evidence.objects, objects.centers_xy[matched], np.column_stack([seen.real, seen.imag]), residuals)
+
+
+def _covariance(index: ConstellationIndex, query: SeenLandmarks, evidence: PoseEvidence) -> Optional[PoseCovariance]:
     if len(evidence.matched) < 3:
         return None
-    points = query.points[telling_objects(query, LARGEST_OBJECTS)[evidence.matched]]
-    on_map = index.points[evidence.objects]
-    if not evidence.pose.is_level:
-        return tilted_uncertainty(points, on_map, evidence.deviations, evidence.pose, query.diagonal)
-    return pose_uncertainty(points, evidence.pose.on_map(points) - on_map, evidence.deviations, evidence.pose.turn)
+    points = query.points[_matched(query, evidence)]
+    on_map, pose = index.points[evidence.objects], evidence.pose
+    if not pose.is_level:
+        return tilted_covariance(points, on_map, evidence.deviations, pose, query.diagonal)
+    return level_covariance(points, pose.on_map(points) - on_map, evidence.deviations, pose.turn)
 
 
 def objects_needed(index: ConstellationIndex) -> int:
@@ -332,10 +378,8 @@ def objects_needed(index: ConstellationIndex) -> int:
     return 3 + int(np.ceil(MINIMUM_LOG_ODDS / max(float(each), 1.0)))
 
 
-def _too_few(count: int, index: ConstellationIndex) -> ConstellationResult:
-    missing = max(objects_needed(index) - count, 1)
-    reason = (
-        f"The image shows {count} whole landmark{'' if count == 1 else 's'}; "
-        f"at least {missing} more {'is' if missing == 1 else 'are'} needed."
-    )
-    return ConstellationResult(TOO_FEW_REFERENCES, reason, references=count)
+def _too_few(count: int, index: ConstellationIndex, capped: bool) -> Localization:
+    shown = Sentence("localization.shows_whole_landmarks", count=count)
+    needed = Sentence("localization.more_needed", count=max(objects_needed(index) - count, 1))
+    reason = Sentence("localization.too_few_landmarks", shown=shown, needed=needed)
+    return Localization(Status.TOO_FEW_REFERENCES, Method.CONSTELLATION, count, reason, search_capped=capped)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry.pose import Pose, fit_similarity, fit_tilted, huber
-from .hypotheses import CENTER_NOISE_IN_SIZES, CENTER_NOISE_PX, Query
+from .hypotheses import CENTER_NOISE_IN_SIZES, CENTER_NOISE_PX, SeenLandmarks
 from .index import AREA_BIN, AREA_BINS, ConstellationIndex
 
 DISTRACTORS = 0.4
@@ -56,7 +56,7 @@ of the image's diagonal."""
 REFINEMENTS = 6
 ROBUST_REFINEMENTS = 4
 """Rounds of match and fit for one pose. The first ones trust near matches more, to leave wrong ones; the last ones
-weigh by Huber's rule, whose uncertainty ``pose_uncertainty`` knows."""
+weigh by Huber's rule, whose uncertainty ``level_covariance`` knows."""
 
 LARGEST_OBJECTS = 250
 """Objects of an image used as evidence, largest first. More change nothing but the time."""
@@ -66,7 +66,7 @@ MEDIAN_OF_RAYLEIGH = 1.1774
 
 
 @dataclass(frozen=True)
-class Evidence:
+class PoseEvidence:
     """A verified pose: log odds against a chance hit, matched pairs and their noise.
 
     matched: (m,) objects of the image; objects: (m,) those of the map; deviations: (m,) σ of each match in map units;
@@ -99,7 +99,7 @@ def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray) -> np.ndarray
     return pixel_size * np.hypot(CENTER_NOISE_PX, CENTER_NOISE_IN_SIZES * np.exp(log_areas_px / 2))
 
 
-def match_terms(verifier: Verifier, query: Query, distances, objects, deviations, log_scale) -> np.ndarray:
+def match_terms(verifier: Verifier, query: SeenLandmarks, distances, objects, deviations, log_scale) -> np.ndarray:
     """(…, n) ln likelihood ratio of every object's nearest match against a random hit at the local density.
 
     distances, objects, deviations: (…, n); log_scale: ln pixel size, broadcastable. ln DISTRACTORS without a match.
@@ -120,7 +120,7 @@ def _normal(x: np.ndarray, deviation: float) -> np.ndarray:
     return np.exp(-0.5 * (x / deviation) ** 2) / (np.sqrt(2 * np.pi) * deviation)
 
 
-def rough_scores(verifier: Verifier, query: Query, centers, turns, gates) -> tuple:
+def rough_scores(verifier: Verifier, query: SeenLandmarks, centers, turns, gates) -> tuple:
     """Poses (S,) fitted all at once with shrinking gates (map units per pixel of size, (G,)); scores (S,), no misses.
 
     query: its most telling objects only, all of known class.
@@ -144,18 +144,18 @@ def rough_scores(verifier: Verifier, query: Query, centers, turns, gates) -> tup
     return centers, turns, scores
 
 
-def telling_objects(query: Query, count: int) -> np.ndarray:
+def telling_objects(query: SeenLandmarks, count: int) -> np.ndarray:
     """Ascending places of the largest whole objects of known class, at most ``count``."""
     usable = np.flatnonzero(query.whole & (query.ranks >= 0))
     return np.sort(usable[np.argsort(-query.log_areas[usable], kind="stable")[:count]])
 
 
-def verify(verifier: Verifier, query: Query, pose: Pose) -> Evidence:
+def verify(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> PoseEvidence:
     """Refines the pose of a level camera by match and fit, then weighs it. query: its ``telling_objects``."""
     return _refined(verifier, query, pose, 2.0)
 
 
-def verify_tilted(verifier: Verifier, query: Query, pose: Pose, focus: complex) -> Evidence:
+def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: complex) -> PoseEvidence:
     """The same for a camera that may be tilted; matches spread from ``focus``, where the pose holds, over the image."""
     gate = GROWING_GATE * query.diagonal
     for reach in GROWING_REACH:
@@ -173,7 +173,7 @@ def verify_tilted(verifier: Verifier, query: Query, pose: Pose, focus: complex) 
     return _refined(verifier, query, pose, 2.0, tilted=True)
 
 
-def _refined(verifier: Verifier, query: Query, pose: Pose, factor: float, tilted: bool = False) -> Evidence:
+def _refined(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float, tilted: bool = False) -> PoseEvidence:
     """Match and fit until both agree; then the evidence."""
     for number in range(REFINEMENTS):
         distances, objects, deviations = _nearest(verifier, query, pose)
@@ -208,7 +208,7 @@ def noise_factor(residuals: np.ndarray, fitted: int) -> float:
     return float(np.clip(factor, *NOISE_FACTORS))
 
 
-def weigh(verifier: Verifier, query: Query, pose: Pose, factor: float) -> Evidence:
+def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -> PoseEvidence:
     """The evidence for a pose as it is."""
     index, log_sizes = verifier.index, np.log(pose.pixel_sizes(query.points))
     distances, objects, deviations = _nearest(verifier, query, pose)
@@ -226,10 +226,10 @@ def weigh(verifier: Verifier, query: Query, pose: Pose, factor: float) -> Eviden
     assumed *= max(float(terms[matched].mean()), 0) if len(matched) else 0
     log_odds = float(terms.sum() - assumed + missing * np.log(1 - VISIBILITY))
     considered = int(possible.sum())
-    return Evidence(pose, log_odds, matched, objects[matched], deviations[matched], factor, missing, considered)
+    return PoseEvidence(pose, log_odds, matched, objects[matched], deviations[matched], factor, missing, considered)
 
 
-def expected_objects(verifier: Verifier, query: Query, pose: Pose) -> np.ndarray:
+def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np.ndarray:
     """(M,) objects of the map that an image with this pose should show whole, none smaller than those in ``query``."""
     index = verifier.index
     half = complex(verifier.width_px, verifier.height_px) / 2
@@ -247,7 +247,7 @@ def expected_objects(verifier: Verifier, query: Query, pose: Pose) -> np.ndarray
     return found[seen & (log_areas_px > smallest + AREA_DEVIATION)]
 
 
-def _nearest(verifier: Verifier, query: Query, pose: Pose):
+def _nearest(verifier: Verifier, query: SeenLandmarks, pose: Pose):
     """Distances (n,), objects (n,), assumed deviations (n,) of the image's objects at a pose."""
     distances, objects = verifier.index.matcher.match(pose.on_map(query.points)[None], query.ranks)
     return distances[0].astype(np.float64), objects[0], center_noise(query.log_areas, abs(pose.turn))

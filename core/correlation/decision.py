@@ -8,14 +8,12 @@ curves were fitted on trials in the northern half of Liechtenstein and frozen be
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Tuple
+from typing import Optional, Tuple
 
 import numpy as np
 
-FIX = "fix"
-AMBIGUOUS = "ambiguous"
-NO_MATCH = "no_match"
+from ..localization import CorrelationPeaks, Status
+from ..sentences import Sentence
 
 LEAST_SCORE = 0.25
 """Correlation below which nothing is accepted, however lonely the peak."""
@@ -44,28 +42,19 @@ ERROR_FLOOR_PX = 0.15
 """Least 95 % radius, in overview pixels: the most frequent class of a block says no more."""
 
 
-@dataclass(frozen=True)
-class Evidence:
-    """Correlations −1…1 of the best place, the best other place and the mirrored image's best place."""
+def over_runner_up(peaks: CorrelationPeaks) -> float:
+    """Lead over the best other place in Fisher's z."""
+    return fisher_z(peaks.score) - fisher_z(peaks.runner_up)
 
-    score: float
-    runner_up: float
-    decoy: float
 
-    @property
-    def over_runner_up(self) -> float:
-        """Lead over the best other place in Fisher's z."""
-        return fisher_z(self.score) - fisher_z(self.runner_up)
+def over_mirror(peaks: CorrelationPeaks) -> float:
+    """Lead over the mirrored image in Fisher's z."""
+    return fisher_z(peaks.score) - fisher_z(peaks.mirror)
 
-    @property
-    def over_decoy(self) -> float:
-        """Lead over the mirrored image in Fisher's z."""
-        return fisher_z(self.score) - fisher_z(self.decoy)
 
-    @property
-    def margin(self) -> float:
-        """The smaller lead."""
-        return min(self.over_runner_up, self.over_decoy)
+def smaller_lead(peaks: CorrelationPeaks) -> float:
+    """Lead over the stronger of both opponents in Fisher's z."""
+    return min(over_runner_up(peaks), over_mirror(peaks))
 
 
 def fisher_z(correlation: float) -> float:
@@ -73,42 +62,33 @@ def fisher_z(correlation: float) -> float:
     return float(np.arctanh(np.clip(correlation, 0.0, 0.999)))
 
 
-def decide(evidence: Evidence) -> Tuple[str, str]:
-    """Status and reason (one sentence, empty for a fix)."""
-    if evidence.score < LEAST_SCORE:
-        return NO_MATCH, (
-            f"The best place agrees with the image only by {evidence.score:.2f}; at least {LEAST_SCORE:.2f} is needed."
-        )
-    if evidence.over_decoy < LEAST_MARGIN:
-        return NO_MATCH, (
-            f"The best place ({evidence.score:.2f}) agrees hardly better than the mirrored image does by chance "
-            f"({evidence.decoy:.2f})."
-        )
-    if evidence.over_runner_up < LEAST_MARGIN:
-        return AMBIGUOUS, (
-            f"Two places agree almost equally well ({evidence.score:.2f} and {evidence.runner_up:.2f}); "
-            "a prior position could tell them apart."
-        )
-    return FIX, ""
+def decide(peaks: CorrelationPeaks) -> Tuple[Status, Optional[Sentence]]:
+    """Status, and the reason unless that is a fix."""
+    score = peaks.score
+    if score < LEAST_SCORE:
+        return Status.NO_MATCH, Sentence("localization.agreement_too_low", score=score, least=LEAST_SCORE)
+    if over_mirror(peaks) < LEAST_MARGIN:
+        return Status.NO_MATCH, Sentence("localization.mirror_agrees", score=score, mirror=peaks.mirror)
+    if over_runner_up(peaks) < LEAST_MARGIN:
+        return Status.AMBIGUOUS, Sentence("localization.two_places_agree", score=score, runner_up=peaks.runner_up)
+    return Status.FIX, None
 
 
-def exact_enough(error_95_m: float, diagonal_m: float) -> Tuple[str, str]:
-    """Status and reason (empty for a fix) of the only place that agrees, by how closely it is known."""
-    if error_95_m <= LARGEST_ERROR * diagonal_m:
-        return FIX, ""
+def exact_enough(error_95_m: float, diagonal_m: float) -> Tuple[Status, Optional[Sentence]]:
+    """Status of the only place that agrees, by how closely it is known, and the reason unless that is a fix."""
+    needed_m = LARGEST_ERROR * diagonal_m
+    if error_95_m <= needed_m:
+        return Status.FIX, None
     if not np.isfinite(error_95_m):
-        return AMBIGUOUS, "One place agrees, but the image doesn't tell its position in all directions."
-    return AMBIGUOUS, (
-        f"One place agrees, but its position is known only within {error_95_m:.3g} m; "
-        f"an image of this size needs {LARGEST_ERROR * diagonal_m:.3g} m."
-    )
+        return Status.AMBIGUOUS, Sentence("localization.direction_unknown")
+    return Status.AMBIGUOUS, Sentence("localization.error_too_large", error_95_m=error_95_m, needed_m=needed_m)
 
 
-def confidence_of(evidence: Evidence) -> float:
+def confidence_of(peaks: CorrelationPeaks) -> float:
     """Chance, 0–1, that the best place is the right one, from the margin."""
     offset, slope = CONFIDENCE_CURVE
-    chance = 1 / (1 + np.exp(-np.clip(offset + slope * evidence.margin, -30, 30)))
-    return float(chance * min(1.0, max(0.0, evidence.score / LEAST_SCORE)))
+    chance = 1 / (1 + np.exp(-np.clip(offset + slope * smaller_lead(peaks), -30, 30)))
+    return float(chance * min(1.0, max(0.0, peaks.score / LEAST_SCORE)))
 
 
 def position_error_95(covariance_m2: np.ndarray, score: float, overview_pixel_m: float) -> float:

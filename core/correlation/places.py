@@ -10,8 +10,10 @@ from typing import List, Optional, Tuple
 
 import numpy as np
 
+from ..localization import Prior
+from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, reduced_level
-from .refine import Pose, pose_covariance, refine
+from .refine import ScoredPose, pose_covariance, refine
 from .search import SearchSpace, search
 
 COARSE_EDGE = 32
@@ -38,21 +40,6 @@ nearly, fits every place of that class."""
 
 MOST_COMPARISONS = 4e9
 """Places × turns × scales of the first look; 300 km² with images of 1,280 m take 6.5e7 and about a second."""
-
-
-@dataclass(frozen=True)
-class Prior:
-    """What is known beforehand; None = nothing. position: map (x, y) of the image's center, right to ``radius_m``;
-    headings_deg: (from, to), clockwise, may wrap around north. Raises ValueError for a radius that isn't positive.
-    """
-
-    position: Optional[Tuple[float, float]] = None
-    radius_m: float = 1000.0
-    headings_deg: Optional[Tuple[float, float]] = None
-
-    def __post_init__(self) -> None:
-        if not self.radius_m > 0:
-            raise ValueError(f"The radius of the prior is {self.radius_m:g} m; it has to be positive.")
 
 
 @dataclass(frozen=True)
@@ -83,33 +70,34 @@ def reduced_image(image: EvidenceLevel, edge: int) -> EvidenceLevel:
     return reduced_level(image, size_for(image.known.shape, edge))
 
 
-def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> str:
-    """Why the image can't be found on any map, one sentence; empty when it may."""
+def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Optional[Sentence]:
+    """Why the image can't be found on any map; None when it may."""
     labeled = float(coarse.known.mean())
     if labeled < LEAST_LABELED:
-        return f"Only {labeled:.0%} of the image have classes of the map; at least {LEAST_LABELED:.0%} are needed."
+        return Sentence("localization.too_few_labels", labeled=labeled, least=LEAST_LABELED)
     energy = float(coarse.evidence.var(axis=(0, 1)).sum()) / pyramid.energy
     if energy < LEAST_ENERGY:
-        return "The image shows hardly more than one class; a larger footprint with several classes is needed."
-    return ""
+        return Sentence("localization.hardly_one_class")
+    return None
 
 
-def search_space(pyramid: MapPyramid, pixel_sizes_m: Tuple[float, float], prior: Prior) -> SearchSpace:
-    """All turns (or those of the prior), the pixel sizes in even ratios, and the part of the map to search."""
-    low, high = np.log(pixel_sizes_m[0]), np.log(pixel_sizes_m[1])
+def search_space(pyramid: MapPyramid, prior: Prior) -> SearchSpace:
+    """All turns (or those of the prior), its pixel sizes in even ratios, and the part of the map to search."""
+    low, high = np.log(prior.pixel_size_range[0]), np.log(prior.pixel_size_range[1])
     count = max(1, int(np.ceil((high - low) / np.log(SCALE_STEP) - 1e-9)))
     sizes = np.exp(low + (np.arange(count) + 0.5) * (high - low) / count)
-    if prior.headings_deg is None:
+    if prior.heading_deg is None or prior.heading_range_deg >= 180:
         headings = np.arange(0.0, 360.0 - 1e-9, TURN_STEP_DEG)
     else:
-        span = (prior.headings_deg[1] - prior.headings_deg[0]) % 360.0
+        first = prior.heading_deg - prior.heading_range_deg
+        span = (prior.heading_deg + prior.heading_range_deg - first) % 360.0
         turns = max(1, int(np.ceil(span / TURN_STEP_DEG - 1e-9)))
-        headings = (prior.headings_deg[0] + (np.arange(turns) + 0.5) * span / turns) % 360.0
+        headings = (first + (np.arange(turns) + 0.5) * span / turns) % 360.0
     width, height = pyramid.size_m
     box = (0.0, 0.0, width, height)
-    if prior.position is not None:
+    if prior.position is not None and prior.radius is not None:
         x, y = prior.position[0] - pyramid.frame[0], pyramid.frame[1] - prior.position[1]
-        box = x - prior.radius_m, y - prior.radius_m, x + prior.radius_m, y + prior.radius_m
+        box = x - prior.radius, y - prior.radius, x + prior.radius, y + prior.radius
     return SearchSpace(headings, sizes, box)
 
 
@@ -135,12 +123,13 @@ def best_places(
     count: int,
     quiet: float,
     distance_m: float,
-) -> List[Pose]:
+) -> List[ScoredPose]:
     """The best poses, refined at the decision's pixels, best first, no two at the same place."""
     coarse = reduced_image(image, COARSE_EDGE)
     peaks = search(coarse, pyramid, space, settings.tile_size, settings.threads)
     # Neighboring peaks may lead to different optima: at first, places are told apart at half the distance.
-    starts = distinct([Pose(x, y, heading, size, score) for score, x, y, heading, size in peaks], distance_m / 2, count)
+    starts = [ScoredPose(x, y, heading, size, score) for score, x, y, heading, size in peaks]
+    starts = distinct(starts, distance_m / 2, count)
     moved = [refine(coarse, pyramid, pose, quiet, 4) for pose in starts]
     moved = distinct(sorted(moved, key=lambda pose: -pose.score), distance_m / 2, settings.finalists)
     finer = reduced_image(image, DECISION_EDGE)
@@ -148,9 +137,9 @@ def best_places(
     return distinct(sorted(finest, key=lambda pose: -pose.score), distance_m, settings.finalists)
 
 
-def distinct(poses: List[Pose], distance_m: float, count: int) -> List[Pose]:
+def distinct(poses: List[ScoredPose], distance_m: float, count: int) -> List[ScoredPose]:
     """The first ``count`` poses of which none is nearer than ``distance_m`` to an earlier one."""
-    kept: List[Pose] = []
+    kept: List[ScoredPose] = []
     places = np.empty((count, 2))
     for pose in poses:
         if len(kept) == count:
@@ -162,7 +151,9 @@ def distinct(poses: List[Pose], distance_m: float, count: int) -> List[Pose]:
     return kept
 
 
-def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> Tuple[Pose, np.ndarray]:
+def finest_pose(
+    image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float
+) -> Tuple[ScoredPose, np.ndarray]:
     """The pose refined at finer and finer pixels, to the map's overview pixel at most, and its covariance.
 
     That is taken at the decision's pixels: finer ones promise an accuracy that poor labels don't keep (measured with

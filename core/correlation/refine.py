@@ -36,7 +36,7 @@ BLOCKS = 10
 
 
 @dataclass(frozen=True)
-class Pose:
+class ScoredPose:
     """Where an image lies: its center in meters right (x) and down (y) of the map's corner, heading of its top in
     degrees clockwise from up, ground sampling distance in meters; score −1…1.
     """
@@ -48,13 +48,13 @@ class Pose:
     score: float = NOT_COMPARABLE
 
 
-def axes(pose: Pose) -> np.ndarray:
+def axes(pose: ScoredPose) -> np.ndarray:
     """(2, 2): meters right and down a step of one image pixel right and down makes."""
     cos, sin = np.cos(np.radians(pose.heading_deg)), np.sin(np.radians(pose.heading_deg))
     return pose.pixel_size_m * np.array([[cos, -sin], [sin, cos]])
 
 
-def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose) -> Tuple[np.ndarray, np.ndarray]:
+def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> Tuple[np.ndarray, np.ndarray]:
     """The map as the image would see it from ``pose``: evidence (h, w, C) and labeled share (h, w), float32."""
     height, width = image.known.shape
     to_map = axes(pose) * np.array(image.pixel)
@@ -72,7 +72,7 @@ def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose) -> Tuple[np
     return evidence, cv2.warpAffine(level.known, matrix, (width, height), flags=flags)
 
 
-def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float, steps: int) -> Pose:
+def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float, steps: int) -> ScoredPose:
     """The best pose of at most ``steps`` Gauss–Newton steps from ``pose``, with its score.
 
     ``quiet``: energy a pixel added to the map's own in the score.
@@ -89,7 +89,7 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float, 
         if (np.abs(move) < CONVERGED * _units(image)).all():
             break
         shift = axes(pose) @ move[:2]
-        pose = Pose(
+        pose = ScoredPose(
             pose.x + shift[0],
             pose.y + shift[1],
             (pose.heading_deg + float(np.degrees(move[2]))) % 360.0,
@@ -98,12 +98,12 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float, 
     return best
 
 
-def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> float:
+def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> float:
     """Correlation −1…1 of image and map at a pose as it is, or NOT_COMPARABLE."""
     return _linearized(image, pyramid, pose, quiet).score
 
 
-def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> np.ndarray:
+def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> np.ndarray:
     """(4, 4) covariance of (x in image pixels right, y down, heading in radians, ln pixel size), to be calibrated;
     infinite where nothing tells all of the pose."""
     fit = _linearized(image, pyramid, pose, quiet)
@@ -133,7 +133,7 @@ def _units(image: EvidenceLevel) -> np.ndarray:
     return np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
 
 
-def _linearized(image: EvidenceLevel, pyramid: MapPyramid, pose: Pose, quiet: float) -> _Fit:
+def _linearized(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> _Fit:
     patch, known = map_under(image, pyramid, pose)
     if known.mean() < LEAST_KNOWN:
         return _Fit(NOT_COMPARABLE)

@@ -16,7 +16,7 @@ from ..database.model import ReferenceDatabase
 from ..errors import ParameterError
 from ..geometry.frame import MapFrame
 from ..labels.sources import LabelSource
-from ..localization import TOPOLOGY_VECTOR, Localization
+from ..localization import Localization, Method
 from ..localizer.localizer import Localizer
 from ..simulation.noise import LabelNoise, spoil_labels
 from ..simulation.views import View, cut
@@ -253,7 +253,7 @@ class Evaluation:
         trial = judge(query, method, result, self._right_within, query.landmarks)
         if result.position is None:
             return trial
-        if result.method == TOPOLOGY_VECTOR:
+        if result.method == Method.TOPOLOGY_VECTOR:
             # It knows only windows, so it is right when it names the nearest one.
             is_nearest = self._is_nearest(result.window_index, query.view.position)
             trial = replace(trial, is_right=query.can_be_right and trial.is_fix and is_nearest)

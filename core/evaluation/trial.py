@@ -6,7 +6,7 @@ Evaluations, assessments and benchmarks all make ``Query`` objects, localize wha
 Example:
     >>> query = Query(View(x, y, heading_deg=30.0, pixel_size=1.2))
     >>> labels_hw = spoil_labels(cut(source, frame, query.view), noise, rng, class_values)
-    >>> trial = judge(query, CONSTELLATION, localizer.localize(labels_hw, CONSTELLATION))
+    >>> trial = judge(query, method, localizer.localize(labels_hw, method))
     >>> trial.is_right, trial.error, trial.radius_ratio
 """
 
@@ -18,8 +18,8 @@ from typing import Optional
 
 import numpy as np
 
-from ..geometry.pose import PoseUncertainty
-from ..localization import FIX, Localization
+from ..geometry.pose import Ellipse
+from ..localization import Localization, Method, Status
 from ..simulation.noise import LabelNoise
 from ..simulation.views import View
 
@@ -73,7 +73,7 @@ class Trial:
     """
 
     query: Query
-    method: str
+    method: Method
     result: Localization
     is_right: bool = False
     error: Optional[float] = None
@@ -85,14 +85,14 @@ class Trial:
     seconds: float = math.nan
 
     @property
-    def status(self) -> str:
+    def status(self) -> Status:
         """Of the result."""
         return self.result.status
 
     @property
     def is_fix(self) -> bool:
         """Whether a position was told."""
-        return self.result.status == FIX
+        return self.result.is_fix
 
     @property
     def is_wrong(self) -> bool:
@@ -107,7 +107,7 @@ class Trial:
 
 def judge(
     query: Query,
-    method: str,
+    method: Method,
     result: Localization,
     right_within: Optional[float] = None,
     landmarks: Optional[int] = None,
@@ -136,7 +136,7 @@ def judge(
         query,
         method,
         result,
-        query.can_be_right and result.status == FIX and error <= within,
+        query.can_be_right and result.is_fix and error <= within,
         error,
         heading_error,
         scale_error,
@@ -148,14 +148,14 @@ def judge(
 
 
 def _radius_ratio(x: float, y: float, result: Localization) -> Optional[float]:
-    if result.uncertainty is not None:
-        return ellipse_ratio(x, y, result.uncertainty)
+    if result.covariance is not None and result.covariance.ellipse_95 is not None:
+        return ellipse_ratio(x, y, result.covariance.ellipse_95)
     return math.hypot(x, y) / result.error_95_m if result.error_95_m else None
 
 
-def ellipse_ratio(x: float, y: float, uncertainty: PoseUncertainty) -> float:
+def ellipse_ratio(x: float, y: float, ellipse: Ellipse) -> float:
     """Length of an error (x, y), map units, in units of the 95 % ellipse in its direction; at most 1 inside."""
-    along = complex(x, y) * np.exp(-1j * np.radians(90 - uncertainty.orientation_deg))
+    along = complex(x, y) * np.exp(-1j * np.radians(90 - ellipse.orientation_deg))
     # Landmarks without any noise give an ellipse without extent.
-    major, minor = max(uncertainty.semi_major, SMALLEST_AXIS), max(uncertainty.semi_minor, SMALLEST_AXIS)
+    major, minor = max(ellipse.semi_major, SMALLEST_AXIS), max(ellipse.semi_minor, SMALLEST_AXIS)
     return float(np.hypot(along.real / major, along.imag / minor))

@@ -90,6 +90,11 @@ class Leveling:
         matrix = np.linalg.inv(shift) @ self.homography @ shift
         return cv2.warpPerspective(labels_hw, matrix, self.shape_hw[::-1], flags=cv2.INTER_NEAREST)
 
+    def in_image(self, pixels_xy: np.ndarray) -> np.ndarray:
+        """(n, 2) pixel coordinates of the image, of (n, 2) ones of the level image."""
+        rays = np.column_stack([pixels_xy, np.ones(len(pixels_xy))]) @ np.linalg.inv(self.homography).T
+        return rays[:, :2] / rays[:, 2:]
+
 
 def leveling(attitude: Attitude, focal_length_px: float, shape_hw: Tuple[int, int]) -> Leveling:
     """How to level an image of ``shape_hw`` pixels. Raises ParameterError for a focal length that is not positive and

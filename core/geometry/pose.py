@@ -8,6 +8,7 @@ and the image's top points to turn · i.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Optional, Tuple
 
 import numpy as np
 
@@ -25,15 +26,36 @@ image's diagonal, a slope of 0.14."""
 
 
 @dataclass(frozen=True)
-class PoseUncertainty:
-    """95 % ellipse of the position (semi-axes in map units; orientation of the longer one, degrees clockwise from grid
-    north, 0–180), standard deviations of heading (degrees) and pixel size (map units)."""
+class Ellipse:
+    """95 % ellipse of a position.
+
+    Attributes:
+        semi_major: Longer semi-axis, map units.
+        semi_minor: Shorter semi-axis, map units.
+        orientation_deg: Direction of the longer one, clockwise from grid north, 0 to 180.
+    """
 
     semi_major: float
     semi_minor: float
     orientation_deg: float
+
+
+@dataclass(frozen=True)
+class PoseCovariance:
+    """How exactly a pose is known.
+
+    Attributes:
+        position: ((xx, xy), (xy, yy)) of the position along the map's axes, map units².
+        heading_deviation_deg: Standard deviation of the heading.
+        pixel_size_deviation: Standard deviation of the pixel size, map units.
+        ellipse_95: Holds the position in 95 % of fixes; None where deviations are the fit's own, which no trials
+            confirm, as those of map correlation.
+    """
+
+    position: Tuple[Tuple[float, float], Tuple[float, float]]
     heading_deviation_deg: float
     pixel_size_deviation: float
+    ellipse_95: Optional[Ellipse] = None
 
 
 @dataclass(frozen=True)
@@ -142,10 +164,10 @@ def _tilted_system(
     return np.concatenate([block.real, block.imag, prior]), np.concatenate([right.real, right.imag, np.zeros(4)])
 
 
-def tilted_uncertainty(
+def tilted_covariance(
     image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, pose: Pose, diagonal: float
-) -> PoseUncertainty:
-    """``pose_uncertainty`` for ``fit_tilted``, by linear propagation of the noise measured from the residuals."""
+) -> PoseCovariance:
+    """``level_covariance`` for ``fit_tilted``, by linear propagation of the noise measured from the residuals."""
     residuals = (pose.on_map(image) - on_map) / deviations * abs(pose.turn) / pose.turn
     share = huber(np.abs(residuals), np.ones(len(image)))
     columns, _ = _tilted_system(image, on_map, deviations / np.sqrt(share), pose, diagonal)
@@ -163,13 +185,14 @@ def tilted_uncertainty(
     minor, major = scale * np.sqrt(2 * fisher_quantile(freedom) * np.maximum(values, 0))
     direction = complex(*axes[:, 1]) * pose.turn
     turn = float(np.sqrt(np.trace(covariance[2:4, 2:4]) / 2))
-    orientation = float((90 - np.degrees(np.angle(direction))) % 180)
-    return PoseUncertainty(float(major), float(minor), orientation, float(np.degrees(turn)), turn * abs(pose.turn))
+    ellipse = Ellipse(float(major), float(minor), float((90 - np.degrees(np.angle(direction))) % 180))
+    unit = pose.turn / abs(pose.turn)
+    to_map = scale * np.array([[unit.real, -unit.imag], [unit.imag, unit.real]])
+    position = as_pairs(to_map @ covariance[:2, :2] @ to_map.T)
+    return PoseCovariance(position, float(np.degrees(turn)), turn * abs(pose.turn), ellipse)
 
 
-def pose_uncertainty(
-    image: np.ndarray, residuals: np.ndarray, deviations: np.ndarray, turn: complex
-) -> PoseUncertainty:
+def level_covariance(image: np.ndarray, residuals: np.ndarray, deviations: np.ndarray, turn: complex) -> PoseCovariance:
     """Of a pose fitted to matches; image, residuals: (n,) complex, on the map; deviations: (n,) σ per axis.
 
     A sandwich estimate for Huber's weights: what each match pulls, by its residual, over how much the pull of all
@@ -192,9 +215,17 @@ def pose_uncertainty(
     variances = np.abs(residuals) ** 2 / 2 / np.maximum(1 - leverage, 0.1) ** 2
     pooled = (share * weights * np.abs(residuals) ** 2).sum() / freedom / weights / share
     variances = blended(variances, pooled, len(image), 4) / slope_of_pulls(share) ** 2
-    radius = float(np.sqrt(2 * fisher_quantile(freedom) * (np.abs(on_center) ** 2 * variances).sum()))
+    variance = (np.abs(on_center) ** 2 * variances).sum()
+    radius = float(np.sqrt(2 * fisher_quantile(freedom) * variance))
     deviation = float(np.sqrt((np.abs(on_turn) ** 2 * variances).sum()))
-    return PoseUncertainty(radius, radius, 0.0, float(np.degrees(deviation / abs(turn))), deviation)
+    ellipse, position = Ellipse(radius, radius, 0.0), as_pairs(variance * np.eye(2))
+    return PoseCovariance(position, float(np.degrees(deviation / abs(turn))), deviation, ellipse)
+
+
+def as_pairs(covariance: np.ndarray) -> Tuple[Tuple[float, float], Tuple[float, float]]:
+    """A (2, 2) covariance as ``PoseCovariance`` keeps it: results can be compared."""
+    (xx, xy), (yx, yy) = covariance.tolist()
+    return (xx, xy), (yx, yy)
 
 
 def huber(distances: np.ndarray, deviations: np.ndarray) -> np.ndarray:

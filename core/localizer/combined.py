@@ -14,8 +14,8 @@ from typing import Optional
 
 import numpy as np
 
-from ..constellation.hypotheses import Prior
-from ..localization import AMBIGUOUS, FIX, Localization, place_of
+from ..localization import Localization, Prior, Status
+from ..sentences import Sentence
 
 LEAST_AGREEMENT = 0.25
 """Correlation of class areas at a constellation's fix below which they speak against it. On the northern half of
@@ -28,13 +28,19 @@ NEAR_HEADING_DEG, NEAR_RATIO = 5.0, 1.05
 
 
 def checked_by_areas(fix: Localization, agreement: Optional[float]) -> Localization:
-    """A constellation's fix, or why it is none; ``agreement``: correlation of class areas there, None: can't tell."""
+    """A constellation's fix, or why it is none; ``agreement``: correlation of class areas there, None: can't tell.
+
+    A fix that class areas speak against is an alternative.
+    """
     if agreement is None or agreement >= LEAST_AGREEMENT:
         return fix
-    return _refused(
-        fix,
-        f"Landmarks agree with one place, but class areas only by {agreement:.2f} there; "
-        f"at least {LEAST_AGREEMENT:.2f} is needed.",
+    return Localization(
+        Status.AMBIGUOUS,
+        fix.method,
+        fix.references,
+        Sentence("localization.areas_speak_against", agreement=agreement, least=LEAST_AGREEMENT),
+        alternatives=(fix.best,),
+        search_capped=fix.search_capped,
     )
 
 
@@ -58,22 +64,21 @@ def confirmed(areas: Localization, objects: Localization, radius: float) -> Opti
     ``areas``: a fix of map correlation; ``objects``: what the constellation found ``near`` it, ``radius`` around. Where
     several places are alike for the constellation, map correlation may tell which it is.
     """
-    places = [place_of(objects)] if objects.status == FIX else list(objects.alternatives)
+    places = [objects.best] if objects.is_fix else list(objects.alternatives)
     here = [np.hypot(*np.subtract(place.position, areas.position)) <= radius for place in places]
-    if not any(here[:1]) or any(here[1:]) or objects.status != FIX and len(here) < 2:
+    if not any(here[:1]) or any(here[1:]) or not objects.is_fix and len(here) < 2:
         return None
-    best = places[0]
+    exactness = objects if objects.is_fix else areas
     return replace(
         objects,
-        status=FIX,
-        reason="",
-        position=best.position,
-        heading_deg=best.heading_deg,
-        pixel_size_m=best.pixel_size_m,
+        status=Status.FIX,
+        reason=None,
         # Both would have to be wrong.
         confidence=1 - (1 - areas.confidence) * (1 - objects.confidence),
-        error_95_m=objects.error_95_m or areas.error_95_m,
+        error_95_m=exactness.error_95_m,
+        covariance=exactness.covariance,
         alternatives=(),
+        peaks=areas.peaks,
     )
 
 
@@ -93,14 +98,8 @@ def neither(objects: Localization, areas: Localization, shorter_edge_px: int) ->
     )
     return replace(
         objects,
-        status=AMBIGUOUS if areas.status == AMBIGUOUS else objects.status,
-        reason=f"{objects.reason} Map correlation has no fix either: {areas.reason[0].lower()}{areas.reason[1:]}",
+        status=Status.AMBIGUOUS if areas.status is Status.AMBIGUOUS else objects.status,
+        reason=Sentence("localization.neither_road", constellation=objects.reason, correlation=areas.reason),
         alternatives=objects.alternatives + others,
-    )
-
-
-def _refused(fix: Localization, reason: str) -> Localization:
-    """A fix that the other road's evidence speaks against: its place is an alternative."""
-    return Localization(
-        AMBIGUOUS, fix.method, fix.references, reason, alternatives=(place_of(fix),), search_capped=fix.search_capped
+        peaks=areas.peaks,
     )

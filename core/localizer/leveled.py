@@ -2,47 +2,53 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Optional, Tuple
+from dataclasses import replace
 
 import numpy as np
 
-from ..constellation.hypotheses import Prior
 from ..geometry.leveling import Leveling
 from ..geometry.pose import turn_of
-from .localizer import Localization, Localizer
-
-
-@dataclass(frozen=True)
-class LeveledLocalization:
-    """What a localizer found for a leveled image, told for the image itself.
-
-    result: position is that of the image's center, heading and pixel size are those there, the heading that of its top
-    as a level camera would have it; footprint: (4, 2) map coordinates of the ground at its corners, upper left first,
-    clockwise; nadir: map coordinates straight below the camera. Both None without a position.
-    """
-
-    result: Localization
-    footprint: Optional[np.ndarray] = None
-    nadir: Optional[Tuple[float, float]] = None
+from ..localization import Localization, Method, Prior
+from .localizer import Localizer
 
 
 def localize_leveled(
-    localizer: Localizer, labels_hw: np.ndarray, method: str, prior: Prior, way: Leveling
-) -> LeveledLocalization:
-    """Levels an image, localizes it and takes the result back; ``prior`` is about the image's center, with a pixel
-    size range. ``method`` is one that tells heading and pixel size."""
+    localizer: Localizer,
+    labels_hw: np.ndarray,
+    method: Method,
+    prior: Prior,
+    way: Leveling,
+    with_matches: bool = False,
+) -> Localization:
+    """Levels an image, localizes it and takes the result back.
+
+    Args:
+        localizer: Of the database.
+        labels_hw: (H, W) uint8 labels of the image as it is.
+        method: One that tells heading and pixel size.
+        prior: About the image's center, with a range of pixel sizes.
+        way: How the image is leveled.
+        with_matches: As of ``Localizer.localize``.
+
+    Returns:
+        The position is that of the image's center, heading and pixel size are those there, the heading that of its top
+        as a level camera would have it; footprint and nadir are told, matches are those of the image as it is.
+    """
     if prior.position is not None and prior.radius is not None:
         # What is searched for is the middle of the level image.
         prior = replace(prior, radius=prior.radius + abs(way.middle) * prior.pixel_size_range[1])
-    found = localizer.localize(way.level(labels_hw), method, prior)
-    if found.position is None:
-        return LeveledLocalization(found)
+    found = localizer.localize(way.level(labels_hw), method, prior, with_matches)
+    if found.matches is not None:
+        pixels = way.in_image(found.matches.pixels_xy)
+        found = replace(found, matches=replace(found.matches, pixels_xy=pixels))
+    if found.place is None:
+        return found
     turn = turn_of(found.heading_deg, found.pixel_size_m)
     center = complex(*found.position) - turn * way.middle
     corners, nadir = center + turn * way.corners, center + turn * way.nadir
-    return LeveledLocalization(
-        replace(found, position=(center.real, center.imag)),
-        np.column_stack([corners.real, corners.imag]),
-        (nadir.real, nadir.imag),
+    return replace(
+        found,
+        best=replace(found.best, position=(center.real, center.imag)),
+        footprint=np.column_stack([corners.real, corners.imag]),
+        nadir=(nadir.real, nadir.imag),
     )

@@ -7,53 +7,22 @@ from typing import List, Optional, Tuple
 
 import numpy as np
 
-from ..constellation.hypotheses import Prior
 from ..constellation.index import ConstellationIndex, build_index
-from ..constellation.matched_objects import matched_objects
 from ..constellation.solver import localize as solve
+from ..constellation.solver import matches_at
 from ..correlation.class_pyramid import MapPyramid
-from ..correlation.places import Prior as CorrelationPrior
-from ..correlation.solver import MAP_CORRELATION, NOMINAL_RANGE, agreement_at
+from ..correlation.solver import NOMINAL_RANGE, agreement_at
 from ..correlation.solver import localize as correlate
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, LabelMapError
-from ..geometry.footprint import image_corners, on_ground
+from ..geometry.footprint import image_corners
 from ..landmarks.landmarks import Landmarks, extract_landmarks
-from ..localization import (
-    AMBIGUOUS,
-    AUTOMATIC,
-    CONSTELLATION,
-    FIX,
-    METHODS,
-    NO_MATCH,
-    TOO_FEW_REFERENCES,
-    TOPOLOGY_VECTOR,
-    Localization,
-    Matches,
-    PossiblePlace,
-    from_constellation,
-    from_correlation,
-)
+from ..localization import Localization, Matches, Method, Place, Prior, Status
+from ..sentences import Sentence
 from ..windows.grid import centered_square
 from ..windows.matching import DISTANCE_THRESHOLD, vector_confidence, vector_distances
 from ..windows.topology_vector import MINIMUM_REFERENCES, topology_vector
 from .combined import checked_by_areas, confirmed, near, neither
-
-__all__ = [
-    "AMBIGUOUS",
-    "FIX",
-    "NO_MATCH",
-    "TOO_FEW_REFERENCES",
-    "AUTOMATIC",
-    "CONSTELLATION",
-    "MAP_CORRELATION",
-    "METHODS",
-    "TOPOLOGY_VECTOR",
-    "Localization",
-    "Localizer",
-    "PossiblePlace",
-    "Prior",
-]
 
 SCALES = (0.4, 2.5)
 """Ground searched that an image may show without a prior, as multiples of a window's edge; the goal is 0.5 to 2."""
@@ -62,12 +31,12 @@ SMALLEST_OBJECT_PX = 9.0
 """Objects of an image below this contour area have neither a shape nor a center to speak of."""
 
 
-def default_scales(method: str) -> Tuple[float, float]:
+def default_scales(method: Method) -> Tuple[float, float]:
     """Ground searched without a prior, as multiples of a window's edge: what the method was calibrated for.
 
     Automatic leaves each of its two methods its own.
     """
-    return NOMINAL_RANGE if method == MAP_CORRELATION else SCALES
+    return NOMINAL_RANGE if method == Method.MAP_CORRELATION else SCALES
 
 
 @dataclass(frozen=True)
@@ -125,29 +94,29 @@ class Localizer:
         each window size, because the smallest object is the same fraction of the window's area.
         Raises DatabaseError when no window can be matched.
         """
-        self.check(TOPOLOGY_VECTOR)
+        self.check(Method.TOPOLOGY_VECTOR)
         count, nearest = self._nearest_windows(labels_hw, 1)
         if not nearest:
-            missing = MINIMUM_REFERENCES - count
-            reason = (
-                f"The image shows {count} landmark{'' if count == 1 else 's'}; "
-                f"at least {missing} more {'is' if missing == 1 else 'are'} needed."
-            )
-            return Localization(TOO_FEW_REFERENCES, TOPOLOGY_VECTOR, count, reason)
+            shown = Sentence("localization.shows_landmarks", count=count)
+            needed = Sentence("localization.more_needed", count=MINIMUM_REFERENCES - count)
+            reason = Sentence("localization.too_few_landmarks", shown=shown, needed=needed)
+            return Localization(Status.TOO_FEW_REFERENCES, Method.TOPOLOGY_VECTOR, count, reason)
         distance, index, count = nearest[0]
         if distance > DISTANCE_THRESHOLD:
-            reason = f"The nearest window has distance {distance:.3f}, more than {DISTANCE_THRESHOLD:g}."
-            return Localization(NO_MATCH, TOPOLOGY_VECTOR, count, reason, distance=distance)
+            reason = Sentence("localization.vector_too_far", distance=distance, threshold=DISTANCE_THRESHOLD)
+            return Localization(Status.NO_MATCH, Method.TOPOLOGY_VECTOR, count, reason, distance=distance)
         windows = self._database.windows
+        center = float(windows.centers[index, 0]), float(windows.centers[index, 1])
         return Localization(
-            FIX,
-            TOPOLOGY_VECTOR,
+            Status.FIX,
+            Method.TOPOLOGY_VECTOR,
             count,
-            position=(float(windows.centers[index, 0]), float(windows.centers[index, 1])),
+            best=Place(center),
             confidence=vector_confidence(distance),
             distance=distance,
             window=windows.name(index),
             window_index=index,
+            footprint=image_corners(center, 0.0, float(windows.sizes[index]), 1, 1),
         )
 
     def nearest_windows(self, labels_hw: np.ndarray, count: int) -> List[Tuple[int, float]]:
@@ -190,7 +159,7 @@ class Localizer:
         if not prior.pixel_size_range:
             prior = replace(prior, pixel_size_range=self.pixel_sizes(labels_hw.shape, SCALES))
         objects, smallest = self._objects(labels_hw, prior.pixel_size_range[1])
-        return from_constellation(solve(objects, width, height, self.index, prior, smallest))
+        return solve(objects, width, height, self.index, prior, smallest)
 
     def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> Tuple[Landmarks, float]:
         """The image's landmarks, and the smallest contour area, px², that the map's may have in it."""
@@ -217,16 +186,9 @@ class Localizer:
         """
         _shape(labels_hw)
         prior = prior or Prior()
-        sizes = prior.pixel_size_range or self.pixel_sizes(labels_hw.shape, NOMINAL_RANGE)
-        headings = None
-        if prior.heading_deg is not None and prior.heading_range_deg < 180:
-            headings = prior.heading_deg - prior.heading_range_deg, prior.heading_deg + prior.heading_range_deg
-        place = (
-            CorrelationPrior(prior.position, prior.radius, headings)
-            if prior.position
-            else CorrelationPrior(headings_deg=headings)
-        )
-        return from_correlation(correlate(labels_hw, self.pyramid, sizes, place))
+        if not prior.pixel_size_range:
+            prior = replace(prior, pixel_size_range=self.pixel_sizes(labels_hw.shape, NOMINAL_RANGE))
+        return correlate(labels_hw, self.pyramid, prior)
 
     @property
     def has_overview(self) -> bool:
@@ -243,11 +205,10 @@ class Localizer:
         objects = self.localize_by_constellation(labels_hw, prior)
         if not self.has_overview:
             return objects
-        if objects.status == FIX:
-            pose = objects.position, objects.heading_deg, objects.pixel_size_m
-            return checked_by_areas(objects, agreement_at(labels_hw, self.pyramid, *pose))
+        if objects.is_fix:
+            return checked_by_areas(objects, agreement_at(labels_hw, self.pyramid, objects.best))
         areas = self.localize_by_map_correlation(labels_hw, prior)
-        if areas.status != FIX:
+        if not areas.is_fix:
             return neither(objects, areas, min(labels_hw.shape))
         areas = replace(areas, references=objects.references)
         closer = near(areas, prior or Prior(), min(labels_hw.shape))
@@ -261,48 +222,48 @@ class Localizer:
         shorter = max(min(shape_hw), 1)
         return scales[0] * min(edges) / shorter, scales[1] * max(edges) / shorter
 
-    def check(self, method: str) -> None:
+    def check(self, method: Method) -> None:
         """Raises DatabaseError when the database can't serve ``method`` for any image."""
-        if method == TOPOLOGY_VECTOR and not self._database.windows.described.any():
+        if method == Method.TOPOLOGY_VECTOR and not self._database.windows.described.any():
             raise DatabaseError(
                 f"No window of the database has the {MINIMUM_REFERENCES} landmarks a topology vector needs; "
                 "build it with larger windows, a smaller minimum area or more reference classes."
             )
 
-    def localize(self, labels_hw: np.ndarray, method: str, prior: Optional[Prior] = None) -> Localization:
-        """By one of METHODS."""
-        if method == TOPOLOGY_VECTOR:
-            return self.localize_by_topology_vector(labels_hw)
-        if method == MAP_CORRELATION:
-            return self.localize_by_map_correlation(labels_hw, prior)
-        if method == AUTOMATIC:
-            return self.localize_automatically(labels_hw, prior)
-        return self.localize_by_constellation(labels_hw, prior)
-
-    def matches(
-        self, labels_hw: np.ndarray, found: Localization, footprint: Optional[np.ndarray] = None
-    ) -> Optional[Matches]:
-        """Which of the image's landmarks are which of the map's, as the constellation verifies a fix.
+    def localize(
+        self, labels_hw: np.ndarray, method: Method, prior: Optional[Prior] = None, with_matches: bool = False
+    ) -> Localization:
+        """Localizes an image.
 
         Args:
-            labels_hw: (H, W) uint8 labels of the image.
-            found: what was found for it.
-            footprint: (4, 2) map coordinates of the ground at its corners, upper left first, of a leveled image.
+            labels_hw: (H, W) uint8 labels of the database's class table.
+            method: How.
+            prior: What is known beforehand.
+            with_matches: Look for the landmarks that agree with the map also at a fix that needed none: of map
+                correlation. The constellation tells them anyway.
 
         Returns:
-            None without a fix that has a heading.
+            A fix has its footprint.
         """
-        if found.status != FIX or found.heading_deg is None:
-            return None
+        if method == Method.TOPOLOGY_VECTOR:
+            return self.localize_by_topology_vector(labels_hw)
+        if method == Method.MAP_CORRELATION:
+            found = self.localize_by_map_correlation(labels_hw, prior)
+        elif method == Method.AUTOMATIC:
+            found = self.localize_automatically(labels_hw, prior)
+        else:
+            found = self.localize_by_constellation(labels_hw, prior)
+        if not found.is_fix:
+            return found
         height, width = labels_hw.shape
-        if footprint is None:
-            footprint = image_corners(found.position, found.heading_deg, found.pixel_size_m, width, height)
-        objects, _ = self._objects(labels_hw, found.pixel_size_m)
-        references, pose = self._database.references, (footprint, found.heading_deg, found.pixel_size_m)
-        pairs = matched_objects(objects, labels_hw.shape, *pose, references, self._database.parameters.pixel_size)
-        pixels, on_map = objects.centers_xy[pairs[:, 0]], pairs[:, 1]
-        seen = on_ground(pixels, footprint, labels_hw.shape)
-        return Matches(on_map, pixels, seen, np.hypot(*(seen - references.positions[on_map]).T))
+        ground = image_corners(found.position, found.heading_deg, found.pixel_size_m, width, height)
+        matches = self._matches_at(labels_hw, found.best) if with_matches and found.matches is None else found.matches
+        return replace(found, footprint=ground, matches=matches)
+
+    def _matches_at(self, labels_hw: np.ndarray, place: Place) -> Optional[Matches]:
+        height, width = labels_hw.shape
+        objects, _ = self._objects(labels_hw, place.pixel_size_m)
+        return matches_at(objects, width, height, self.index, place) if len(objects) else None
 
     def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:
         """The image as windows of ``window_size`` (map units) of this database are described."""

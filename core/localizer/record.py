@@ -3,46 +3,56 @@
 from __future__ import annotations
 
 from datetime import datetime
-from typing import Any, Dict, Optional
+from typing import Any, Callable, Dict, Optional
 
 from ..localization import Localization
+from ..sentences import Sentence, english
 
 ESTIMATED, INVALID = 6, 0
 """GGA's fix quality: an estimated position, and none."""
 
 
-def record(result: Localization) -> Dict[str, Any]:
-    """Columns of *Localize images* by name, as docs/file-formats.md tells them; None where a method doesn't tell."""
+def record(result: Localization, wording: Callable[[Sentence], str] = english) -> Dict[str, Any]:
+    """A localization by the columns of *Localize images*, as docs/file-formats.md tells them.
+
+    Args:
+        result: What was found.
+        wording: How its reason is said.
+
+    Returns:
+        Values by column; None where a method doesn't tell.
+    """
     x, y = result.position or (None, None)
-    found = {
-        "status": result.status,
+    best = result.best
+    return {
+        "status": result.status.key,
         "x": x,
         "y": y,
         "heading": result.heading_deg,
         "pixel_size": result.pixel_size_m,
         "confidence": result.confidence,
         "distance": result.distance,
-        "inliers": result.inliers,
+        "inliers": best and best.inliers,
         "references": result.references,
-        "log_odds": result.log_odds,
-        "error_95": result.error_95_m,
+        "log_odds": best and best.log_odds,
+        "error_95": result.error_95_m if result.is_fix else None,
         "window": result.window,
-        "method": result.method,
-        "reason": result.reason,
+        "method": result.method.key,
+        "reason": "" if result.reason is None else wording(result.reason),
+        **_deviations(result),
     }
-    return {**found, **_deviations(result)}
 
 
 def _deviations(result: Localization) -> Dict[str, Any]:
-    """What the constellation tells of a fix's accuracy beside ``error_95``, the longer half axis of its ellipse."""
-    if result.position is None or result.uncertainty is None:
+    """What trials confirm of a fix's accuracy beside ``error_95``, the longer semi-axis of its ellipse."""
+    known = result.covariance
+    if not result.is_fix or known is None or known.ellipse_95 is None:
         return {}
-    found = result.uncertainty
     return {
-        "error_95_minor": found.semi_minor,
-        "error_95_direction": found.orientation_deg,
-        "heading_deviation": found.heading_deviation_deg,
-        "pixel_size_deviation": found.pixel_size_deviation,
+        "error_95_minor": known.ellipse_95.semi_minor,
+        "error_95_direction": known.ellipse_95.orientation_deg,
+        "heading_deviation": known.heading_deviation_deg,
+        "pixel_size_deviation": known.pixel_size_deviation,
     }
 
 

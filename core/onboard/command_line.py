@@ -19,7 +19,8 @@ import numpy as np
 from ..errors import DatabaseError, ParameterError, SemRefError
 from ..labels.class_table import ClassTable
 from ..labels.image_files import image_files, is_image_name, read_label_image, read_photo
-from ..localizer.localizer import FIX, MAP_CORRELATION, METHODS, Localizer, Prior
+from ..localization import Method, Prior, Status
+from ..localizer.localizer import Localizer
 from ..localizer.record import gga_sentence, record
 from ..sentences import english
 from .format import OnboardDatabase
@@ -95,7 +96,7 @@ def _parser() -> argparse.ArgumentParser:
     for command in (localize, watch):
         command.add_argument("--database", required=True, help="onboard file (.npz)")
         command.add_argument("--model", help="segmentation network (.onnx): the images are photos, not label images")
-        names = [_option(name) for name in METHODS]
+        names = [_option(method) for method in Method]
         command.add_argument("--method", choices=names, default=names[0], help=f"default: {names[0]}")
         near = ("X", "Y", "RADIUS")
         command.add_argument("--near", nargs=3, type=float, metavar=near, help="search there only, map units")
@@ -107,8 +108,8 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _option(method: str) -> str:
-    return method.replace(" ", "-")
+def _option(method: Method) -> str:
+    return method.key.replace(" ", "-")
 
 
 # --- info ---
@@ -169,7 +170,7 @@ def _exit_code(records: List[Dict[str, Any]]) -> int:
     statuses = {found["status"] for found in records}
     if ERROR in statuses:
         return REFUSED
-    return ALL_FIXED if statuses <= {FIX} else SOME_WITHOUT_FIX
+    return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
 
 
 def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[str], Dict[str, Any]]:
@@ -179,10 +180,10 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
     cv2.setNumThreads(options.threads)
     if options.near and not options.near[2] > 0:
         raise ParameterError(f"The radius of --near is {options.near[2]:g}; it must be more than 0 map units.")
-    method = next(name for name in METHODS if _option(name) == options.method)
+    method = next(method for method in Method if _option(method) == options.method)
     localizer = Localizer(onboard.database)
     localizer.check(method)
-    if method == MAP_CORRELATION and not localizer.has_overview:
+    if method == Method.MAP_CORRELATION and not localizer.has_overview:
         raise DatabaseError(f"{options.database} has no overview, which map correlation searches; export it with one.")
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
     read_labels = label_reader(options.model, options.threads, onboard.database.class_table)

@@ -1,8 +1,16 @@
-"""Why an image has no fix."""
+"""What came of an image, by which method, and why it has no fix."""
 
 from .sentence import Plural
 
 SENTENCES = {
+    "localization.status_fix": "Fix",
+    "localization.status_ambiguous": "Ambiguous",
+    "localization.status_no_match": "No match",
+    "localization.status_too_few_references": "Too few landmarks",
+    "localization.method_automatic": "Automatic",
+    "localization.method_topology_vector": "Topology vector (He & Wu 2025)",
+    "localization.method_constellation": "Constellation",
+    "localization.method_map_correlation": "Map correlation",
     # Any road
     "localization.too_few_landmarks": "{shown}; {needed}.",
     "localization.shows_landmarks": Plural("The image shows {count} landmark", "The image shows {count} landmarks"),
@@ -52,5 +60,7 @@ SENTENCES = {
     "localization.areas_speak_against": (
         "Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed."
     ),
-    "localization.neither_road": "{constellation} Map correlation has no fix either: {correlation}",
+    "localization.neither_road": "{constellation} Map correlation has no fix either: {correlation:clause}",
+    # Flights
+    "localization.jump": ("It can’t be reached at {speed:g} map units per second from the fixes before and after it."),
 }

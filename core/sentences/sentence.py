@@ -92,10 +92,17 @@ def english(said: Any) -> str:
     return str(_shown(said, template_of))
 
 
+class _Worded(str):
+    """A sentence or list within a sentence; ``{name:clause}`` begins it in lower case, as after a colon."""
+
+    def __format__(self, spec: str) -> str:
+        return self[:1].lower() + self[1:] if spec == "clause" else super().__format__(spec)
+
+
 def _shown(value: Any, template: Callable[[Sentence], str]) -> Any:
     """A value as ``str.format`` takes it; numbers stay numbers for the template's format."""
     if isinstance(value, Sentence):
-        return filled(value, template)
+        return _Worded(filled(value, template))
     if isinstance(value, tuple):
-        return ", ".join(str(_shown(part, template)) for part in value)
+        return _Worded(", ".join(str(_shown(part, template)) for part in value))
     return value

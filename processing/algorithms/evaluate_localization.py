@@ -24,6 +24,7 @@ from ..compat import POINT, SOURCE_POINT
 from ..framework.base import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
 from ..framework.sinks import Sink
 from ..translation import tr
+from ..wording.sentences import worded
 
 FIELDS = (
     ("trial", "integer"),
@@ -177,7 +178,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         self.addOutput(QgsProcessingOutputNumber(self.FALSE_ACCEPT_RATE, tr("False accept rate")))
 
     def _method_titles(self):
-        """In the order of ``localizer.METHODS``."""
+        """In the order of ``Method``."""
         return [tr("Automatic"), tr("Topology vector"), tr("Constellation"), tr("Map correlation")]
 
     def _ranges_offered(self):
@@ -262,14 +263,14 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _methods(self, parameters, context):
         """Chosen methods with their titles, the one that the outputs are about first."""
-        from ...core.localizer.localizer import METHODS
+        from ...core.localization import Method
 
         chosen = self.parameterAsEnums(parameters, self.METHODS, context)
         if not chosen:
             raise ParameterError("METHODS is empty; choose at least one method.")
         titles = self._method_titles()
         # Automatic, constellation, map correlation; the published method is what they are compared with.
-        return {METHODS[n]: titles[n] for n in (0, 2, 3, 1) if n in chosen}
+        return {Method.of_number(n): titles[n] for n in (0, 2, 3, 1) if n in chosen}
 
     def _evaluation(self, parameters, context, feedback):
         """(Evaluation, database, its CRS); raises SemRefError when map and database don't belong together."""
@@ -372,7 +373,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         sink = Sink(self, parameters, self.OUTPUT, context, FIELDS, POINT, crs)
         for trial in trials:
             if trial.query.kind in (MAP, MIRRORED):
-                sink.add(QgsGeometry.fromPointXY(QgsPointXY(*trial.query.view.position)), values_of(trial))
+                sink.add(QgsGeometry.fromPointXY(QgsPointXY(*trial.query.view.position)), values_of(trial, worded))
         return sink.close()
 
     def _say(self, trials, methods, feedback):

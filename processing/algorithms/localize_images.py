@@ -22,6 +22,7 @@ from qgis.core import (
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.labels.class_table import LIST_SEPARATOR
+from ...core.localization import Method, Prior
 from ..compat import POINT, POLYGON, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
 from ..framework.base import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
 from ..framework.localized_image import (
@@ -41,6 +42,7 @@ from ..framework.localized_image import (
 from ..framework.sinks import Sink
 from ..translation import tr
 from ..wording.camera_messages import camera_remark
+from ..wording.sentences import worded
 
 
 class LocalizeImages(SemRefAlgorithm):
@@ -67,7 +69,6 @@ class LocalizeImages(SemRefAlgorithm):
     MATCHES = "MATCHES"
     LABELS = "LABELS"
     FIX_COUNT = "FIX_COUNT"
-    AUTOMATIC, TOPOLOGY_VECTOR, CONSTELLATION, MAP_CORRELATION = range(4)
 
     def title(self):
         return tr("Localize images")
@@ -105,7 +106,7 @@ class LocalizeImages(SemRefAlgorithm):
                 self.METHOD,
                 tr("Method"),
                 [tr("Automatic"), tr("Topology vector (He & Wu 2025)"), tr("Constellation"), tr("Map correlation")],
-                defaultValue=self.AUTOMATIC,
+                defaultValue=Method.AUTOMATIC.number,
             ),
             tr(
                 "Automatic takes the constellation of landmarks and, where that finds no place, map correlation; each "
@@ -218,40 +219,40 @@ class LocalizeImages(SemRefAlgorithm):
 
     def _scales(self, parameters, context):
         """(smallest, largest) as given, the other one by default; None, each method's own, when neither is given."""
-        from ...core.localizer.localizer import METHODS, default_scales
+        from ...core.localizer.localizer import default_scales
 
         keys = (self.SCALE_MINIMUM, self.SCALE_MAXIMUM)
         if all(parameters.get(key) in (None, "") for key in keys):
             return None
-        defaults = default_scales(METHODS[self.parameterAsEnum(parameters, self.METHOD, context)])
+        defaults = default_scales(Method.of_number(self.parameterAsEnum(parameters, self.METHOD, context)))
         return tuple(
             default if parameters.get(key) in (None, "") else self.parameterAsDouble(parameters, key, context)
             for key, default in zip(keys, defaults)
         )
 
     def work(self, parameters, context, feedback):
-        from ...core.localizer.localizer import FIX, Localizer
+        from ...core.localizer.localizer import Localizer
         from ...storage.camera_files import read_cameras
         from ...storage.database.reader import read_database
         from ...storage.rasters import image_files
 
         feedback.setProgressText(tr("Reading the database"))
-        method = self.parameterAsEnum(parameters, self.METHOD, context)
+        method = Method.of_number(self.parameterAsEnum(parameters, self.METHOD, context))
         path = self.parameterAsFile(parameters, self.DATABASE, context)
-        database = read_database(path, with_overview=method == self.MAP_CORRELATION)
-        if method == self.AUTOMATIC:
+        database = read_database(path, with_overview=method == Method.MAP_CORRELATION)
+        if method == Method.AUTOMATIC:
             database = _with_overview(database, path, feedback)
         crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
         if not crs.isValid():
             raise DatabaseError(f"{database.source} has no readable parameter crs; build it again.")
-        localize = self._localizing(parameters, context, Localizer(database), crs)
+        localize = self._localizing(parameters, context, method, Localizer(database), crs)
         read_labels = self._label_reader(parameters, context, database.class_table, feedback)
         paths = image_files(self._paths(parameters, context))
         if not paths:
             raise ParameterError("IMAGES is empty; choose at least one image or a folder with images.")
         table = self.parameterAsFile(parameters, self.ATTITUDE, context)
         cameras = cancelable(read_cameras, paths, table, feedback=feedback)
-        if method == self.TOPOLOGY_VECTOR:
+        if method == Method.TOPOLOGY_VECTOR:
             # The published method, exactly: images as they are.
             cameras = [replace(camera, attitude=None, problem=None) for camera in cameras]
         folder = self.parameterAsString(parameters, self.LABELS, context)
@@ -273,7 +274,7 @@ class LocalizeImages(SemRefAlgorithm):
             results = self._write(parameters, context, localized, database, crs)
         if folder:
             results[self.LABELS] = folder
-        fixes = sum(1 for item in localized if item.result is not None and item.result.status == FIX)
+        fixes = sum(1 for item in localized if item.result is not None and item.result.is_fix)
         feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
         results[self.FIX_COUNT] = fixes
         return results
@@ -282,7 +283,7 @@ class LocalizeImages(SemRefAlgorithm):
         """Writes the layers that are wanted; their destinations by key."""
         results = {self.OUTPUT: self._write_positions(parameters, context, localized, crs)}
         polygons = (
-            (self.FOOTPRINTS, FOOTPRINT_FIELDS, lambda item: footprint_rows(item, database.windows)),
+            (self.FOOTPRINTS, FOOTPRINT_FIELDS, footprint_rows),
             (self.ALTERNATIVES, ALTERNATIVE_FIELDS, alternatives),
         )
         for key, fields, rows_of in polygons:
@@ -300,12 +301,11 @@ class LocalizeImages(SemRefAlgorithm):
             results[self.MATCHES] = sink.close()
         return results
 
-    def _localizing(self, parameters, context, localizer, crs):
-        """The function (labels, Leveling or None) → (LeveledLocalization, Matches or None) that is asked for."""
-        from ...core.localizer.leveled import LeveledLocalization, localize_leveled
-        from ...core.localizer.localizer import METHODS, Prior, default_scales
+    def _localizing(self, parameters, context, method, localizer, crs):
+        """The function (labels, Leveling or None) → Localization that is asked for."""
+        from ...core.localizer.leveled import localize_leveled
+        from ...core.localizer.localizer import default_scales
 
-        method = METHODS[self.parameterAsEnum(parameters, self.METHOD, context)]
         localizer.check(method)
         with_matches = parameters.get(self.MATCHES) not in (None, "")
         scales = self._scales(parameters, context)
@@ -323,10 +323,8 @@ class LocalizeImages(SemRefAlgorithm):
             sizes = ground and localizer.pixel_sizes(labels_hw.shape, ground)
             prior = Prior(position, radius, heading, heading_range, sizes)
             if way is None:
-                found = LeveledLocalization(localizer.localize(labels_hw, method, prior))
-            else:
-                found = localize_leveled(localizer, labels_hw, method, prior, way)
-            return found, localizer.matches(labels_hw, found.result, found.footprint) if with_matches else None
+                return localizer.localize(labels_hw, method, prior, with_matches)
+            return localize_leveled(localizer, labels_hw, method, prior, way, with_matches)
 
         return localize
 
@@ -382,9 +380,9 @@ def _localize(path, localize, read_labels, camera, keep) -> LocalizedImage:
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
     try:
         labels_hw = read_labels(path)
-        found, matches = localize(labels_hw, camera.leveling(labels_hw.shape))
+        found = localize(labels_hw, camera.leveling(labels_hw.shape))
         remark = camera_remark(camera, labels_hw.shape)
     except SemRefError as error:
-        return LocalizedImage(path, error=str(error))
+        return LocalizedImage(path, error=worded(error))
     keep(path, labels_hw)
-    return LocalizedImage(path, found.result, "", labels_hw.shape, found.footprint, found.nadir, remark, None, matches)
+    return LocalizedImage(path, found, "", labels_hw.shape, remark)

@@ -8,7 +8,10 @@ from dataclasses import dataclass, replace
 from typing import Callable, Dict, Iterator, Optional, Sequence, Tuple
 
 from ...core.labels.class_table import ClassTable
+from ...core.localization import Localization
+from ...core.sentences import Sentence
 from ..translation import tr
+from ..wording.sentences import worded
 
 ERROR = "error"
 """Status of an image that could not be read; the others come from the localizer."""
@@ -65,20 +68,15 @@ MATCH_FIELDS = (
 class LocalizedImage:
     """One image and its result; ``error`` instead when it could not be read.
 
-    footprint: (4, 2) map coordinates of a leveled image's corners; nadir: of the point straight below its camera;
-    remark: about its leveling; jump: whether it could not have been reached in time, None if that was not checked;
-    matches: ``Matches`` with the map's landmarks, where they are wanted and the fix has a heading.
+    remark: about its leveling; jump: whether it could not have been reached in time, None if that was not checked.
     """
 
     path: str
-    result: Optional[object] = None
+    result: Optional[Localization] = None
     error: str = ""
     shape_hw: Tuple[int, int] = (0, 0)
-    footprint: Optional[object] = None
-    nadir: Optional[Tuple[float, float]] = None
     remark: str = ""
     jump: Optional[bool] = None
-    matches: Optional[object] = None
 
 
 class LabelImages:
@@ -139,38 +137,21 @@ def with_jumps(localized, times_s, windows, speed, feedback):
     errors = [windows.sizes[r.window_index] / 2 if r.error_95_m is None else r.error_95_m for r in results]
     flags = jumps(
         np.array([times_s[n] for n in timed]),
-        np.array([localized[n].nadir or localized[n].result.position for n in timed]),
+        np.array([localized[n].result.nadir or localized[n].result.position for n in timed]),
         np.array(errors),
         np.array([result.confidence for result in results]),
         speed,
     )
-    reason = tr("It can’t be reached at {speed:g} map units per second from the fixes before and after it.")
-    reason = reason.format(speed=speed)
+    reason = Sentence("localization.jump", speed=speed)
     checked = list(localized)
     for n, jumped in zip(timed, flags.tolist()):
         checked[n] = replace(checked[n], jump=jumped)
         if jumped:
             checked[n] = replace(checked[n], result=replace(checked[n].result, reason=reason))
-            feedback.pushWarning(f"{os.path.basename(checked[n].path)}: {reason}")
+            feedback.pushWarning(f"{os.path.basename(checked[n].path)}: {worded(reason)}")
     summary = tr("{jumps} of {checked} fixes with a time are jumps.")
     feedback.pushInfo(summary.format(jumps=int(flags.sum()), checked=len(timed)))
     return checked
-
-
-def corners(item, windows):
-    """(4, 2) map coordinates of what an image with a fix shows, else None."""
-    from ...core.geometry.footprint import image_corners
-
-    result = item.result
-    if item.footprint is not None:
-        return item.footprint
-    if result is None or result.position is None:
-        return None
-    if result.window_index is not None:
-        size = float(windows.sizes[result.window_index])
-        return image_corners(tuple(windows.centers[result.window_index]), 0.0, size, 1, 1)
-    height, width = item.shape_hw
-    return image_corners(result.position, result.heading_deg, result.pixel_size_m, width, height)
 
 
 def row(item) -> dict:
@@ -182,28 +163,27 @@ def row(item) -> dict:
 
     return {
         "image": item.path,
-        **record(result),
-        "camera_x": item.nadir and item.nadir[0],
-        "camera_y": item.nadir and item.nadir[1],
+        **record(result, worded),
+        "camera_x": result.nadir and result.nadir[0],
+        "camera_y": result.nadir and result.nadir[1],
         "jump": item.jump,
         "search_capped": result.search_capped,
     }
 
 
-def footprint_rows(item, windows) -> list:
+def footprint_rows(item) -> list:
     """((4, 2) map coordinates, values of FOOTPRINT_FIELDS) of an image with a fix, else nothing."""
-    ground = corners(item, windows)
-    if ground is None:
+    if item.result is None or item.result.footprint is None:
         return []
     values = row(item)
-    return [(ground, {name: values[name] for name, _ in FOOTPRINT_FIELDS})]
+    return [(item.result.footprint, {name: values[name] for name, _ in FOOTPRINT_FIELDS})]
 
 
 def match_rows(item, database) -> list:
     """(map position, values of MATCH_FIELDS) of each landmark of the map that agrees with one of the image."""
-    found = item.matches
-    if found is None:
+    if item.result is None or not item.result.is_fix or item.result.matches is None:
         return []
+    found = item.result.matches
     names = {c.value: c.name for c in database.class_table}
     positions = database.references.positions[found.on_map].tolist()
     classes = database.references.classes[found.on_map].tolist()
@@ -242,7 +222,7 @@ def say(item, feedback) -> None:
         capped = tr("The search was capped: common patterns were left out, so a better place may not have been tried.")
         feedback.pushWarning(f"{name}: {capped}")
     if result.position is None:
-        feedback.pushInfo(f"{name}: {result.status}. {result.reason}")
+        feedback.pushInfo(f"{name}: {result.status.key}. {worded(result.reason)}")
         return
     details = (
         (result.window, tr("window {value}")),

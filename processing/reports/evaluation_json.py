@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict
-from typing import Any, Dict, Sequence
+from typing import Any, Callable, Dict, Sequence
 
 from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING
 from ...core.evaluation.rates import Rate, RateAt
@@ -17,6 +17,8 @@ from ...core.evaluation.summary import (
     summarize,
 )
 from ...core.evaluation.trial import Trial
+from ...core.localizer.record import record
+from ...core.sentences import Sentence, english
 
 FORMAT = "semref evaluation 1"
 
@@ -39,25 +41,24 @@ def evaluation_json(trials: Sequence[Trial], methods: Sequence[str], settings: D
     return json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False)
 
 
-def values_of(trial: Trial) -> Dict[str, Any]:
-    """One trial by the names of OUTPUT's columns."""
-    query, view, result = trial.query, trial.query.view, trial.result
-    x, y = result.position or (None, None)
+def values_of(trial: Trial, wording: Callable[[Sentence], str] = english) -> Dict[str, Any]:
+    """One trial by the names of OUTPUT's columns; ``wording``: how its reason is said."""
+    query, view, known = trial.query, trial.query.view, record(trial.result, wording)
     return {
         "trial": query.number,
         "kind": query.kind,
-        "method": trial.method,
-        "status": result.status,
+        "method": trial.method.key,
+        "status": known["status"],
         "right": int(trial.is_right),
         "error": trial.error,
         "heading_error": trial.heading_error_deg,
         "scale_error": trial.scale_error,
-        "confidence": result.confidence,
-        "error_95": result.error_95_m,
+        "confidence": known["confidence"],
+        "error_95": known["error_95"],
         "true_x": view.x,
         "true_y": view.y,
-        "x": x,
-        "y": y,
+        "x": known["x"],
+        "y": known["y"],
         "window": trial.window,
         "heading": view.heading_deg,
         "scale": query.scale,
@@ -67,11 +68,7 @@ def values_of(trial: Trial) -> Dict[str, Any]:
         "misnamed": 100 * query.noise.mislabeled,
         "ragged": query.noise.jitter,
         "landmarks": trial.landmarks,
-        "references": result.references,
-        "inliers": result.inliers,
-        "distance": result.distance,
-        "log_odds": result.log_odds,
-        "reason": result.reason,
+        **{name: known[name] for name in ("references", "inliers", "distance", "log_odds", "reason")},
     }
 
 

@@ -106,7 +106,7 @@ def test_errors_are_those_from_the_truth_in_map_units(bench, pixel, heading_deg)
     x, y = 5000 + 100 * pixel + 3, 9000 - 50 * pixel - 4
     ellipse = SimpleNamespace(semi_major=10.0, semi_minor=10.0, orientation_deg=0.0)
     place = SimpleNamespace(position=(x, y), heading_deg=0.0, pixel_size_m=1.25 * pixel * 1.01)
-    found = SimpleNamespace(status="fix", references=7, uncertainty=ellipse)
+    found = SimpleNamespace(status="fix", references=7, covariance=SimpleNamespace(ellipse_95=ellipse))
     judged = area.judge(view, found, place, 12, 0.1)
     assert judged.error_m == pytest.approx(5) and judged.ratio == pytest.approx(0.5)
     assert judged.heading_deg == pytest.approx(10) and judged.scale == pytest.approx(0.01)

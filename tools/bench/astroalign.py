@@ -213,12 +213,12 @@ def in_time(limit_s: float, work: Callable):
 
 
 def _ours(objects, index_of: Callable) -> Answer:
-    from semref.core.constellation.hypotheses import Prior
     from semref.core.constellation.solver import localize
+    from semref.core.localization import Prior
 
     started = time.process_time()
     found = localize(objects, IMAGE_PX, IMAGE_PX, index_of(), Prior(pixel_size_range=PIXEL_SIZES_M))
-    place = complex(*found.place.position) if found.status == "fix" else None
+    place = complex(*found.place.position) if found.is_fix else None
     return Answer(place, time.process_time() - started)
 
 

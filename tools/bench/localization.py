@@ -157,7 +157,8 @@ def spoil(area: QueryMap, case: Case, view, labels: np.ndarray, rng: np.random.G
 
 def _localize_objects(area: QueryMap, case: Case, view, labels, count: int, rng: np.random.Generator) -> Outcome:
     from semref.core.constellation.solver import localize
-    from semref.core.localizer.localizer import SCALES, Prior
+    from semref.core.localization import Prior
+    from semref.core.localizer.localizer import SCALES
     from semref.core.simulation.noise import LabelNoise, spoil_landmarks
 
     size = (view.width_px, view.height_px)

@@ -6,16 +6,15 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Optional, Union
+from typing import TYPE_CHECKING, Optional
 
 import numpy as np
 
 from bench.rates import share
 
 if TYPE_CHECKING:  # the package is loaded by bench.plugin, after this module may be imported
-    from semref.core.constellation.solver import ConstellationResult
     from semref.core.landmarks.landmarks import Landmarks
-    from semref.core.localizer.localizer import Localization
+    from semref.core.localization import Localization
     from semref.core.simulation.views import View
 
 SMALLEST_OBJECT_PX = 9.0
@@ -136,9 +135,7 @@ class QueryMap:
         found = self.localizer.localize(labels_hw, method)
         return self.judge(view, found, found, count, time.process_time() - started)
 
-    def judge(
-        self, view: View, found: Union[Localization, ConstellationResult], place, count: int, seconds: float
-    ) -> Outcome:
+    def judge(self, view: View, found: Localization, place, count: int, seconds: float) -> Outcome:
         """How far ``place`` (position, heading_deg, pixel_size_m), of a fix, is from where the view really is."""
         from semref.core.evaluation.trial import ellipse_ratio
 
@@ -151,8 +148,8 @@ class QueryMap:
         if place.heading_deg is not None:
             known["heading_deg"] = abs((place.heading_deg - view.heading_deg + 180) % 360 - 180)
             known["scale"] = abs(place.pixel_size_m / (view.pixel_size * self.pixel_size) - 1)
-        if found.uncertainty is not None:
-            known["ratio"] = ellipse_ratio(x, y, found.uncertainty)
+        if found.covariance is not None and found.covariance.ellipse_95 is not None:
+            known["ratio"] = ellipse_ratio(x, y, found.covariance.ellipse_95)
         return Outcome(found.status, **known)
 
     def _count_near(self, view: View) -> int:

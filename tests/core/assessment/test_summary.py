@@ -4,13 +4,13 @@ import numpy as np
 
 from semref.core.assessment.summary import brier_score, calibration, success_by_landmarks
 from semref.core.evaluation.trial import Query, Trial
-from semref.core.localization import CONSTELLATION, Localization
+from semref.core.localization import Localization, Method, Status
 from semref.core.simulation.views import View
 
 
 def trial(status, landmarks, is_right=False) -> Trial:
-    result = Localization(status, CONSTELLATION, 9)
-    return Trial(Query(View(0.0, 0.0)), CONSTELLATION, result, is_right, landmarks=landmarks)
+    result = Localization(Status(status), Method.CONSTELLATION, 9)
+    return Trial(Query(View(0.0, 0.0)), Method.CONSTELLATION, result, is_right, landmarks=landmarks)
 
 
 def test_without_trials_there_is_nothing_to_tell():

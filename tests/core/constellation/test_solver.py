@@ -5,14 +5,14 @@ import dataclasses
 import numpy as np
 import pytest
 
-from semref.core.constellation.hypotheses import Prior
 from semref.core.constellation.index import build_index
-from semref.core.constellation.solver import AMBIGUOUS, FIX, NO_MATCH, TOO_FEW_REFERENCES, localize, make_query
+from semref.core.constellation.solver import localize, make_query, matches_at
 from semref.core.constellation.verification import Verifier, noise_factor, weigh
 from semref.core.database.model import MapLandmarks
-from semref.core.geometry.pose import Pose, fit_similarity, pose_uncertainty, tilted_uncertainty
+from semref.core.geometry.pose import Pose, fit_similarity, level_covariance, tilted_covariance
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
+from semref.core.localization import Place, Prior, Status
 from semref.core.simulation.noise import LabelNoise, spoil_landmarks
 from semref.core.simulation.views import PIXELS, View, cut
 
@@ -71,7 +71,7 @@ def solve(ground, objects, prior=PRIOR):
 
 
 def error(result, view):
-    return np.hypot(*(np.subtract(result.place.position, ORIGIN) - view.position))
+    return np.hypot(*(np.subtract(result.best.position, ORIGIN) - view.position))
 
 
 def mirrored(objects):
@@ -92,19 +92,19 @@ def points_as_objects(centers, classes=None, areas=None):
 @pytest.mark.parametrize("count", [0, 1, 3])
 def test_with_too_few_objects_it_says_how_many_more_are_needed(ground, count):
     result = solve(ground, points_as_objects(np.random.default_rng(0).uniform(50, 600, (count, 2))))
-    assert result.status == TOO_FEW_REFERENCES
-    assert f"shows {count} whole" in result.reason and "more are needed" in result.reason
+    assert result.status == Status.TOO_FEW_REFERENCES
+    assert f"shows {count} whole" in str(result.reason) and "more are needed" in str(result.reason)
 
 
 def test_an_image_without_known_classes_has_too_few_references(ground):
     objects = points_as_objects(np.random.default_rng(0).uniform(50, 600, (30, 2)), np.full(30, 99, np.uint8))
-    assert solve(ground, objects).status == TOO_FEW_REFERENCES
+    assert solve(ground, objects).status == Status.TOO_FEW_REFERENCES
 
 
 def test_an_empty_catalogue_gives_no_fix(ground):
     empty = MapLandmarks(np.empty((0, 2)), np.empty(0, np.uint8), np.empty(0), np.empty(0, bool))
     result = localize(ground.see(seen_from(1500, 1500)), SIZE, SIZE, build_index(empty, 1.0), PRIOR)
-    assert result.status != FIX
+    assert result.status != Status.FIX
 
 
 @pytest.mark.parametrize(("share", "counts"), [(1.0, True), (0.1, False)])
@@ -124,10 +124,10 @@ def test_objects_smaller_than_any_of_the_catalogue_are_no_evidence(ground, share
 def test_a_clean_view_is_found_exactly_at_any_heading_and_scale(ground, heading, scale):
     view = seen_from(1400.3, 1610.8, heading, scale)
     result = solve(ground, ground.see(view))
-    assert result.status == FIX, result.reason
+    assert result.status == Status.FIX, result.reason
     assert error(result, view) < 0.5
-    assert abs((result.place.heading_deg - heading + 180) % 360 - 180) < 0.1
-    assert result.place.pixel_size_m == pytest.approx(scale, rel=0.002)
+    assert abs((result.best.heading_deg - heading + 180) % 360 - 180) < 0.1
+    assert result.best.pixel_size_m == pytest.approx(scale, rel=0.002)
 
 
 def test_most_spoilt_views_are_found_and_no_fix_is_wrong(ground):
@@ -136,8 +136,8 @@ def test_most_spoilt_views_are_found_and_no_fix_is_wrong(ground):
     for seed in range(25):
         view = seen_from(*rng.uniform(700, 2300, 2), rng.uniform(0, 360), rng.uniform(0.8, 1.25))
         result = solve(ground, ground.see(view, NOISE, seed))
-        if result.status == FIX:
-            fixes.append((error(result, view), result.uncertainty))
+        if result.status == Status.FIX:
+            fixes.append((error(result, view), result.covariance.ellipse_95))
     assert len(fixes) >= 23
     assert max(off for off, _ in fixes) < 10
     # The 95 % ellipse is of the right size: neither far too small nor far too large.
@@ -148,14 +148,14 @@ def test_most_spoilt_views_are_found_and_no_fix_is_wrong(ground):
 
 def test_a_mirrored_view_gets_no_fix(ground):
     for center in ((1400, 1600), (1000, 2000), (2000, 900)):
-        assert solve(ground, mirrored(ground.see(seen_from(*center, 77.0)))).status != FIX
+        assert solve(ground, mirrored(ground.see(seen_from(*center, 77.0)))).status != Status.FIX
 
 
 def test_a_view_of_another_town_gets_no_fix(ground):
     other = Ground(town(8))
     for center in ((1400, 1600), (1000, 2000), (2000, 900)):
         result = solve(ground, other.see(seen_from(*center, 10.0)))
-        assert result.status in (NO_MATCH, TOO_FEW_REFERENCES) and result.reason
+        assert result.status in (Status.NO_MATCH, Status.TOO_FEW_REFERENCES) and result.reason
 
 
 def test_a_regular_lattice_of_plots_gets_no_fix_on_its_own_map():
@@ -165,7 +165,7 @@ def test_a_regular_lattice_of_plots_gets_no_fix_on_its_own_map():
             labels[top : top + 14, left : left + 14] = 1
     plots = Ground(labels)
     for view in (seen_from(1200, 1200), seen_from(1000.5, 1300.2, 31.0, 1.1)):
-        assert solve(plots, plots.see(view)).status in (AMBIGUOUS, NO_MATCH)
+        assert solve(plots, plots.see(view)).status in (Status.AMBIGUOUS, Status.NO_MATCH)
 
 
 def test_two_places_that_are_alike_are_named_as_alternatives():
@@ -175,8 +175,8 @@ def test_two_places_that_are_alike_are_named_as_alternatives():
     labels[:, 1400:] = piece
     twins = Ground(labels)
     result = solve(twins, twins.see(seen_from(600, 600, 20.0)))
-    assert result.status == AMBIGUOUS and len(result.alternatives) == 1
-    assert abs(result.alternatives[0].position[0] - result.place.position[0]) == pytest.approx(1400, abs=1)
+    assert result.status == Status.AMBIGUOUS and len(result.alternatives) == 2
+    assert abs(result.alternatives[1].position[0] - result.best.position[0]) == pytest.approx(1400, abs=1)
 
 
 def test_a_prior_tells_twins_apart():
@@ -188,7 +188,7 @@ def test_a_prior_tells_twins_apart():
     view = seen_from(2000, 600, 20.0)
     prior = dataclasses.replace(PRIOR, position=(ORIGIN[0] + 2100, ORIGIN[1] - 550), radius=300.0)
     result = solve(twins, twins.see(view), prior)
-    assert result.status == FIX and error(result, view) < 1
+    assert result.status == Status.FIX and error(result, view) < 1
 
 
 @pytest.mark.parametrize(
@@ -201,20 +201,20 @@ def test_a_prior_tells_twins_apart():
 )
 def test_a_prior_that_excludes_the_truth_gives_no_fix(ground, wrong):
     view = seen_from(1800, 1700, 45.0)
-    assert solve(ground, ground.see(view), dataclasses.replace(PRIOR, **wrong)).status != FIX
+    assert solve(ground, ground.see(view), dataclasses.replace(PRIOR, **wrong)).status != Status.FIX
 
 
 def test_a_prior_that_contains_the_truth_changes_nothing(ground):
     view = seen_from(1800, 1700, 45.0)
     prior = Prior((ORIGIN[0] + 1790, ORIGIN[1] - 1720), 100.0, 40.0, 10.0, (0.9, 1.1))
     result = solve(ground, ground.see(view), prior)
-    assert result.status == FIX and error(result, view) < 0.5
+    assert result.status == Status.FIX and error(result, view) < 0.5
 
 
 def test_the_same_image_gets_the_same_answer(ground):
     objects = ground.see(seen_from(1500, 1300, 120.0), NOISE)
     one, other = solve(ground, objects), solve(ground, objects)
-    assert one.place == other.place and one.uncertainty == other.uncertainty
+    assert one == other
 
 
 def test_matches_name_objects_of_the_image_and_of_the_map(ground):
@@ -222,15 +222,30 @@ def test_matches_name_objects_of_the_image_and_of_the_map(ground):
     objects = ground.see(view)
     matches = solve(ground, objects).matches
     assert len(matches) >= 20
-    seen = objects.centers_xy[matches[:, 0]] + (view.x - SIZE / 2, -view.y - SIZE / 2)
-    np.testing.assert_allclose(seen, ground.objects.centers_xy[matches[:, 1]], atol=0.6)
+    seen = matches.pixels_xy + (view.x - SIZE / 2, -view.y - SIZE / 2)
+    np.testing.assert_allclose(seen, ground.objects.centers_xy[matches.on_map], atol=0.6)
+    on_map = ground.references.positions[matches.on_map]
+    np.testing.assert_allclose(matches.seen_xy, on_map, atol=0.6)
+    np.testing.assert_allclose(matches.residuals, np.hypot(*(matches.seen_xy - on_map).T), atol=1e-6)
+
+
+def test_matches_at_a_place_told_by_another_method_are_those_of_a_fix_there(ground):
+    view = seen_from(1500.0, 1490.0)
+    objects = ground.see(view)
+    x, y = np.array(ORIGIN) + view.position
+    found = matches_at(objects, SIZE, SIZE, ground.index, Place((x + 1, y), 0.5, 1.002))
+    fix = solve(ground, objects).matches
+    assert len(found) == len(fix) and set(found.on_map) == set(fix.on_map)
+    assert matches_at(objects, SIZE, SIZE, ground.index, Place((x + 73, y - 41), 0.0, 1.0)) is None
+    nothing = objects.select(np.zeros(len(objects), bool))
+    assert matches_at(nothing, SIZE, SIZE, ground.index, Place((x, y), 0.0, 1.0)) is None
 
 
 def test_a_tilted_camera_is_located(ground):
     for direction in (0.0, 130.0):
         view = dataclasses.replace(seen_from(1500, 1300, 70.0), tilt_deg=10.0, tilt_direction_deg=direction)
         result = solve(ground, ground.see(view))
-        assert result.status == FIX and error(result, view) < 0.02 * SIZE
+        assert result.status == Status.FIX and error(result, view) < 0.02 * SIZE
 
 
 def test_objects_at_the_border_do_no_harm(ground):
@@ -256,8 +271,8 @@ def test_the_ellipse_holds_in_95_percent_of_fits_however_few_the_matches(count):
         image, deviations = scattered(rng, count), rng.uniform(1, 2, count)
         on_map = image + noise(rng, count)
         center, turn = fit_similarity(image, on_map, deviations**-2)
-        uncertainty = pose_uncertainty(image, center + turn * image - on_map, deviations, complex(turn))
-        held += abs(center) <= uncertainty.semi_major
+        covariance = level_covariance(image, center + turn * image - on_map, deviations, complex(turn))
+        held += abs(center) <= covariance.ellipse_95.semi_major
     assert 0.92 <= held / 600 <= 0.985
 
 
@@ -269,7 +284,7 @@ def test_a_far_match_that_drew_the_pose_to_itself_makes_the_ellipse_larger():
         on_map = image + noise(np.random.default_rng(1), 10)
         on_map[-1] += off
         center, turn = fit_similarity(image, on_map, np.ones(10))
-        ellipses.append(pose_uncertainty(image, center + turn * image - on_map, np.full(10, 1.5), complex(turn)))
+        ellipses.append(level_covariance(image, center + turn * image - on_map, np.full(10, 1.5), complex(turn)))
     assert ellipses[1].heading_deviation_deg > 1.5 * ellipses[0].heading_deviation_deg
 
 
@@ -278,9 +293,16 @@ def test_a_tilted_ellipse_of_a_level_camera_is_a_little_larger_than_a_level_one(
     image, deviations = scattered(rng, 60), np.full(60, 1.5)
     on_map = image + noise(rng, 60)
     center, turn = (complex(value) for value in fit_similarity(image, on_map, deviations**-2))
-    level = pose_uncertainty(image, center + turn * image - on_map, deviations, turn)
-    tilted = tilted_uncertainty(image, on_map, deviations, Pose(center, turn, 0j, 1e-12 + 0j), 1700.0)
-    assert level.semi_major < tilted.semi_major < 3 * level.semi_major
+    level = level_covariance(image, center + turn * image - on_map, deviations, turn)
+    tilted = tilted_covariance(image, on_map, deviations, Pose(center, turn, 0j, 1e-12 + 0j), 1700.0)
+    semi_axes = level.ellipse_95.semi_major, tilted.ellipse_95.semi_major
+    assert semi_axes[0] < semi_axes[1] < 3 * semi_axes[0]
+    for known in (level, tilted):
+        # The ellipse is that of the covariance, larger by Fisher's quantile.
+        strengths = np.linalg.eigvalsh(np.array(known.position))
+        axes = known.ellipse_95.semi_minor, known.ellipse_95.semi_major
+        assert axes[1] / axes[0] == pytest.approx(np.sqrt(strengths[1] / strengths[0]))
+        assert 2 < axes[1] / np.sqrt(strengths[1]) < 3
 
 
 @pytest.mark.parametrize("count", [5, 12, 200])

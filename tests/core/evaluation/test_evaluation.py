@@ -24,7 +24,7 @@ from semref.core.evaluation.summary import summarize
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
-from semref.core.localizer.localizer import CONSTELLATION, TOPOLOGY_VECTOR, Localization
+from semref.core.localization import Localization, Method, Place, Status
 from semref.core.simulation.noise import LabelNoise
 
 WEST, NORTH = 1000.0, 9000.0
@@ -186,8 +186,11 @@ class Told:
 
 
 def told(evaluation, query, **known):
-    evaluation.localizer = Told(Localization(**{"status": "fix", "method": CONSTELLATION, "references": 9, **known}))
-    return evaluation.run(query, [CONSTELLATION])[0]
+    """A fix at a position, as ``known`` tells it."""
+    place = {name: known.pop(name) for name in ("position", "heading_deg", "pixel_size_m") if name in known}
+    known = {"status": Status.FIX, "method": Method.CONSTELLATION, "best": Place(**place) if place else None, **known}
+    evaluation.localizer = Told(Localization(**known))
+    return evaluation.run(query, [Method.CONSTELLATION])[0]
 
 
 def moved(query, meters):
@@ -222,16 +225,16 @@ def test_the_topology_vector_is_right_with_the_nearest_window(evaluate, database
     for rank, right in ((0, True), (1, False)):
         index = int(order[rank])
         position = tuple(database.windows.centers[index])
-        known = {"method": TOPOLOGY_VECTOR, "window_index": index, "window": database.windows.name(index)}
+        known = {"method": Method.TOPOLOGY_VECTOR, "window_index": index, "window": database.windows.name(index)}
         assert told(evaluation, query, position=position, **known).is_right is right
 
 
 def test_methods_on_a_made_map_behave_as_they_must(evaluate):
     on_windows = evaluate(**CLEAN, offset=(0, 0), scale=(1, 1), rotation=(0, 0))
-    both = [TOPOLOGY_VECTOR, CONSTELLATION]
+    both = [Method.TOPOLOGY_VECTOR, Method.CONSTELLATION]
     trials = [t for query in on_windows.trials(6, 0) for t in on_windows.run(query, both)]
     assert [t.method for t in trials] == both * 6 and all(t.is_right for t in trials)
     between = evaluate(**CLEAN, offset=(0.4, 0.5))
     trials = [t for query in between.trials(6, 6) for t in between.run(query, both)]
-    assert summarize(trials, CONSTELLATION).right.share > summarize(trials, TOPOLOGY_VECTOR).right.share
-    assert summarize(trials, CONSTELLATION).false_accepts == Rate(0, 6)
+    assert summarize(trials, Method.CONSTELLATION).right.share > summarize(trials, Method.TOPOLOGY_VECTOR).right.share
+    assert summarize(trials, Method.CONSTELLATION).false_accepts == Rate(0, 6)

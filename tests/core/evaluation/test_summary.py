@@ -25,17 +25,17 @@ from semref.core.evaluation.summary import (
     summarize,
 )
 from semref.core.evaluation.trial import Trial
-from semref.core.localization import CONSTELLATION, Localization
+from semref.core.localization import Localization, Method, Place, Status
 from semref.core.simulation.noise import LabelNoise
 from semref.core.simulation.views import View
 
 
 def trial(right=True, error=1.0, confidence=0.9, status="fix", kind=MAP, ratio=None, landmarks=9, **query):
-    result = Localization(status, CONSTELLATION, 9, confidence=confidence, position=(0.0, 0.0))
+    result = Localization(Status(status), Method.CONSTELLATION, 9, best=Place((0.0, 0.0)), confidence=confidence)
     is_fix = status == "fix"
     return Trial(
         WindowQuery(View(0.0, 0.0), kind, **query),
-        CONSTELLATION,
+        Method.CONSTELLATION,
         result,
         right and is_fix,
         error if is_fix else None,
@@ -45,10 +45,10 @@ def trial(right=True, error=1.0, confidence=0.9, status="fix", kind=MAP, ratio=N
 
 
 def test_without_trials_nothing_is_known():
-    summary = summarize([], CONSTELLATION)
+    summary = summarize([], Method.CONSTELLATION)
     assert (summary.right.share, summary.median_error, summary.false_accepts.share) == (None, None, None)
-    assert success_by_offset([], CONSTELLATION) == reliability([], CONSTELLATION) == []
-    assert [len(part) for part in error_curve([], CONSTELLATION)] == [0, 0]
+    assert success_by_offset([], Method.CONSTELLATION) == reliability([], Method.CONSTELLATION) == []
+    assert [len(part) for part in error_curve([], Method.CONSTELLATION)] == [0, 0]
     assert percentile([None], 50) is None
 
 
@@ -56,10 +56,10 @@ def test_rates_and_errors_are_of_the_right_trials():
     mirrored = [trial(False, 5000, kind=MIRRORED), *[trial(status="no_match", kind=MIRRORED)] * 3]
     tried = [trial(error=e) for e in (1, 2, 30)] + [trial(False, 900), trial(status="ambiguous")]
     every = mirrored + tried + [trial(False, kind=SCALING)] * 9
-    summary = summarize(every, CONSTELLATION)
+    summary = summarize(every, Method.CONSTELLATION)
     assert (summary.right, summary.wrong, summary.false_accepts) == (Rate(3, 5), Rate(1, 5), Rate(1, 4))
     assert summary.median_error == 2 and summary.statuses == {"ambiguous": 1, "fix": 4}
-    errors, shares = error_curve(every, CONSTELLATION)
+    errors, shares = error_curve(every, Method.CONSTELLATION)
     assert errors.tolist() == [1, 2, 30, 900] and shares.tolist() == [0.2, 0.4, 0.6, 0.8]
 
 
@@ -69,19 +69,19 @@ def test_stated_radii_hold_among_the_trials_that_were_told_one():
 
 def test_success_is_told_for_each_offset():
     moved = [trial(offset < 0.04, kind=OFFSET, offset=offset) for offset in OFFSETS for _ in range(2)]
-    found = success_by_offset(moved, CONSTELLATION)
+    found = success_by_offset(moved, Method.CONSTELLATION)
     assert [one.at for one in found] == pytest.approx(OFFSETS)
     assert [one.rate for one in found] == [Rate(2, 2), *[Rate(0, 2)] * 6]
 
 
 def test_success_is_told_for_each_bin_of_landmarks():
-    first, last = success_by_landmarks([trial(landmarks=4), trial(False, landmarks=300)], CONSTELLATION)
+    first, last = success_by_landmarks([trial(landmarks=4), trial(False, landmarks=300)], Method.CONSTELLATION)
     assert (first.low, first.high, last.low, last.high) == (0, 5, 80, np.inf)
 
 
 def test_reliability_counts_fixes_and_mirrored_ones_as_wrong():
     tried = [trial(confidence=1.0)] * 3 + [trial(False, confidence=0.95, kind=MIRRORED)]
-    (only,) = reliability([*tried, trial(status="no_match", confidence=0.93)], CONSTELLATION)
+    (only,) = reliability([*tried, trial(status="no_match", confidence=0.93)], Method.CONSTELLATION)
     assert only.rate == Rate(3, 4) and only.at == pytest.approx((3 + 0.95) / 4)
 
 

@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 
 from semref.core.evaluation.trial import Query, ellipse_ratio, judge
-from semref.core.geometry.pose import PoseUncertainty
-from semref.core.localization import CONSTELLATION, Localization
+from semref.core.geometry.pose import Ellipse, PoseCovariance
+from semref.core.localization import Localization, Method, Place, Status
 from semref.core.simulation.views import View
 
 QUERY = Query(View(1000.0, 5000.0, 1.0, 0.5, 320, 240))
@@ -16,12 +16,13 @@ QUERY = Query(View(1000.0, 5000.0, 1.0, 0.5, 320, 240))
 
 def told(query=QUERY, away=(0.0, 0.0), right_within=None, **known):
     position = query.view.x + away[0], query.view.y + away[1]
-    known = {"status": "fix", "method": CONSTELLATION, "references": 9, "position": position, **known}
-    return judge(query, CONSTELLATION, Localization(**known), right_within)
+    place = Place(position, known.pop("heading_deg", None), known.pop("pixel_size_m", None))
+    known = {"status": Status.FIX, "method": Method.CONSTELLATION, "best": place, **known}
+    return judge(query, Method.CONSTELLATION, Localization(**known), right_within)
 
 
 def test_without_a_fix_nothing_is_right_and_no_error_known():
-    trial = told(status="no_match", position=None)
+    trial = told(status=Status.NO_MATCH)
     assert (trial.is_right, trial.is_wrong, trial.is_fix, trial.status) == (False, False, False, "no_match")
     assert (trial.error, trial.error_share, trial.heading_error_deg, trial.radius_ratio) == (None,) * 4
 
@@ -54,17 +55,17 @@ def test_an_image_that_lies_nowhere_on_the_map_is_never_right(query):
 def test_an_error_is_told_in_units_of_the_radius_that_was_stated():
     assert told(away=(3.0, 4.0), error_95_m=10.0).radius_ratio == pytest.approx(0.5)
     assert told(away=(3.0, 4.0)).radius_ratio is None
-    ellipse = PoseUncertainty(4.0, 2.0, 90.0, 0.1, 0.01)
-    assert told(away=(0.0, 1.0), error_95_m=10.0, uncertainty=ellipse).radius_ratio == pytest.approx(0.5)
+    known = PoseCovariance(((1.0, 0.0), (0.0, 1.0)), 0.1, 0.01, Ellipse(4.0, 2.0, 90.0))
+    assert told(away=(0.0, 1.0), error_95_m=10.0, covariance=known).radius_ratio == pytest.approx(0.5)
 
 
 def test_an_error_on_the_ellipse_has_the_ratio_one():
-    uncertainty = PoseUncertainty(4.0, 2.0, 90.0, 0.1, 0.01)
-    assert ellipse_ratio(4.0, 0.0, uncertainty) == pytest.approx(1)
-    assert ellipse_ratio(0.0, 1.0, uncertainty) == pytest.approx(0.5)
+    ellipse = Ellipse(4.0, 2.0, 90.0)
+    assert ellipse_ratio(4.0, 0.0, ellipse) == pytest.approx(1)
+    assert ellipse_ratio(0.0, 1.0, ellipse) == pytest.approx(0.5)
 
 
 def test_an_ellipse_without_extent_holds_nothing_but_no_error():
-    uncertainty = PoseUncertainty(0.0, 0.0, 0.0, 0.0, 0.0)
-    assert ellipse_ratio(0.0, 0.0, uncertainty) == 0
-    assert 1 < ellipse_ratio(0.1, 0.0, uncertainty) < math.inf
+    ellipse = Ellipse(0.0, 0.0, 0.0)
+    assert ellipse_ratio(0.0, 0.0, ellipse) == 0
+    assert 1 < ellipse_ratio(0.1, 0.0, ellipse) < math.inf

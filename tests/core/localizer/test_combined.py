@@ -11,9 +11,10 @@ from semref.core.errors import LabelMapError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
-from semref.core.localization import MAP_CORRELATION, Localization, PossiblePlace
+from semref.core.localization import Localization, Method, Place, Prior, Status
 from semref.core.localizer.combined import LEAST_AGREEMENT, checked_by_areas, confirmed, near, neither
-from semref.core.localizer.localizer import AMBIGUOUS, AUTOMATIC, FIX, NO_MATCH, TOO_FEW_REFERENCES, Localizer, Prior
+from semref.core.localizer.localizer import Localizer
+from semref.core.sentences import Sentence
 from semref.core.simulation.views import PIXELS, View, cut
 
 ORIGIN = 500_000.0, 5_200_000.0
@@ -79,14 +80,14 @@ def distance(position, column=1203.7, row=905.2) -> float:
 
 def test_a_fix_of_the_constellation_is_taken_as_it_is(localizer):
     image = view(GROUND, HOUSES)
-    found = localizer.localize(image, AUTOMATIC)
-    assert found.status == FIX and found.method == "constellation"
+    found = localizer.localize(image, Method.AUTOMATIC)
+    assert found.status == Status.FIX and found.method == Method.CONSTELLATION
     assert found == localizer.localize_by_constellation(image)
 
 
 def test_without_landmarks_the_class_areas_find_the_image(localizer):
-    found = localizer.localize(view(GROUND, NOTHING_BUILT), AUTOMATIC)
-    assert (found.status, found.method, found.reason) == (FIX, "map correlation", "")
+    found = localizer.localize(view(GROUND, NOTHING_BUILT), Method.AUTOMATIC)
+    assert (found.status, found.method, found.reason) == (Status.FIX, Method.MAP_CORRELATION, None)
     assert distance(found.position) < 4
     assert 0 < found.error_95_m < 30 and found.confidence > 0.9
 
@@ -94,18 +95,18 @@ def test_without_landmarks_the_class_areas_find_the_image(localizer):
 def test_landmarks_that_class_areas_speak_against_are_no_fix(localizer):
     """The houses of one place over the ground of another."""
     image = view(patches(9), HOUSES)
-    assert localizer.localize_by_constellation(image).status == FIX
-    found = localizer.localize(image, AUTOMATIC)
-    assert found.status == AMBIGUOUS and found.position is None
-    assert "class areas" in found.reason
+    assert localizer.localize_by_constellation(image).status == Status.FIX
+    found = localizer.localize(image, Method.AUTOMATIC)
+    assert found.status == Status.AMBIGUOUS and found.position is None
+    assert "class areas" in str(found.reason)
     (place,) = found.alternatives
     assert distance(place.position) < 2
 
 
 def test_class_areas_are_enough_where_landmarks_do_not_come_out_whole(localizer):
     image = view(GROUND, MOVED_HOUSES)
-    found = localizer.localize(image, AUTOMATIC)
-    assert (found.status, found.method) == (FIX, MAP_CORRELATION)
+    found = localizer.localize(image, Method.AUTOMATIC)
+    assert (found.status, found.method) == (Status.FIX, Method.MAP_CORRELATION)
     assert distance(found.position) < 4
     assert found.references > 20
 
@@ -123,46 +124,51 @@ def test_what_is_ambiguous_for_landmarks_is_told_by_class_areas(twin_houses):
     for column in (600, 600 + WIDTH // 2):
         image = view(GROUND, twin_houses, column, 1000)
         unsure = localizer.localize_by_constellation(image)
-        assert unsure.status == AMBIGUOUS and len(unsure.alternatives) == 2
-        found = localizer.localize(image, AUTOMATIC)
-        assert (found.status, found.method, found.reason, found.alternatives) == (FIX, "constellation", "", ())
+        assert unsure.status == Status.AMBIGUOUS and len(unsure.alternatives) == 2
+        found = localizer.localize(image, Method.AUTOMATIC)
+        assert (found.status, found.method, found.reason, found.alternatives) == (
+            Status.FIX,
+            Method.CONSTELLATION,
+            None,
+            (),
+        )
         assert distance(found.position, column, 1000) < 1
-        assert found.error_95_m < 3 and found.inliers > 10 and found.confidence > 0.99
+        assert found.error_95_m < 3 and found.best.inliers > 10 and found.confidence > 0.99
 
 
 def test_without_an_overview_it_is_the_constellation_alone():
     localizer = localizer_of(GROUND, HOUSES, with_overview=False)
     assert not localizer.has_overview
     for image in (view(GROUND, HOUSES), view(GROUND, NOTHING_BUILT)):
-        assert localizer.localize(image, AUTOMATIC) == localizer.localize_by_constellation(image)
+        assert localizer.localize(image, Method.AUTOMATIC) == localizer.localize_by_constellation(image)
 
 
 def test_without_any_fix_the_reasons_of_both_are_told(localizer):
-    found = localizer.localize(view(patches(8), houses(4)), AUTOMATIC)
-    assert found.status == NO_MATCH and found.position is None
-    assert found.reason.startswith("The best place has log odds of")
-    assert "Map correlation has no fix either: the best place" in found.reason
-    assert found.reason.endswith(".")
+    found = localizer.localize(view(patches(8), houses(4)), Method.AUTOMATIC)
+    assert found.status == Status.NO_MATCH and found.position is None
+    assert str(found.reason).startswith("The best place has log odds of")
+    assert "Map correlation has no fix either: the best place" in str(found.reason)
+    assert str(found.reason).endswith(".")
 
 
 def test_an_image_without_labels_says_how_many_landmarks_are_missing(localizer):
-    found = localizer.localize(np.zeros((SIZE, SIZE), np.uint8), AUTOMATIC)
-    assert found.status == TOO_FEW_REFERENCES
-    assert "more are needed. Map correlation has no fix either: only 0%" in found.reason
+    found = localizer.localize(np.zeros((SIZE, SIZE), np.uint8), Method.AUTOMATIC)
+    assert found.status == Status.TOO_FEW_REFERENCES
+    assert "more are needed. Map correlation has no fix either: only 0%" in str(found.reason)
 
 
 def test_an_image_without_pixels_is_an_error(localizer):
     with pytest.raises(LabelMapError, match="^The image has no pixels.$"):
-        localizer.localize(np.zeros((0, 5), np.uint8), AUTOMATIC)
+        localizer.localize(np.zeros((0, 5), np.uint8), Method.AUTOMATIC)
 
 
 def test_each_method_searches_its_own_range_of_scales_unless_one_is_given(localizer):
     image = view(GROUND, NOTHING_BUILT, scale=2.2)
-    assert localizer.localize(image, AUTOMATIC).status != FIX
+    assert localizer.localize(image, Method.AUTOMATIC).status != Status.FIX
     given = Prior(pixel_size_range=(2.0, 2.4))
-    assert localizer.localize(image, AUTOMATIC, given).status == FIX
-    found = localizer.localize(view(GROUND, HOUSES, scale=2.2), AUTOMATIC)
-    assert (found.status, found.method) == (FIX, "constellation")
+    assert localizer.localize(image, Method.AUTOMATIC, given).status == Status.FIX
+    found = localizer.localize(view(GROUND, HOUSES, scale=2.2), Method.AUTOMATIC)
+    assert (found.status, found.method) == (Status.FIX, Method.CONSTELLATION)
 
 
 def test_pixel_sizes_lie_around_window_size_over_image_size(localizer):
@@ -172,33 +178,41 @@ def test_pixel_sizes_lie_around_window_size_over_image_size(localizer):
 def test_a_prior_holds_for_both_methods(localizer):
     image = view(GROUND, NOTHING_BUILT)
     here = Prior(position=(ORIGIN[0] + 1150, ORIGIN[1] - 950), radius=150.0)
-    assert localizer.localize(image, AUTOMATIC, here).status == FIX
-    assert localizer.localize(image, AUTOMATIC, replace(here, position=ORIGIN)).status != FIX
+    assert localizer.localize(image, Method.AUTOMATIC, here).status == Status.FIX
+    assert localizer.localize(image, Method.AUTOMATIC, replace(here, position=ORIGIN)).status != Status.FIX
 
 
 @pytest.mark.parametrize("built", [HOUSES, NOTHING_BUILT, MOVED_HOUSES], ids=["houses", "none", "moved"])
 def test_the_same_image_gives_the_same_result(localizer, built):
     image = view(GROUND, built)
-    assert localizer.localize(image, AUTOMATIC) == localizer.localize(image, AUTOMATIC)
+    assert localizer.localize(image, Method.AUTOMATIC) == localizer.localize(image, Method.AUTOMATIC)
 
 
 # --- the decisions alone ---
 
-PLACE = PossiblePlace((100.0, 200.0), 30.0, 1.0)
+PLACE = Place((100.0, 200.0), 30.0, 1.0)
+SAID = Sentence("localization.mirror_fits")
 STARS = Localization(
-    FIX,
-    "constellation",
+    Status.FIX,
+    Method.CONSTELLATION,
     30,
-    position=(100.0, 200.0),
-    heading_deg=30.0,
-    pixel_size_m=1.0,
+    best=PLACE,
     confidence=0.9,
     error_95_m=1.0,
 )
-AREAS = replace(STARS, method=MAP_CORRELATION, position=(103.0, 204.0), error_95_m=8.0, confidence=0.8)
+AREAS = replace(
+    STARS,
+    method=Method.MAP_CORRELATION,
+    best=replace(PLACE, position=(103.0, 204.0)),
+    error_95_m=8.0,
+    confidence=0.8,
+)
 
 
-@pytest.mark.parametrize(("agreement", "status"), [(None, FIX), (0.9, FIX), (LEAST_AGREEMENT, FIX), (-0.1, AMBIGUOUS)])
+@pytest.mark.parametrize(
+    ("agreement", "status"),
+    [(None, Status.FIX), (0.9, Status.FIX), (LEAST_AGREEMENT, Status.FIX), (-0.1, Status.AMBIGUOUS)],
+)
 def test_a_fix_stands_where_class_areas_agree_or_cannot_tell(agreement, status):
     assert checked_by_areas(STARS, agreement).status == status
 
@@ -212,18 +226,18 @@ def test_the_constellation_looks_again_where_map_correlation_found_the_image():
 
 def test_two_methods_at_one_place_are_surer_than_each():
     found = confirmed(AREAS, STARS, 20.0)
-    assert (found.position, found.error_95_m, found.method) == (STARS.position, 1.0, "constellation")
+    assert (found.position, found.error_95_m, found.method) == (STARS.position, 1.0, Method.CONSTELLATION)
     assert found.confidence == pytest.approx(0.98)
 
 
 def test_a_place_of_the_constellation_farther_off_confirms_nothing():
     assert confirmed(AREAS, STARS, 4.0) is None
-    assert confirmed(AREAS, Localization(NO_MATCH, "constellation", 30), 20.0) is None
+    assert confirmed(AREAS, Localization(Status.NO_MATCH, Method.CONSTELLATION, 30), 20.0) is None
 
 
 def test_of_places_alike_the_one_where_class_areas_agree_is_taken_if_it_is_the_only_one():
     far, close = replace(PLACE, position=(900.0, 200.0)), replace(PLACE, position=(101.0, 203.0))
-    unsure = Localization(AMBIGUOUS, "constellation", 30, "Two places.", confidence=0.5, log_odds=40.0)
+    unsure = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, best=PLACE, confidence=0.5)
     assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, far)), 20.0).position == PLACE.position
     assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, close)), 20.0) is None
     # Only the mirrored image rivals it: nothing that a place could tell.
@@ -232,16 +246,16 @@ def test_of_places_alike_the_one_where_class_areas_agree_is_taken_if_it_is_the_o
 
 def test_without_a_fix_all_places_are_told_and_ambiguity_of_either_counts():
     other = replace(PLACE, heading_deg=99.0)
-    stars = Localization(NO_MATCH, "constellation", 30, "No stars.")
-    areas = Localization(AMBIGUOUS, MAP_CORRELATION, 0, "Two places agree.", alternatives=(PLACE, other))
+    stars = Localization(Status.NO_MATCH, Method.CONSTELLATION, 30, SAID)
+    areas = Localization(Status.AMBIGUOUS, Method.MAP_CORRELATION, 0, SAID, alternatives=(PLACE, other))
     found = neither(stars, areas, 1000)
-    assert (found.status, found.alternatives) == (AMBIGUOUS, (PLACE, other))
-    assert found.reason == "No stars. Map correlation has no fix either: two places agree."
+    assert (found.status, found.alternatives) == (Status.AMBIGUOUS, (PLACE, other))
+    assert str(found.reason) == f"{SAID} Map correlation has no fix either: {str(SAID)[0].lower()}{str(SAID)[1:]}"
 
 
 def test_a_place_that_both_methods_found_is_told_once():
     apart = replace(PLACE, position=(PLACE.position[0] + 500.0, PLACE.position[1]))
     beside = replace(PLACE, position=(PLACE.position[0] + 1.0, PLACE.position[1]))
-    stars = Localization(AMBIGUOUS, "constellation", 30, "Two places.", alternatives=(PLACE,))
-    areas = Localization(AMBIGUOUS, MAP_CORRELATION, 0, "Two places agree.", alternatives=(beside, apart))
+    stars = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, alternatives=(PLACE,))
+    areas = Localization(Status.AMBIGUOUS, Method.MAP_CORRELATION, 0, SAID, alternatives=(beside, apart))
     assert neither(stars, areas, round(100 / PLACE.pixel_size_m)).alternatives == (PLACE, apart)

@@ -22,7 +22,8 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.lon_lat import fit_lon_lat
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
-from semref.core.localizer.localizer import AUTOMATIC, Localizer
+from semref.core.localization import Method
+from semref.core.localizer.localizer import Localizer
 from semref.core.localizer.record import gga_sentence
 from semref.core.onboard import command_line
 from semref.core.onboard.aircraft import AIRCRAFT_ROOMS
@@ -102,7 +103,7 @@ def test_an_image_is_localized_as_the_localizer_does(database, image, capsys):
     path = image("here.png")
     assert main(["localize", path, "--database", database, "--json"]) == ALL_FIXED
     found = json.loads(capsys.readouterr().out)
-    expected = Localizer(read_onboard(database).database).localize(HERE, AUTOMATIC)
+    expected = Localizer(read_onboard(database).database).localize(HERE, Method.AUTOMATIC)
     assert (found["image"], found["status"]) == (path, "fix")
     assert (found["x"], found["y"]) == expected.position
     assert found["x"], found["y"] == pytest.approx(CENTER, abs=0.5)

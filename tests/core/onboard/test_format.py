@@ -23,7 +23,8 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.lon_lat import LonLatPolynomial, fit_lon_lat
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
-from semref.core.localizer.localizer import CONSTELLATION, TOPOLOGY_VECTOR, Localizer
+from semref.core.localization import Method
+from semref.core.localizer.localizer import Localizer
 from semref.core.onboard.area import area_mask, clipped
 from semref.core.onboard.format import digest, is_onboard_file
 from semref.core.onboard.read import read_onboard
@@ -159,7 +160,7 @@ def test_windows_and_references_keep_to_their_budget(database, written):
     assert references <= 20 * len(database.references)
 
 
-@pytest.mark.parametrize("method", [CONSTELLATION, TOPOLOGY_VECTOR])
+@pytest.mark.parametrize("method", [Method.CONSTELLATION, Method.TOPOLOGY_VECTOR])
 def test_images_are_found_where_the_whole_database_finds_them(database, written, method):
     whole, onboard = Localizer(database), Localizer(read_onboard(str(written)).database)
     for column, row in ((0, 0), (100, 60), (190, 111)):
