@@ -3,10 +3,10 @@
     .venv/bin/python tools/bench NAME... [--data FOLDER] [--work FOLDER] [--repetitions N] [--count N] [--write]
 
 NAME is one of rasterize, build, memory, matching, sizes, published, localization, two_dates, elsewhere,
-catalogue_sizes, correlation_times, astroalign, segment, or all. Times are compared within one run: the
-candidates take turns, and the ratio of each turn is what counts. Without the real data (--data, ../shared/data) the
-sample area of tools/make_sample.py is measured instead, and the text says so. --work keeps label maps and databases
-from one run for the next; without it they go into a temporary folder that is removed.
+catalogue_sizes, correlation_times, astroalign, segment, annotation, update, or all. Times are compared within one
+run: the candidates take turns, and the ratio of each turn is what counts. Without the real data (--data,
+../shared/data) the sample area of tools/make_sample.py is measured instead, and the text says so. --work keeps label
+maps and databases from one run for the next; without it they go into a temporary folder that is removed.
 """
 
 from __future__ import annotations
@@ -38,6 +38,8 @@ NAMES = (
     "correlation_times",
     "astroalign",
     "segment",
+    "annotation",
+    "update",
 )
 MINIMUM_REPETITIONS = 5
 

@@ -2,7 +2,8 @@
 
     python tools/bench/child.py '{"algorithm": "builddatabase", "parameters": {…}}'
 
-Without an algorithm QGIS is started and stopped. The last line printed is JSON: seconds, peak_bytes, log.
+Without an algorithm QGIS is started and stopped. The last line printed is JSON: seconds, processor_seconds, peak_bytes,
+log.
 """
 
 from __future__ import annotations
@@ -15,7 +16,11 @@ from pathlib import Path
 
 
 def run_in_child(algorithm: str = "", parameters: dict | None = None) -> dict:
-    """Runs an algorithm in a child process: its seconds, peak_bytes and log, and `whole`, the process's own seconds."""
+    """Runs an algorithm in a child process.
+
+    Returns:
+        seconds, processor_seconds, peak_bytes and log of the algorithm; `whole`: seconds of the process.
+    """
     order = json.dumps({"algorithm": algorithm, "parameters": parameters or {}})
     begin = time.perf_counter()
     finished = subprocess.run([sys.executable, __file__, order], capture_output=True, text=True, check=False)
@@ -31,10 +36,10 @@ def main() -> None:
 
     order = json.loads(sys.argv[1])
     with plugin.qgis():
-        begin = time.perf_counter()
+        begin, processor = time.perf_counter(), time.process_time()
         log = plugin.run_algorithm(order["algorithm"], order["parameters"]).log if order["algorithm"] else ()
-        seconds = time.perf_counter() - begin
-    print(json.dumps({"seconds": seconds, "peak_bytes": peak_bytes(), "log": log}))
+        seconds, processor = time.perf_counter() - begin, time.process_time() - processor
+    print(json.dumps({"seconds": seconds, "processor_seconds": processor, "peak_bytes": peak_bytes(), "log": log}))
 
 
 def peak_bytes() -> int:

@@ -62,6 +62,19 @@ def qgis() -> Iterator[None]:
         application.exitQgis()
 
 
+@contextlib.contextmanager
+def one_thread() -> Iterator[None]:
+    """QGIS, and so the plugin, may use one thread."""
+    from qgis.core import QgsApplication
+
+    before = QgsApplication.maxThreads()
+    QgsApplication.setMaxThreads(1)
+    try:
+        yield
+    finally:
+        QgsApplication.setMaxThreads(before)
+
+
 @dataclass(frozen=True)
 class AlgorithmRun:
     """Results of one run of an algorithm and everything it said, line by line."""
