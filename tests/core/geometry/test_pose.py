@@ -1,0 +1,53 @@
+"""Poses take image points to the map and back, and are found again from points."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from semref.core.geometry.pose import Pose, fit_similarity, fit_tilted, heading_of, image_points, turn_of
+
+IMAGE = image_points(np.random.default_rng(3).uniform(0, 400, (60, 2)), 400, 300)
+LEVEL = Pose(6e5 + 5e6j, turn_of(37.0, 0.5))
+TILTED = Pose(6e5 + 5e6j, turn_of(200.0, 0.5), 0.02 - 0.01j, 3e-4 + 2e-4j)
+
+
+@pytest.mark.parametrize("heading", [0, 90, 181.5, 359])
+def test_a_turn_tells_its_heading_and_pixel_size(heading):
+    turn = turn_of(heading, 0.25)
+    assert heading_of(turn) == pytest.approx(heading) and abs(turn) == pytest.approx(0.25)
+
+
+def test_an_image_that_looks_east_has_its_top_in_the_east():
+    top, center = Pose(0j, turn_of(90.0, 2.0)).on_map(image_points(np.array([(50, 0), (50, 40)]), 100, 80))
+    assert top == pytest.approx(80) and center == 0
+
+
+@pytest.mark.parametrize("pose", [LEVEL, TILTED])
+def test_what_goes_to_the_map_comes_back(pose):
+    np.testing.assert_allclose(pose.in_image(pose.on_map(IMAGE)), IMAGE, atol=1e-5)
+
+
+@pytest.mark.parametrize("pose", [LEVEL, TILTED])
+def test_the_size_of_a_pixel_is_the_root_of_its_ground(pose):
+    if pose is TILTED:
+        pose = Pose(pose.center, pose.turn, 0j, pose.slope)
+    step = 1e-2
+    here, right, up = (pose.on_map(IMAGE + offset) for offset in (0, step, 1j * step))
+    area = ((right - here).conj() * (up - here)).imag / step**2
+    np.testing.assert_allclose(pose.pixel_sizes(IMAGE), np.sqrt(area), rtol=1e-3)
+
+
+def test_points_give_their_similarity_back_whatever_their_weights():
+    weights = np.random.default_rng(4).uniform(0.1, 1, len(IMAGE))
+    center, turn = fit_similarity(IMAGE, LEVEL.on_map(IMAGE), weights)
+    assert center == pytest.approx(LEVEL.center) and turn == pytest.approx(LEVEL.turn)
+
+
+def test_points_of_a_tilted_camera_give_its_pose_nearly_back():
+    """Nearly: the prior holds tilt moderate."""
+    on_map = TILTED.on_map(IMAGE)
+    first = Pose(*(complex(part) for part in fit_similarity(IMAGE, on_map, np.ones(len(IMAGE)))))
+    found = fit_tilted(IMAGE, on_map, np.full(len(IMAGE), 0.01), first, 500.0)
+    left, before = (np.abs(pose.on_map(IMAGE) - on_map).max() for pose in (found, first))
+    assert left < 0.3 < 2 < before

@@ -1,0 +1,37 @@
+"""The road from a photo to labels on its own pixels, whatever the network's resolution."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from made_models import metadata, painted, write_model
+
+from semref.core.labels.image_source import ArrayImage
+from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.photo_labels import PhotoLabels
+
+LABELS = np.kron(np.random.default_rng(1).integers(1, 4, (5, 7)), np.ones((20, 20), int)).astype(np.uint8)
+PHOTO = ArrayImage(painted(LABELS))
+
+
+@pytest.fixture(scope="module")
+def model(tmp_path_factory):
+    path = write_model(tmp_path_factory.mktemp("model") / "m.onnx", metadata=metadata(resolution=50))
+    return SegmentationModel(str(path), 1)
+
+
+@pytest.mark.parametrize("pixel_size_m", [None, (0.5, 0.5), (0.25, 0.25), (1.0, 1.0), (0.25, 0.5)])
+def test_labels_lie_on_the_photos_own_pixels(model, pixel_size_m):
+    np.testing.assert_array_equal(PhotoLabels(model, PHOTO, (1, 2, 3), pixel_size_m).found(), LABELS)
+
+
+def test_the_network_sees_the_photo_at_its_own_resolution(model):
+    assert PhotoLabels(model, PHOTO, (1, 2, 3), (0.25, 0.25)).image.shape_hw == (50, 70)
+    assert PhotoLabels(model, PHOTO, (1, 2, 3)).image is PHOTO
+
+
+def test_the_steps_tell_the_share_done(model):
+    labels = PhotoLabels(model, PHOTO, (1, 2, 3))
+    shares = list(labels.steps())
+    assert shares == sorted(shares) and shares[-1] == 1
+    np.testing.assert_array_equal(labels.labels_hw, LABELS)
