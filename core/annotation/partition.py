@@ -11,6 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ..landmarks.joining import connected_components
+
 GRID_M = 1e-6
 """Vertices lie on multiples of this (m): a micrometer. Doubles resolve 10⁻⁹ m at the coordinates of a UTM zone."""
 
@@ -143,23 +145,6 @@ def dissolve(faces: np.ndarray, groups: np.ndarray) -> np.ndarray:
         members = faces[order[first:last]]
         dissolved[n] = members[0] if len(members) == 1 else shapely.union_all(members)
     return shapely.normalize(dissolved)
-
-
-def connected_components(count: int, pairs: np.ndarray) -> np.ndarray:
-    """(count,) int64 component of each of ``count`` things, numbered in order of their first; pairs: (E, 2) links."""
-    labels = np.arange(count)
-    first, second = pairs.T
-    while True:
-        roots = labels[first], labels[second]
-        lower = np.minimum(*roots)
-        linked = labels.copy()
-        for root in roots:
-            np.minimum.at(linked, root, lower)
-        while not np.array_equal(linked, linked[linked]):
-            linked = linked[linked]
-        if np.array_equal(linked, labels):
-            return np.unique(labels, return_inverse=True)[1].reshape(-1)
-        labels = linked
 
 
 def _node(lines: np.ndarray):

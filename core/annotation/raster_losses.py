@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..landmarks.joining import connected_components, touching_runs
 from ..landmarks.landmarks import region_rows
-from .partition import connected_components
 
 LARGEST_MASK_PX = 200_000_000
 """A region whose bounding box is larger is not measured: it is no landmark that a raster could lose."""
@@ -55,7 +55,7 @@ def merged_regions(runs: RegionRuns, region_classes: np.ndarray) -> np.ndarray:
     ``region_classes``: class values by region number.
     """
     beside = np.flatnonzero((runs.rows[1:] == runs.rows[:-1]) & (runs.starts[1:] == runs.stops[:-1]))
-    links = np.concatenate([_links_down(runs), np.column_stack([beside, beside + 1])])
+    links = np.concatenate([touching_runs(runs.rows, runs.starts, runs.stops), np.column_stack([beside, beside + 1])])
     pairs = runs.regions[links]
     pairs = pairs[(pairs[:, 0] != pairs[:, 1]) & (region_classes[pairs[:, 0]] == region_classes[pairs[:, 1]])]
     return np.unique(np.sort(pairs, axis=1), axis=0)
@@ -63,7 +63,7 @@ def merged_regions(runs: RegionRuns, region_classes: np.ndarray) -> np.ndarray:
 
 def count_pieces(runs: RegionRuns, count: int) -> np.ndarray:
     """(count,) int64 8-connected pieces of the pixels of each region number; 0 for a region without a pixel."""
-    links = _links_down(runs)
+    links = touching_runs(runs.rows, runs.starts, runs.stops)
     links = links[runs.regions[links[:, 0]] == runs.regions[links[:, 1]]]
     pieces = connected_components(len(runs), links)
     first_of_piece = np.unique(pieces, return_index=True)[1]
@@ -91,16 +91,3 @@ def _mask(rows: np.ndarray, starts: np.ndarray, stops: np.ndarray, shape: tuple[
     steps[rows, starts - left] = 1
     steps[rows, stops - left] = -1
     return np.ascontiguousarray(np.cumsum(steps, axis=1, dtype=np.int8)[:, :-1]).view(np.uint8)
-
-
-def _links_down(runs: RegionRuns) -> np.ndarray:
-    """(L, 2) int64 runs that touch (8-connected) in rows that follow each other, the upper one first."""
-    width = int(runs.stops.max(initial=0)) + 2
-    starts, stops = runs.rows * width + runs.starts, runs.rows * width + runs.stops
-    # In the next row: from the first run that does not end left of this one to the last that begins not right of it.
-    first = np.searchsorted(stops, starts + width, "left")
-    last = np.searchsorted(starts, stops + width, "right")
-    counts = np.maximum(last - first, 0)
-    upper = np.repeat(np.arange(len(runs)), counts)
-    lower = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts) + np.repeat(first, counts)
-    return np.column_stack([upper, lower])

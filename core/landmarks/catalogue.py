@@ -8,6 +8,7 @@ import numpy as np
 
 from ..labels.sources import LabelSource
 from .border_following import follow_outer_border
+from .joining import connected_components, touching_runs
 from .landmarks import (
     NO_ROWS,
     Landmarks,
@@ -19,6 +20,7 @@ from .landmarks import (
     shift_row,
     shift_rows,
 )
+from .regions import Region, whole_region
 
 BAND_PIXELS = 24_000_000
 """Pixels read at a time; 24 MB of labels and twice that for masks."""
@@ -131,75 +133,40 @@ def measure_region(
     return None
 
 
-class _Group:
-    """Pieces of one region: bounds (left, top, right, bottom) and its first pixel (column, row) in raster order."""
-
-    def __init__(self, bounds: tuple[int, int, int, int], first_pixel: tuple[int, int]) -> None:
-        self.bounds = bounds
-        self.first_pixel = first_pixel
-
-    def join(self, other: _Group) -> None:
-        a, b = self.bounds, other.bounds
-        self.bounds = (min(a[0], b[0]), min(a[1], b[1]), max(a[2], b[2]), max(a[3], b[3]))
-        self.first_pixel = min(self.first_pixel, other.first_pixel, key=lambda pixel: (pixel[1], pixel[0]))
-
-
 class _Seam:
-    """Joins the pieces of one class over the seams between bands (union–find)."""
+    """Joins the pieces of one class over the seams between bands."""
 
     def __init__(self) -> None:
-        self._parents: list[int] = []
-        self._groups: list[_Group] = []
-        self._bottom_runs: list[tuple[int, int, int]] = []
+        self._pieces: list[Region] = []
+        self._links: list[np.ndarray] = [np.empty((0, 2), np.int64)]
+        self._bottom_runs = np.empty((0, 3), np.int64)
 
     def add_band(self, mask: np.ndarray, contours: list, first: int) -> None:
-        base = len(self._groups)
+        """Takes the contours of a band's regions that reach its neighbors; the band begins in row ``first``."""
+        base = len(self._pieces)
         for contour in contours:
             points = contour[:, 0]
-            left, top = points.min(axis=0)
-            right, bottom = points.max(axis=0) + 1
-            first_column = points[points[:, 1] == top, 0].min()
-            self._parents.append(len(self._parents))
-            self._groups.append(
-                _Group(
-                    (int(left), int(top) + first, int(right), int(bottom) + first),
-                    (int(first_column), int(top) + first),
-                )
-            )
-        top_runs = _runs(mask, contours, 0, base)
-        self._join(self._bottom_runs, top_runs)
+            left, top = points.min(axis=0).tolist()
+            right, bottom = (points.max(axis=0) + 1).tolist()
+            first_column = int(points[points[:, 1] == top, 0].min())
+            self._pieces.append(Region((left, top + first, right, bottom + first), (first_column, top + first)))
+        above, below = self._bottom_runs, _runs(mask, contours, 0, base)
+        rows = np.repeat([0, 1], [len(above), len(below)])
+        starts, stops, pieces = np.concatenate([above, below]).T
+        self._links.append(pieces[touching_runs(rows, starts, stops)])
         self._bottom_runs = _runs(mask, contours, len(mask) - 1, base)
 
-    def groups(self) -> list[_Group]:
-        joined: dict[int, _Group] = {}
-        for index, group in enumerate(self._groups):
-            root = self._root(index)
-            if root in joined:
-                joined[root].join(group)
-            else:
-                joined[root] = _Group(group.bounds, group.first_pixel)
-        return list(joined.values())
-
-    def _join(self, above: list[tuple[int, int, int]], below: list[tuple[int, int, int]]) -> None:
-        """Runs (first, last, piece) of two adjacent rows, each in order; 8-connected ones are one region."""
-        i = j = 0
-        while i < len(above) and j < len(below):
-            if above[i][0] <= below[j][1] + 1 and below[j][0] <= above[i][1] + 1:
-                self._parents[self._root(above[i][2])] = self._root(below[j][2])
-            if above[i][1] < below[j][1]:
-                i += 1
-            else:
-                j += 1
-
-    def _root(self, index: int) -> int:
-        while self._parents[index] != index:
-            self._parents[index] = self._parents[self._parents[index]]
-            index = self._parents[index]
-        return index
+    def groups(self) -> list[Region]:
+        """The regions that the pieces are parts of."""
+        joined: dict[int, list[Region]] = {}
+        components = connected_components(len(self._pieces), np.concatenate(self._links))
+        for piece, component in zip(self._pieces, components.tolist()):
+            joined.setdefault(component, []).append(piece)
+        return [whole_region(pieces) for pieces in joined.values()]
 
 
-def _runs(mask: np.ndarray, contours: list, row: int, base: int) -> list[tuple[int, int, int]]:
-    """(first column, last column, piece) of every run of set pixels in a band's first or last row.
+def _runs(mask: np.ndarray, contours: list, row: int, base: int) -> np.ndarray:
+    """(K, 3) first column, column after the last, piece of every run of set pixels in a band's first or last row.
 
     A contour turns at both ends of such a run, so ``CHAIN_APPROX_SIMPLE`` keeps them: they tell whose run it is.
     """
@@ -208,5 +175,6 @@ def _runs(mask: np.ndarray, contours: list, row: int, base: int) -> list[tuple[i
         points = contour[:, 0]
         owner[points[points[:, 1] == row, 0]] = base + index
     steps = np.diff(np.concatenate([[0], (mask[row] > 0).astype(np.int8), [0]]))
-    starts, ends = np.flatnonzero(steps == 1), np.flatnonzero(steps == -1) - 1
-    return [(int(a), int(b), int(owner[a])) for a, b in zip(starts, ends) if owner[a] >= 0]
+    starts, stops = np.flatnonzero(steps == 1), np.flatnonzero(steps == -1)
+    found = np.column_stack([starts, stops, owner[starts]])
+    return found[found[:, 2] >= 0]

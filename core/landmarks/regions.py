@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -34,8 +34,19 @@ class Region:
     first_pixel: tuple[int, int]
 
 
+def whole_region(pieces: Sequence[Region]) -> Region:
+    """The region that the pieces make together."""
+    lefts, tops, rights, bottoms = zip(*(piece.bounds for piece in pieces))
+    first_pixel = min((piece.first_pixel for piece in pieces), key=lambda pixel: (pixel[1], pixel[0]))
+    return Region((min(lefts), min(tops), max(rights), max(bottoms)), first_pixel)
+
+
 class RegionFinder:
-    """Finds the regions of one class. Regions are followed from tile to tile, each once."""
+    """Finds the regions of one class. Regions are followed from tile to tile, each once.
+
+    What touches a few changed blocks is wanted here, out of a map that is not read whole: so pieces are not numbered
+    and joined all at once as in ``joining``, but followed from those that are asked for.
+    """
 
     def __init__(self, source: LabelSource, value: int, tile_px: int = TILE) -> None:
         self._source = source
@@ -67,10 +78,7 @@ class RegionFinder:
     def _region(self, part: _Part) -> Region:
         if part not in self._regions:
             parts = self._follow(part)
-            boxes, firsts = zip(*(self._extent(found) for found in parts))
-            lefts, tops, rights, bottoms = zip(*boxes)
-            first_pixel = min(firsts, key=lambda pixel: (pixel[1], pixel[0]))
-            region = Region((min(lefts), min(tops), max(rights), max(bottoms)), first_pixel)
+            region = whole_region([self._extent(found) for found in parts])
             self._regions.update(dict.fromkeys(parts, region))
         return self._regions[part]
 
@@ -102,13 +110,13 @@ class RegionFinder:
                 found |= {(neighbor, n) for n in np.unique(others[y[on_map], x[on_map]]).tolist() if n}
         return found
 
-    def _extent(self, part: _Part) -> tuple[tuple[int, int, int, int], tuple[int, int]]:
+    def _extent(self, part: _Part) -> Region:
         (tile_column, tile_row), number = part
         parts, boxes = self._tile((tile_column, tile_row))
         x, y, width, height = boxes[number].tolist()
         first = x + int((parts[y, x : x + width] == number).argmax())
         left, top = self._first_of(tile_column), self._first_of(tile_row)
-        return (left + x, top + y, left + x + width, top + y + height), (left + first, top + y)
+        return Region((left + x, top + y, left + x + width, top + y + height), (left + first, top + y))
 
     def _tile_of(self, place):
         """The column (or row) of tiles that a column (or row) of pixels lies in; −1 is the map's edge."""

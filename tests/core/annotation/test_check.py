@@ -13,9 +13,10 @@ from made_annotation import KINDS, feature, moved, numbered, random_features, sq
 from semref.core.annotation import findings as kinds
 from semref.core.annotation.check import AnnotationCheck, CheckSettings, DrawnRegion, find_raster_losses
 from semref.core.annotation.findings import ERROR, INFORMATION, WARNING
-from semref.core.annotation.partition import connected_components, partition_polygons
+from semref.core.annotation.partition import partition_polygons
 from semref.core.annotation.polygons import AnnotatedFeature
 from semref.core.annotation.raster_losses import count_pieces, join_runs, lost_regions, merged_regions, runs_of_strip
+from semref.core.landmarks.joining import connected_components
 
 LANDMARKS = (1, 2, 3, 4)
 BOWTIE = shapely.from_wkt("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))")

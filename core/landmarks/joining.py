@@ -1,0 +1,45 @@
+"""Joining what belongs together: THE joiner of pieces of regions, for bands of a map and for burnt annotations.
+
+``regions`` alone does without: it follows single regions from tile to tile, where all links are never known.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def connected_components(count: int, pairs: np.ndarray) -> np.ndarray:
+    """(count,) int64 component of each of ``count`` things, numbered in order of their first; pairs: (E, 2) links."""
+    labels = np.arange(count)
+    first, second = pairs.T
+    while True:
+        roots = labels[first], labels[second]
+        lower = np.minimum(*roots)
+        linked = labels.copy()
+        for root in roots:
+            np.minimum.at(linked, root, lower)
+        while not np.array_equal(linked, linked[linked]):
+            linked = linked[linked]
+        if np.array_equal(linked, labels):
+            return np.unique(labels, return_inverse=True)[1].reshape(-1)
+        labels = linked
+
+
+def touching_runs(rows: np.ndarray, starts: np.ndarray, stops: np.ndarray) -> np.ndarray:
+    """Runs of pixels that touch (8-connected) in rows that follow each other.
+
+    Args:
+        rows, starts, stops: (K,) int64, pixels ``starts`` … ``stops`` − 1 of a row; in reading order.
+
+    Returns:
+        (L, 2) int64 numbers of the runs, the upper one first.
+    """
+    width = int(stops.max(initial=0)) + 2
+    starts, stops = rows * width + starts, rows * width + stops
+    # In the next row: from the first run that does not end left of this one to the last that begins not right of it.
+    first = np.searchsorted(stops, starts + width, "left")
+    last = np.searchsorted(starts, stops + width, "right")
+    counts = np.maximum(last - first, 0)
+    upper = np.repeat(np.arange(len(rows)), counts)
+    lower = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts) + np.repeat(first, counts)
+    return np.column_stack([upper, lower])
