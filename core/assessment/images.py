@@ -53,9 +53,9 @@ class ImageSimulator:
             DatabaseError: for a database without landmarks.
         """
         if not 0 < footprint < math.inf:
-            raise ParameterError(f"FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.")
+            raise ParameterError("assessment.footprint", footprint=footprint)
         if not len(database.references):
-            raise DatabaseError(f"{database.source} has no landmark; build it with other classes or a smaller area.")
+            raise DatabaseError("assessment.no_landmark", source=database.source)
         self._localizer = localizer
         self._database = database
         self.footprint = footprint

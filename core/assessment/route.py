@@ -71,15 +71,15 @@ def route_points(lines: Sequence[np.ndarray], spacing: float) -> RoutePoints:
     Raises ParameterError for a spacing that can't be used, and when no line has a length.
     """
     if not 0 < spacing < math.inf:
-        raise ParameterError(f"SPACING is {spacing:g}; give the distance between points in map units.")
+        raise ParameterError("assessment.point_distance", spacing=spacing)
     lines = [line for line in lines if len(line) > 1 and _steps(line).sum() > 0]
     if not lines:
-        raise ParameterError("ROUTE has no line with a length; draw one through two points at least.")
+        raise ParameterError("assessment.route_without_length")
     lengths = tuple(float(_steps(line).sum()) for line in lines)
     count = sum(math.ceil(length / spacing) + 1 for length in lengths)
     if count > MOST_POINTS:
         least = sum(lengths) / MOST_POINTS
-        raise ParameterError(f"SPACING is {spacing:g}, which makes {count} points; give {1.01 * least:.3g} or more.")
+        raise ParameterError("assessment.too_many_points", spacing=spacing, count=count, least=1.01 * least)
     numbers, along, places, headings = [], [], [], []
     for number, (line, length) in enumerate(zip(lines, lengths)):
         at = np.append(np.arange(0, length - 1e-6 * spacing, spacing), length)

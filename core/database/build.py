@@ -42,13 +42,11 @@ class BuildSettings:
 
     def __post_init__(self) -> None:
         if not self.minimum_area > 0:
-            raise WindowError(f"The minimum area is {self.minimum_area:g} m²; it must be more than 0.")
+            raise WindowError("database.minimum_area", minimum_area=self.minimum_area)
         if self.references_per_vector < MINIMUM_REFERENCES:
-            raise WindowError(
-                f"A vector of {self.references_per_vector} references is too short; use at least {MINIMUM_REFERENCES}."
-            )
+            raise WindowError("database.vector_too_short", count=self.references_per_vector, least=MINIMUM_REFERENCES)
         if not self.levels or not all(0 < level < float("inf") for level in self.levels):
-            raise WindowError("LEVELS must be positive multipliers of the window size, for example 1;2.")
+            raise WindowError("database.levels")
 
 
 class DatabaseBuilder:
@@ -83,8 +81,9 @@ class DatabaseBuilder:
                 objects, hashes = result
         if not len(objects):
             raise LabelMapError(
-                f"The map shows no landmark of {', '.join(c.name for c in self._table.references)} with at "
-                f"least {self._settings.minimum_area:g} m²; choose other reference classes or a smaller minimum area."
+                "database.no_landmark_on_map",
+                references=[c.name for c in self._table.references],
+                minimum_area=self._settings.minimum_area,
             )
         described: List[Tuple[int, WindowGrid, DescribedWindows]] = []
         total = sum(len(grid) for grid in self.grids)

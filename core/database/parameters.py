@@ -87,10 +87,7 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
     # A newer version may have parameters that this one does not know, so its number is looked at first.
     version = checked(stored["format_version"], int, "format_version")
     if version > FORMAT_VERSION:
-        raise DatabaseError(
-            f"{source} has format version {version}, newer than this SemRef reads ({FORMAT_VERSION}); "
-            "update the plugin."
-        )
+        raise DatabaseError("database.newer_format", source=source, version=version, known=FORMAT_VERSION)
     values = {"block_hashes": (), **stored}
     known = {}
     for item in fields(BuildParameters):

@@ -79,10 +79,7 @@ class TrialRanges:
             low, high = getattr(self, field.name)
             least, most = limits.get(field.name, (0.0, 100.0))
             if not least <= low <= high <= most:
-                raise ParameterError(
-                    f"{field.name.upper()} goes from {low:g} to {high:g}; give two numbers from {least:g} to {most:g}, "
-                    "the smaller one first."
-                )
+                raise ParameterError("assessment.range", setting=field.name, low=low, high=high, least=least, most=most)
 
 
 @dataclass(frozen=True)
@@ -140,10 +137,7 @@ class Evaluation:
         self.image_px = min(max(round(self._edge / database.parameters.pixel_size), 1), LARGEST_IMAGE_PX)
         self._windows = self._usable_windows(minimum_references)
         if not len(self._windows):
-            raise ParameterError(
-                f"No window of the database lies on LABELS and has {minimum_references} landmarks or more; choose the "
-                "label map of the same ground, or a smaller MINIMUM_REFERENCES."
-            )
+            raise ParameterError("assessment.no_window_on_labels", minimum_references=minimum_references)
 
     def trials(self, count: int, mirrored: int) -> Iterator[WindowQuery]:
         """``count`` queries of the map, then ``mirrored`` mirrored ones."""

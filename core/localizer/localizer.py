@@ -173,7 +173,7 @@ class Localizer:
         if self._pyramid is None:
             database = self._database
             if database.overview is None:
-                raise DatabaseError("The database was read without its overview, which map correlation searches.")
+                raise DatabaseError("database.read_without_overview")
             frame = database.parameters.overview_frame
             self._pyramid = MapPyramid(database.overview, (*frame.origin, frame.pixel_size))
         return self._pyramid
@@ -225,10 +225,7 @@ class Localizer:
     def check(self, method: Method) -> None:
         """Raises DatabaseError when the database can't serve ``method`` for any image."""
         if method == Method.TOPOLOGY_VECTOR and not self._database.windows.described.any():
-            raise DatabaseError(
-                f"No window of the database has the {MINIMUM_REFERENCES} landmarks a topology vector needs; "
-                "build it with larger windows, a smaller minimum area or more reference classes."
-            )
+            raise DatabaseError("database.no_described_window", least=MINIMUM_REFERENCES)
 
     def localize(
         self, labels_hw: np.ndarray, method: Method, prior: Optional[Prior] = None, with_matches: bool = False

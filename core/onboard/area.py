@@ -38,7 +38,7 @@ def clipped(database: ReferenceDatabase, mask: np.ndarray) -> ReferenceDatabase:
     references, windows = database.references, database.windows
     kept = _in(mask, references.positions, database.parameters)
     if not kept.any():
-        raise DatabaseError("No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.")
+        raise DatabaseError("onboard.no_landmark_in_area")
     centered = _in(mask, windows.centers, database.parameters)
     overview = database.overview
     return replace(

@@ -176,15 +176,15 @@ def _exit_code(records: List[Dict[str, Any]]) -> int:
 def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[str], Dict[str, Any]]:
     """The function path → record that the options ask for; everything that can be refused is refused here."""
     if options.threads < 1:
-        raise ParameterError(f"--threads is {options.threads}; it must be at least 1.")
+        raise ParameterError("onboard.threads", threads=options.threads)
     cv2.setNumThreads(options.threads)
     if options.near and not options.near[2] > 0:
-        raise ParameterError(f"The radius of --near is {options.near[2]:g}; it must be more than 0 map units.")
+        raise ParameterError("onboard.near_radius", radius=options.near[2])
     method = next(method for method in Method if _option(method) == options.method)
     localizer = Localizer(onboard.database)
     localizer.check(method)
     if method == Method.MAP_CORRELATION and not localizer.has_overview:
-        raise DatabaseError(f"{options.database} has no overview, which map correlation searches; export it with one.")
+        raise DatabaseError("onboard.no_overview", database=options.database)
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
     read_labels = label_reader(options.model, options.threads, onboard.database.class_table)
     _say(logging.INFO, "ready", database=options.database, content_hash=onboard.content_hash)
@@ -234,7 +234,7 @@ def _time_of(path: str) -> datetime:
     try:
         return datetime.fromtimestamp(os.stat(path).st_mtime, timezone.utc)
     except OSError as error:
-        raise ParameterError(f"Image {path} can't be read: {error.strerror}.") from None
+        raise ParameterError("labels.image_unreadable", path=path, reason=error.strerror) from None
 
 
 def _line(found: Dict[str, Any]) -> str:
@@ -260,11 +260,11 @@ def _line(found: Dict[str, Any]) -> str:
 
 def _watch(options: argparse.Namespace) -> int:
     if not os.path.isdir(options.folder):
-        raise ParameterError(f"There is no folder {options.folder}; create it or watch another one.")
+        raise ParameterError("onboard.no_folder", folder=options.folder)
     onboard = read_onboard(options.database)
     find = _finder(options, onboard)
     if options.gga and onboard.lon_lat is None:
-        raise DatabaseError(f"{options.database} can't tell longitude and latitude, which GGA sentences need.")
+        raise DatabaseError("onboard.no_lon_lat", database=options.database)
     records = []
     with _destination(options.fixes) as send_fix, _destination(options.gga) as send_gga:
         for path in _arriving(options.folder, options.once):
@@ -311,7 +311,7 @@ def _images_in(folder: str) -> Dict[str, Tuple[int, int]]:
 
 
 def _folder_is_gone(folder: str) -> NoReturn:
-    raise ParameterError(f"The folder {folder} is gone; start again when it is back.")
+    raise ParameterError("onboard.folder_gone", folder=folder)
 
 
 @contextlib.contextmanager
@@ -329,7 +329,7 @@ def _destination(where: Optional[str]) -> Iterator[Callable[[str], object]]:
         try:
             file = open(where, "a", encoding="utf-8", newline="")  # noqa: SIM115  closed below
         except OSError as error:
-            raise ParameterError(f"{where} can't be written: {error.strerror}; choose another place.") from None
+            raise ParameterError("onboard.unwritable", where=where, reason=error.strerror) from None
         with file:
             yield lambda line: print(line, end="", file=file, flush=True)
 
@@ -337,7 +337,7 @@ def _destination(where: Optional[str]) -> Iterator[Callable[[str], object]]:
 def _port(where: str) -> int:
     text = where[len("udp:") :]
     if not text.isdecimal() or not 0 < int(text) < 65_536:
-        raise ParameterError(f"“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.")
+        raise ParameterError("onboard.no_udp_port", where=where)
     return int(text)
 
 

@@ -56,14 +56,14 @@ def read_onboard(path: str, with_overview: bool = True) -> OnboardDatabase:
     Its database has what localization needs; vectors, positions and areas are as exact as the result says.
     """
     if not os.path.isfile(path):
-        raise DatabaseError(f"There is no file {path}; export one with “Export for onboard use” or choose another.")
+        raise DatabaseError("onboard.no_file", path=path)
     try:
         with zipfile.ZipFile(path) as archive:
             files = _unpacked(archive, path)
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError, struct.error) as error:
         if isinstance(error, OSError) and error.errno is not None:
-            raise DatabaseError(f"{path} can't be read: {error.strerror}.") from None
-        raise DatabaseError(_damaged(path, error)) from None
+            raise DatabaseError("onboard.unreadable", path=path, reason=error.strerror) from None
+        raise _damaged(path, error) from None
     try:
         members = {name: _array(name, data) for name, data in files.items()}
         if members[HASH].tobytes() != digest(files):
@@ -72,16 +72,16 @@ def read_onboard(path: str, with_overview: bool = True) -> OnboardDatabase:
         _check_version(header, path)
         return _onboard(members, header, path, with_overview)
     except ClassTableError as error:
-        raise DatabaseError(_damaged(path, error)) from None
+        raise _damaged(path, error) from None
     except (KeyError, TypeError, ValueError, OverflowError, RecursionError, AttributeError) as error:
-        raise DatabaseError(_damaged(path, error)) from None
+        raise _damaged(path, error) from None
 
 
-def _damaged(path: str, reason: object) -> str:
+def _damaged(path: str, reason: BaseException) -> DatabaseError:
     text = str(reason).rstrip(".")
     if isinstance(reason, KeyError):
-        text = f"{text} is missing"
-    return f"{path} is damaged, cut short or no onboard file of SemRef ({text}); fetch another copy or export it again."
+        return DatabaseError("onboard.lacks", path=path, name=text)
+    return DatabaseError("onboard.damaged", path=path, reason=text)
 
 
 def _unpacked(archive: zipfile.ZipFile, path: str) -> Dict[str, bytes]:
@@ -90,7 +90,7 @@ def _unpacked(archive: zipfile.ZipFile, path: str) -> Dict[str, bytes]:
     infos = {info.filename: info for info in archive.infolist()}
     names = {f"{name}.npy" for name in KINDS}
     if f"{HASH}.npy" not in infos or f"{HEADER}.npy" not in infos:
-        raise DatabaseError(f"{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.")
+        raise DatabaseError("onboard.foreign", path=path)
     if len(archive.infolist()) != len(infos) or not set(infos) <= names:
         raise zipfile.BadZipFile("it holds something that does not belong there")
     total = sum(info.file_size for info in infos.values())
@@ -156,10 +156,7 @@ def _check_version(header: Any, path: str) -> None:
     if version < 1:
         raise ValueError(f"its version is {version}")
     if version > ONBOARD_VERSION:
-        raise DatabaseError(
-            f"{path} has onboard format version {version}, newer than this SemRef reads ({ONBOARD_VERSION}); "
-            "update SemRef's core folder on this computer."
-        )
+        raise DatabaseError("onboard.newer_format", path=path, version=version, known=ONBOARD_VERSION)
 
 
 def _onboard(members: Mapping[str, np.ndarray], header: dict, path: str, with_overview: bool) -> OnboardDatabase:

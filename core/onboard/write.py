@@ -13,6 +13,7 @@ import numpy as np
 from ..database.model import ReferenceDatabase, Windows
 from ..errors import DatabaseError
 from ..geometry.lon_lat import LonLatPolynomial
+from ..sentences import Sentence
 from .format import (
     AREA_STEPS,
     FORMAT,
@@ -42,11 +43,9 @@ def write_onboard(
     parameters = database.parameters
     precision = PRECISION_PX * parameters.pixel_size if precision is None else precision
     if not (math.isfinite(precision) and precision > 0):
-        raise DatabaseError(f"The precision is {precision:g}; it must be more than 0 map units.")
+        raise DatabaseError("onboard.precision", precision=precision)
     if parameters.class_table_hash != database.class_table.digest():
-        raise DatabaseError(
-            f"The class table of {database.source or 'the database'} was changed after it was built; build it again."
-        )
+        raise DatabaseError("onboard.class_table_changed", source=database.source or Sentence("onboard.the_database"))
     members, quantization = _quantized(database, precision)
     header = {
         "format": FORMAT,
@@ -61,7 +60,7 @@ def write_onboard(
     text = json.dumps(header, ensure_ascii=False, separators=(",", ":"), sort_keys=True)
     members[HEADER] = np.frombuffer(text.encode("utf-8"), np.uint8)
     if len(members[HEADER]) > MAXIMUM_HEADER_BYTES:
-        raise DatabaseError(f"The header would have {len(members[HEADER])} bytes, more than {MAXIMUM_HEADER_BYTES}.")
+        raise DatabaseError("onboard.header_too_long", size=len(members[HEADER]), most=MAXIMUM_HEADER_BYTES)
     members[HASH] = np.frombuffer(digest({name: _npy(array) for name, array in members.items()}), np.uint8)
     with open(path, "wb") as file:
         np.savez_compressed(file, **{name: members[name] for name in KINDS if name in members})
@@ -71,15 +70,15 @@ def _quantized(database: ReferenceDatabase, precision: float) -> Tuple[Dict[str,
     """Arrays by name, and the numbers that the header needs to undo them."""
     windows, references = database.windows, database.references
     if not len(references):
-        raise DatabaseError("There is no landmark to export; choose another database or a larger area.")
+        raise DatabaseError("onboard.nothing_to_export")
     columns, rows = windows.first_pixels.T
     origin = references.positions.min(axis=0)
     step = 2 * precision
     steps = np.rint((references.positions - origin) / step)
     if steps.max() > np.iinfo(np.uint32).max:
-        raise DatabaseError(f"The precision of {precision:g} map units is too fine for the map; choose a larger one.")
+        raise DatabaseError("onboard.precision_too_fine", precision=precision)
     if not (references.areas_m2 > 0).all():
-        raise DatabaseError("A landmark has no area; build the database again.")
+        raise DatabaseError("onboard.landmark_without_area")
     logs = np.log(references.areas_m2)
     area_step = max(float(logs.max() - logs.min()), 1e-9) / AREA_STEPS
     members = {
@@ -110,7 +109,7 @@ def _window_sizes_px(database: ReferenceDatabase) -> list:
     sizes = [windows.sizes[windows.levels == n + 1] for n in range(len(parameters.levels))]
     whole = [np.unique(np.rint(s / parameters.pixel_size)).astype(int).tolist() for s in sizes]
     if any(len(s) > 1 for s in whole) or not np.isin(windows.levels, np.arange(1, len(whole) + 1)).all():
-        raise DatabaseError("The windows' sizes are not those of their levels; build the database again.")
+        raise DatabaseError("onboard.window_sizes")
     return [s[0] if s else 0 for s in whole]
 
 

@@ -43,10 +43,7 @@ class ModelClasses:
         own = {name.casefold() for name in self.names}
         missing = [c.name for c in table.references if c.name.casefold() not in own]
         if missing:
-            raise ModelError(
-                f"{source} does not know the database's class {', '.join(missing)}, only {', '.join(self.names)}; "
-                "take a model that was trained on the database's classes."
-            )
+            raise ModelError("segmentation.lacks_reference_class", source=source, missing=missing, names=self.names)
         found = {c.name.casefold(): c.value for c in table}
         return tuple(found.get(name.casefold(), UNLABELED) for name in self.names)
 
@@ -75,7 +72,7 @@ def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
     """
     kind = _literal(texts.get("model_type", "Segmentor"))
     if str(kind).casefold() != "segmentor":
-        raise ModelError(f"{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.")
+        raise ModelError("segmentation.not_a_segmentor", source=source, kind=kind)
     resolution_cm = _number(texts, "resolution", source, 0.001, 1e6)
     tile_size = _number(texts, "tile_size" if "tile_size" in texts else "tiles_size", source, 1, 16384)
     overlap = _number(texts, "tiles_overlap", source, 0, 100 * MAXIMUM_OVERLAP)
@@ -103,20 +100,22 @@ def read_classes(
 
     ``given``: the user's class table, which has the last word on values, colors and roles. Raises ModelError.
     """
-    names, where = named_channels(texts, source), "in its metadata (class_names)"
+    names = named_channels(texts, source)
+    is_named = names is not None
     if names is None:
         if given is None:
-            raise ModelError(
-                f"{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, "
-                "in the order of the network's outputs."
-            )
-        names, where = [c.name for c in given if c.value != UNLABELED], "in CLASS_TABLE"
-    if len(names) == channels - 1 and (channels == 2 or "CLASS_TABLE" in where):
+            raise ModelError("segmentation.no_class_names", source=source)
+        names = [c.name for c in given if c.value != UNLABELED]
+    if len(names) == channels - 1 and (channels == 2 or not is_named):
         names = [BACKGROUND_NAMES[0], *names]
     if len(names) != channels:
+        listed = names[:12]
+        if is_named:
+            raise ModelError(
+                "segmentation.names_in_model", source=source, channels=channels, count=len(names), names=listed
+            )
         raise ModelError(
-            f"{source} tells {channels} classes apart, but there are {len(names)} class names {where}: "
-            f"{', '.join(names[:12])}; take the names it was trained with."
+            "segmentation.names_in_table", source=source, channels=channels, count=len(names), names=listed
         )
     values, table = _classes(texts, names, source, given)
     return ModelClasses(tuple(names), values, table)
@@ -142,16 +141,14 @@ def _classes(
         found = [LandCoverClass(*row) for row in zip(values, names, colors, roles) if row[0] != UNLABELED]
         return tuple(values), ClassTable(tuple(found))
     except ClassTableError as error:
-        raise ModelError(f"{source}: {error}") from None
+        raise ModelError("labels.at_line", where=source, fault=error.sentence) from None
 
 
 def _given_classes(names: Sequence[str], source: str, given: ClassTable) -> Tuple[Tuple[int, ...], ClassTable]:
     known = {c.name.casefold(): c.value for c in given}
     missing = [n for n in names if n.casefold() not in known and n.casefold() not in BACKGROUND_NAMES]
     if missing:
-        raise ModelError(
-            f"CLASS_TABLE lacks the class {', '.join(missing)} of {source}; add it, or leave CLASS_TABLE empty."
-        )
+        raise ModelError("segmentation.table_lacks_class", missing=missing, source=source)
     values = tuple(known.get(name.casefold(), UNLABELED) for name in names)
     return values, ClassTable(tuple(c for c in given if c.value in values and c.value != UNLABELED))
 
@@ -166,16 +163,13 @@ def _by_channel(texts: Mapping[str, str], key: str, source: str, count: Optional
             by_number = {}
         found = [by_number[n] for n in sorted(by_number)] if sorted(by_number) == list(range(len(found))) else None
     if not isinstance(found, list) or not found or (count is not None and len(found) != count):
-        raise ModelError(
-            f"{source} has “{texts[key]}” as {key}; it must be JSON with one entry for each output, "
-            'like {"0": …, "1": …}.'
-        )
+        raise ModelError("segmentation.not_by_channel", source=source, text=texts[key], key=key)
     return found
 
 
 def _class_value(value: Any, source: str) -> int:
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= MAXIMUM_VALUE:
-        raise ModelError(f"{source} has {value} in class_values; class values are whole numbers from 0 to 255.")
+        raise ModelError("segmentation.class_value", source=source, value=value)
     return value
 
 
@@ -185,7 +179,7 @@ def _number(texts: Mapping[str, str], key: str, source: str, least: float, most:
     found = _literal(texts[key])
     if isinstance(found, bool) or not isinstance(found, (int, float)) or not least <= found <= most:
         raise ModelError(
-            f"{source} has “{texts[key]}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it."
+            "segmentation.number_out_of_range", source=source, text=texts[key], key=key, least=least, most=most
         )
     return float(found)
 
@@ -198,10 +192,9 @@ def _three(texts: Mapping[str, str], key: str, source: str, default: float) -> T
         numbers = all(isinstance(v, (int, float)) and math.isfinite(v) for v in found)
         if numbers and (key != "standardization_std" or min(found) > 0):
             return tuple(float(v) for v in found)
-    raise ModelError(
-        f"{source} has “{texts[key]}” as {key}; it must be a list of three numbers, for red, green and blue"
-        f"{', above 0' if key == 'standardization_std' else ''}."
-    )
+    if key == "standardization_std":
+        raise ModelError("segmentation.three_positive_numbers", source=source, text=texts[key], key=key)
+    raise ModelError("segmentation.three_numbers", source=source, text=texts[key], key=key)
 
 
 def _literal(text: str) -> Any:

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..errors import ModelError
 from ..labels.class_table import ClassTable
+from ..sentences import Sentence
 from .metadata import named_channels, read_classes, read_settings
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ class SegmentationModel:
         Raises ModelError when onnxruntime is missing, or the file or what it says about itself can't be used.
         """
         self.path = path
-        self.notes: List[str] = []
+        self.notes: List[Sentence] = []
         self.runs_at_once = min(RUNS_AT_ONCE, threads) if _providers()[:1] == [_CPU] else 1
         self._session = _open(path, -(-threads // self.runs_at_once))
         self.provider = self._session.get_providers()[0]
@@ -87,10 +88,7 @@ class SegmentationModel:
         found = outputs.astype(np.float32, copy=False)
         # Checked on the sum: any NaN or infinity is in it.
         if not np.isfinite(found.sum()):
-            raise ModelError(
-                f"{self.path} gives values that are not numbers (NaN or infinite); it is damaged, or its "
-                "standardization_mean and standardization_std are not those it was trained with."
-            )
+            raise ModelError("segmentation.not_numbers", path=self.path)
         if self._gives_probability:
             found = found.reshape(len(images), 1, *self.tile_hw)
             return np.concatenate([np.full_like(found, self.settings.threshold), found], axis=1)
@@ -101,40 +99,33 @@ class SegmentationModel:
         numbers = outputs.reshape(len(outputs), 1, *self.tile_hw)
         count = len(self.classes.names)
         if not ((numbers >= 0) & (numbers < count)).all():
-            raise ModelError(
-                f"{self.path} gives the class number {numbers.max():g}, but it names {count} classes; "
-                "take the names it was trained with."
-            )
+            raise ModelError("segmentation.unknown_class_number", path=self.path, number=numbers.max(), count=count)
         return (numbers == np.arange(count).reshape(1, count, 1, 1)).astype(np.float32)
 
     def _read_input(self) -> None:
         inputs = self._session.get_inputs()
         if len(inputs) != 1 or len(self._session.get_outputs()) != 1:
             raise ModelError(
-                f"{self.path} has {len(inputs)} inputs and {len(self._session.get_outputs())} outputs; "
-                "a segmentation network has one of each."
+                "segmentation.inputs_outputs",
+                path=self.path,
+                inputs=len(inputs),
+                outputs=len(self._session.get_outputs()),
             )
         shape = inputs[0].shape
         if len(shape) != 4 or shape[1] not in (_BANDS, None) and isinstance(shape[1], int):
-            raise ModelError(
-                f"{self.path} takes input of the shape {_shape_text(shape)}; it must be 1 × 3 × height × width "
-                "(red, green, blue)."
-            )
+            raise ModelError("segmentation.input_shape", path=self.path, shape=_shape_text(shape))
         if inputs[0].type not in _FLOATS:
-            raise ModelError(f"{self.path} takes {inputs[0].type} values; a segmentation network takes floats.")
+            raise ModelError("segmentation.input_type", path=self.path, kind=inputs[0].type)
         self._name, self._type = inputs[0].name, _FLOATS[inputs[0].type]
         stated = self.settings.tile_size_px
         fixed = [size if isinstance(size, int) else stated or DEFAULT_TILE_SIZE_PX for size in shape[2:]]
         self.tile_hw = fixed[0], fixed[1]
         if stated is not None and (stated, stated) != self.tile_hw:
-            self.notes.append(
-                f"tile_size in the model's metadata is {stated}, but the network takes {fixed[1]} × {fixed[0]} pixels: "
-                "these are used."
-            )
+            self.notes.append(Sentence("segmentation.other_tile_size", stated=stated, width=fixed[1], height=fixed[0]))
         fixed_batch = isinstance(shape[0], int)
         self.tiles_at_once = 1 if fixed_batch or self.provider == _CPU else TILES_AT_ONCE
         if fixed_batch and shape[0] != 1:
-            raise ModelError(f"{self.path} takes {shape[0]} images at once; export it for one (or any number).")
+            raise ModelError("segmentation.batch_size", path=self.path, count=shape[0])
 
     def _probe(self) -> np.ndarray:
         """What the network gives for a black image; its stated shape may be silent on the number of classes."""
@@ -142,8 +133,11 @@ class SegmentationModel:
         outputs = self._run([np.zeros((height, width, _BANDS), np.uint8)])
         if outputs.shape not in [(1, height, width), (1, outputs.shape[1], height, width)]:
             raise ModelError(
-                f"{self.path} gives the shape {_shape_text(outputs.shape)} for an image of {width} × {height} pixels; "
-                f"it must be 1 × classes × {height} × {width}."
+                "segmentation.output_shape",
+                path=self.path,
+                shape=_shape_text(outputs.shape),
+                width=width,
+                height=height,
             )
         return outputs
 
@@ -157,7 +151,7 @@ class SegmentationModel:
         except _failures() as error:
             height, width = self.tile_hw
             raise ModelError(
-                f"{self.path} fails on an image of {width} × {height} pixels: {_reason(error)}."
+                "segmentation.run_failed", path=self.path, width=width, height=height, reason=_reason(error)
             ) from error
 
 
@@ -165,10 +159,7 @@ def _onnxruntime() -> ModuleType:
     try:
         import onnxruntime
     except ImportError as error:
-        raise ModelError(
-            f"Segmentation needs the Python package onnxruntime ({error}); install it for QGIS's Python, for example "
-            "with “python3 -m pip install onnxruntime”."
-        ) from None
+        raise ModelError("segmentation.no_onnxruntime", reason=str(error)) from None
     return onnxruntime
 
 
@@ -201,7 +192,7 @@ def _providers() -> List[str]:
 def _open(path: str, threads: int) -> InferenceSession:
     onnxruntime = _onnxruntime()
     if not os.path.isfile(path):
-        raise ModelError(f"{path} does not exist; choose a model file (.onnx).")
+        raise ModelError("segmentation.no_model_file", path=path)
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = threads
     # A thread that spins while it waits takes the core from reading and blending.
@@ -214,28 +205,19 @@ def _open(path: str, threads: int) -> InferenceSession:
         raise ModelError(_why_not_opened(path, str(error), onnxruntime.__version__)) from error
 
 
-def _why_not_opened(path: str, text: str, version: str) -> str:
+def _why_not_opened(path: str, text: str, version: str) -> Sentence:
     """One sentence for what onnxruntime says in many words."""
     newer = re.search(r"Unsupported model IR version: (\d+), max supported IR version: (\d+)", text)
     if newer:
-        return (
-            f"{path} is in ONNX format {newer[1]} (IR version), but onnxruntime {version} reads up to {newer[2]}; "
-            "install a newer onnxruntime or export the model with an older ir_version."
-        )
+        return Sentence("segmentation.newer_ir", path=path, found=newer[1], version=version, known=newer[2])
     opset = re.search(r"Opset (\d+) is under development.*?domain \S+ is till opset (\d+)", text, re.DOTALL)
     if opset:
-        return (
-            f"{path} uses ONNX operators of version {opset[1]} (opset), but onnxruntime {version} knows up to "
-            f"{opset[2]}; install a newer onnxruntime or export the model with an older opset."
-        )
+        return Sentence("segmentation.newer_opset", path=path, found=opset[1], version=version, known=opset[2])
     if re.search(r"external|no such file|file size", text, re.IGNORECASE):
-        return (
-            f"{path} keeps its weights in another file that is missing or cut short; put it beside the model under "
-            f"its old name ({_reason(text)})."
-        )
+        return Sentence("segmentation.weights_missing", path=path, reason=_reason(text))
     if re.search("INVALID_PROTOBUF|Protobuf parsing failed|does not have a graph", text):
-        return f"{path} is not an ONNX model, or it is damaged or cut short; copy or export it again."
-    return f"{path} can't be run by onnxruntime {version}: {_reason(text)}."
+        return Sentence("segmentation.no_onnx", path=path)
+    return Sentence("segmentation.not_run", path=path, version=version, reason=_reason(text))
 
 
 def _reason(error: object) -> str:

@@ -56,10 +56,7 @@ def segment(
     """
     height, width = source.shape_hw
     if min(height, width) < MINIMUM_EDGE_PX:
-        raise ImageError(
-            f"An image of {width} × {height} pixels shows too little to be segmented; "
-            f"it needs {MINIMUM_EDGE_PX} pixels each way at the model's resolution."
-        )
+        raise ImageError("segmentation.image_too_small", width=width, height=height, least=MINIMUM_EDGE_PX)
     tile_h, tile_w = model.tile_hw
     columns, rows = tile_starts(width, tile_w, overlap), tile_starts(height, tile_h, overlap)
     places = [(column, row) for row in rows for column in columns]

@@ -22,6 +22,10 @@ def worded(said: Union[SemRefError, Sentence], keys: Collection[str] = ()) -> st
         The sentence with its values.
     """
     sentence = said.sentence if isinstance(said, SemRefError) else said
+    values = dict(sentence.values)
+    if str(values.get("setting", "")).upper() in keys:
+        # The name of one of core's settings, of which this algorithm makes a parameter.
+        sentence = Sentence(sentence.code, **{**values, "setting": values["setting"].upper()})
 
     def template(part: Sentence) -> str:
         return tr(_template_for(part, keys))

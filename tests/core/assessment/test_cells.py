@@ -24,7 +24,9 @@ def test_unlabeled_ground_counts_inside_the_map_but_not_around_it(built, map_lab
     assert max(column for column, _ in places) == 9
 
 
-@pytest.mark.parametrize("size, said", [(0.0, "SPACING"), (float("nan"), "SPACING"), (0.5, "give 2.47 or more")])
+@pytest.mark.parametrize(
+    "size, said", [(0.0, "edge of a square is 0"), (float("nan"), "is nan"), (0.5, "give 2.47 or more")]
+)
 def test_a_spacing_that_cannot_be_is_refused(assessed_database, size, said):
     with pytest.raises(ParameterError, match=said):
         ground_cells(assessed_database, size)

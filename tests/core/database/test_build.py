@@ -78,7 +78,7 @@ def test_a_map_without_landmarks_is_refused(labels):
 
 
 def test_a_table_without_reference_classes_is_refused_before_any_work(labels):
-    with pytest.raises(ClassTableError, match="^No class is a reference class; name at least one of 2 building"):
+    with pytest.raises(ClassTableError, match="^No class is a reference class; choose at least one of 2 building"):
         builder_of(labels, table=TABLE.with_references([]))
 
 
@@ -96,7 +96,7 @@ def test_a_vector_too_short_for_three_references_is_refused(count):
 
 @pytest.mark.parametrize("levels", [(), (0.0,), (1.0, -2.0), (float("nan"),), (float("inf"),)])
 def test_levels_that_are_no_multipliers_are_refused(levels):
-    with refuses(WindowError, "LEVELS must be positive multipliers of the window size, for example 1;2."):
+    with refuses(WindowError, "The levels must be positive multipliers of the window size, for example 1;2."):
         BuildSettings(80.0, 36.0, 20.0, levels=levels)
 
 

@@ -149,5 +149,5 @@ def test_classes_that_cannot_be_are_refused(texts, channels, message):
 
 
 def test_a_table_without_one_of_the_classes_is_refused():
-    with pytest.raises(ModelError, match="CLASS_TABLE lacks the class water"):
+    with pytest.raises(ModelError, match="class table lacks the class water"):
         values_of({"class_names": NAMES}, 2, class_table_from_csv("value,name\n1,building\n"))

@@ -48,7 +48,7 @@ def test_images_are_standardized_as_the_model_was_trained(load):
 def test_fixed_sizes_go_before_the_metadata_and_that_is_said(load):
     model = load(size=(32, 48))
     assert model.tile_hw == (32, 48)
-    assert "tile_size in the model's metadata is 64, but the network takes 48 × 32" in model.notes[0]
+    assert "tile_size in the model's metadata is 64, but the network takes 48 × 32" in str(model.notes[0])
 
 
 def test_a_free_size_without_metadata_is_512(load):

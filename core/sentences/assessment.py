@@ -1,0 +1,23 @@
+"""What is wrong with the settings of assessing and evaluating."""
+
+SENTENCES = {
+    "assessment.range": (
+        "{setting} goes from {low:g} to {high:g}; give two numbers from {least:g} to {most:g}, the smaller one first."
+    ),
+    "assessment.no_window_on_labels": (
+        "No window of the database lies on the label map and has {minimum_references} landmarks or more; choose "
+        "the label map of the same ground, or a smaller number of landmarks."
+    ),
+    "assessment.square_edge": "The edge of a square is {size:g}; give it in map units.",
+    "assessment.too_many_squares": (
+        "The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more."
+    ),
+    "assessment.point_distance": "The distance between points is {spacing:g}; give it in map units.",
+    "assessment.route_without_length": "The route has no line with a length; draw one through two points at least.",
+    "assessment.too_many_points": (
+        "The distance between points is {spacing:g}, which makes {count} points; give {least:.3g} or more."
+    ),
+    "assessment.footprint": "The footprint is {footprint:g}; give the edge of the ground that an image shows.",
+    "assessment.no_landmark": "{source} has no landmark; build it with other classes or a smaller area.",
+    "simulation.noise": "Noise: {name} is {value:g}; give a number from 0 to {most:g}.",
+}

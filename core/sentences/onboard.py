@@ -1,0 +1,39 @@
+"""What is wrong with an onboard file, or with how the command line is called."""
+
+SENTENCES = {
+    "onboard.threads": "--threads is {threads}; it must be at least 1.",
+    "onboard.near_radius": "The radius of --near is {radius:g}; it must be more than 0 map units.",
+    "onboard.no_overview": "{database} has no overview, which map correlation searches; export it with one.",
+    "onboard.no_folder": "There is no folder {folder}; create it or watch another one.",
+    "onboard.no_lon_lat": "{database} can't tell longitude and latitude, which GGA sentences need.",
+    "onboard.folder_gone": "The folder {folder} is gone; start again when it is back.",
+    "onboard.unwritable": "{where} can't be written: {reason}; choose another place.",
+    "onboard.no_udp_port": "“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.",
+    "onboard.no_file": "There is no file {path}; export one or choose another.",
+    "onboard.unreadable": "{path} can't be read: {reason}.",
+    "onboard.foreign": "{path} is no onboard file of SemRef; choose one that SemRef exported.",
+    "onboard.newer_format": (
+        "{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core "
+        "folder on this computer."
+    ),
+    "onboard.no_landmark_in_area": (
+        "No landmark lies in the area; choose another area or a larger distance around it."
+    ),
+    "onboard.precision": "The precision is {precision:g}; it must be more than 0 map units.",
+    "onboard.class_table_changed": "The class table of {source} was changed after it was built; build it again.",
+    "onboard.header_too_long": "The header would have {size} bytes, more than {most}.",
+    "onboard.nothing_to_export": "There is no landmark to export; choose another database or a larger area.",
+    "onboard.precision_too_fine": (
+        "The precision of {precision:g} map units is too fine for the map; choose a larger one."
+    ),
+    "onboard.landmark_without_area": "A landmark has no area; build the database again.",
+    "onboard.window_sizes": "The windows' sizes are not those of their levels; build the database again.",
+    "onboard.damaged": (
+        "{path} is damaged, cut short or no onboard file of SemRef ({reason}); fetch another copy or export it again."
+    ),
+    "onboard.lacks": (
+        "{path} is damaged, cut short or no onboard file of SemRef ({name} is missing); fetch another copy or "
+        "export it again."
+    ),
+    "onboard.the_database": "the database",
+}
