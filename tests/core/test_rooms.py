@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import graphlib
 import subprocess
 import sys
 from pathlib import Path
@@ -17,6 +18,56 @@ CORE_MAY_IMPORT = set(sys.stdlib_module_names) | {"numpy", "cv2", "shapely", "on
 CORE_FOR_UI = ("core.errors", "core.database.model", "core.annotation.findings")
 """Errors, a type and the severities of issues."""
 MATHEMATICS = {"cv2", "shapely", "onnxruntime"}
+
+FOR_ALL = {"errors", "sentences"}
+"""Rooms of core that every other one may import."""
+
+ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization", "localizer", "simulation"}
+
+MAY_IMPORT = {
+    "core": {
+        "sentences": set(),
+        "errors": set(),
+        "geometry": set(),
+        "labels": {"geometry"},
+        "landmarks": {"geometry", "labels"},
+        "windows": {"geometry", "labels", "landmarks"},
+        "database": {"geometry", "labels", "landmarks", "windows"},
+        "localization": {"geometry"},
+        "constellation": {"geometry", "landmarks", "database", "localization"},
+        "correlation": {"geometry", "labels", "localization"},
+        "localizer": {
+            *("geometry", "labels", "landmarks", "windows", "database"),
+            *("localization", "constellation", "correlation"),
+        },
+        "segmentation": {"geometry", "labels"},
+        "onboard": {"geometry", "labels", "windows", "database", "localization", "localizer", "segmentation"},
+        "annotation": {"geometry", "landmarks"},
+        "simulation": {"geometry", "labels", "landmarks"},
+        "evaluation": ABOVE_THE_IMAGE,
+        "assessment": ABOVE_THE_IMAGE | {"constellation", "correlation", "evaluation"},
+        "sample": {"geometry"},
+        "__main__": {"onboard"},
+    },
+    "processing": {
+        **{leaf: set() for leaf in ("compat", "translation", "version", "threads")},
+        "wording": {"compat", "translation"},
+        "packages": {"compat", "translation", "version"},
+        "exchange": {"compat", "translation", "wording", "threads"},
+        "reports": {"compat", "translation", "wording", "exchange"},
+        "framework": {
+            *("compat", "translation", "version", "threads"),
+            *("wording", "packages", "exchange", "reports"),
+        },
+        "inspection": {"compat", "translation", "threads", "wording", "exchange", "framework"},
+        "algorithms": {
+            *("compat", "translation", "version", "threads"),
+            *("wording", "packages", "exchange", "reports", "framework"),
+        },
+        "provider": {"compat", "translation", "version", "packages", "framework", "algorithms", "wording"},
+    },
+}
+"""Which rooms a room may import, beside itself and FOR_ALL: the one table, read from the bottom up."""
 
 
 def source_files(room: str) -> list[Path]:
@@ -64,6 +115,24 @@ each_shipped_file = each(shipped_files())
 @each_core_file
 def test_core_imports_only_numpy_opencv_shapely_and_itself(path):
     assert {name for name in imported_modules(path) if name.partition(".")[0] not in CORE_MAY_IMPORT} == set()
+
+
+def room_of(path: Path) -> str:
+    """The room of a file inside its top room: a folder, or the file's own name where it lies in none."""
+    return path.relative_to(ROOT).with_suffix("").parts[1]
+
+
+@each([path for top in MAY_IMPORT for path in source_files(top) if room_of(path) != "__init__"])
+def test_a_room_imports_only_the_rooms_below_it(path):
+    top = path.relative_to(ROOT).parts[0]
+    used = {name.split(".")[1] for name in imports_of(path, top)}
+    assert used - MAY_IMPORT[top][room_of(path)] - FOR_ALL - {room_of(path)} == set()
+
+
+@pytest.mark.parametrize("top", MAY_IMPORT)
+def test_the_table_of_rooms_names_every_room_and_has_no_circle(top):
+    assert {room_of(path) for path in source_files(top)} - {"__init__"} == set(MAY_IMPORT[top])
+    graphlib.TopologicalSorter(MAY_IMPORT[top]).prepare()
 
 
 def test_at_most_one_file_of_core_imports_onnxruntime():
