@@ -214,13 +214,13 @@ def test_selected_images_can_be_removed(dock, area, tab):
 
 
 def test_every_status_has_words(qgis_app):
-    from semref.core import localization as localizer
+    from semref.core.localization import Method, Status
     from semref.processing.framework.localized_image import ERROR
     from semref.ui.findings import FIX, TOPOLOGY_VECTOR, status_text
 
-    assert localizer.FIX == FIX
-    assert localizer.TOPOLOGY_VECTOR == TOPOLOGY_VECTOR
-    for status in (localizer.FIX, localizer.AMBIGUOUS, localizer.NO_MATCH, localizer.TOO_FEW_REFERENCES, ERROR):
+    assert Status.FIX == FIX
+    assert Method.TOPOLOGY_VECTOR == TOPOLOGY_VECTOR
+    for status in (*(status.key for status in Status), ERROR):
         assert status_text(SimpleNamespace(status=status, is_verified=True)) != status
     assert "nverified" in status_text(SimpleNamespace(status=FIX, is_verified=False))
 

@@ -75,7 +75,7 @@ def test_matches_say_where_image_and_map_have_the_same_landmarks(localize, tmp_p
     found, _ = localize(view(column, row, heading, scale), MATCHES=str(matches))
     source = ogr.Open(str(matches))
     points = [(f.items(), f.GetGeometryRef().GetPoint_2D()) for f in source.GetLayer(0)]
-    assert len(points) > 0.9 * found["inliers"] and [values["number"] for values, _ in points] == list(
+    assert len(points) == found["inliers"] and [values["number"] for values, _ in points] == list(
         range(1, len(points) + 1)
     )
     turn = scale * np.exp(-1j * np.radians(heading))

@@ -147,3 +147,10 @@ def test_no_focal_length_no_pixels_and_too_many_are_refused():
         leveling(Attitude(0, 1), 100.0, (0, 5))
     with pytest.raises(LabelMapError, match="reduce it first"):
         leveling(Attitude(0, 1), 1e6, (10, 40_000))
+
+
+def test_pixels_of_the_level_image_lead_back_to_those_of_the_image():
+    way = leveling(Attitude(8.0, 20.0), 600.0, (480, 640))
+    pixels = np.array([(0.0, 0.0), (320.0, 240.0), (640.0, 480.0), (12.5, 400.0)])
+    level = np.column_stack([pixels, np.ones(4)]) @ way.homography.T
+    np.testing.assert_allclose(way.in_image(level[:, :2] / level[:, 2:]), pixels, atol=1e-9)
