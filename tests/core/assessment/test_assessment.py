@@ -22,6 +22,7 @@ def assessed(assessed_database, localizer):
     return cells, trials, assessment.estimate(cells.centers, trials, spread=cells.size), assessment
 
 
+@pytest.mark.slow
 def test_success_is_expected_where_landmarks_are_and_nowhere_else(assessed):
     cells, _, estimates, _ = assessed
     inside = (cells.columns <= 4) & (cells.columns >= 1) & (cells.rows >= 1) & (cells.rows <= 4)

@@ -6,6 +6,7 @@ import pytest
 from semref.core.assessment.model import Chances, beta_quantiles, fit_success, local_sums
 
 
+@pytest.mark.slow
 def test_the_model_finds_the_probability_that_the_trials_were_drawn_with():
     rng = np.random.default_rng(5)
     places = rng.uniform(0, 1e5, (3000, 2))

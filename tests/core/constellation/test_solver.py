@@ -130,6 +130,7 @@ def test_a_clean_view_is_found_exactly_at_any_heading_and_scale(ground, heading,
     assert result.best.pixel_size_m == pytest.approx(scale, rel=0.002)
 
 
+@pytest.mark.slow
 def test_most_spoilt_views_are_found_and_no_fix_is_wrong(ground):
     rng = np.random.default_rng(3)
     fixes = []
@@ -158,6 +159,7 @@ def test_a_view_of_another_town_gets_no_fix(ground):
         assert result.status in (Status.NO_MATCH, Status.TOO_FEW_REFERENCES) and result.reason
 
 
+@pytest.mark.slow
 def test_a_regular_lattice_of_plots_gets_no_fix_on_its_own_map():
     labels = np.zeros((2400, 2400), np.uint8)
     for top in range(20, 2380, 60):

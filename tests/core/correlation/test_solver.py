@@ -86,6 +86,7 @@ def test_a_clean_image_is_found_finer_than_an_overview_pixel(labels, pyramid, he
     assert 0 < result.error_95_m < 50
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("noise", [MODEST, STRONG])
 def test_a_noisy_image_is_found(labels, pyramid, noise):
     center = 1630.0, 1240.5
@@ -95,6 +96,7 @@ def test_a_noisy_image_is_found(labels, pyramid, noise):
     assert error_m(result.best, center) < 0.02 * 560
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [11, 12, 13])
 def test_an_image_of_another_map_is_not_found_and_the_reason_told(pyramid, seed):
     result = localize(view(made_map(seed), (1300, 1000), 40, 1.0), pyramid, PRIOR)
@@ -103,6 +105,7 @@ def test_an_image_of_another_map_is_not_found_and_the_reason_told(pyramid, seed)
     assert result.confidence == 0
 
 
+@pytest.mark.slow
 def test_a_mirrored_image_is_not_found(labels, pyramid):
     result = localize(view(labels, (1300, 1000), 40, 1.0)[:, ::-1], pyramid, PRIOR)
     assert result.status == "no_match"
@@ -167,6 +170,7 @@ def test_a_heading_prior_may_wrap_around_north(labels, pyramid):
     assert abs(result.heading_deg - 356) < 0.3
 
 
+@pytest.mark.slow
 def test_the_result_does_not_depend_on_tiles_or_threads(labels, pyramid):
     image = view(labels, (1500, 700), 123, 0.9)
     first = localize(image, pyramid, PRIOR)
@@ -185,6 +189,7 @@ def test_a_fix_tells_how_exactly_position_heading_and_pixel_size_are_known(label
     assert found.covariance.ellipse_95 is None
 
 
+@pytest.mark.slow
 def test_the_same_image_gives_the_same_result(labels, pyramid):
     image = spoiled(view(labels, (1500, 700), 123, 0.9), MODEST.in_pixels(0.9), 1)
     assert localize(image, pyramid, PRIOR) == localize(image, pyramid, PRIOR)

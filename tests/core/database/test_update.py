@@ -139,6 +139,7 @@ def random_edit(labels, rng):
     return edited, [tuple(map(int, area)) for area in areas]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", MAPS)
 @pytest.mark.parametrize("seed", range(6))
 def test_random_edits_give_the_rebuild(kind, seed):
