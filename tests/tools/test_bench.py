@@ -152,7 +152,7 @@ def test_images_from_elsewhere_come_in_parts(bench):
 
 def test_astroalign_is_judged_by_the_place_of_the_center(bench):
     astroalign = bench("astroalign")
-    query = astroalign.Query(SimpleNamespace(column=100.0, row=50.0), None)
+    query = astroalign.Query(SimpleNamespace(position=(100.0, -50.0)), None)
     places = [(100 - 50j, False), (106 - 58j, False), (300 - 50j, False), (None, False), (None, True)]
     answers = [astroalign.Answer(place, 1.0, late) for place, late in places]
     cells = astroalign.judged([query] * 5, answers)
