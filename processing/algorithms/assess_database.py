@@ -3,24 +3,28 @@
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING, Any, Dict, List, Sequence, Tuple
 
 import numpy as np
-from qgis.core import (
-    QgsGeometry,
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterString,
-    QgsRectangle,
-)
+from qgis.core import QgsGeometry, QgsRectangle
 
-from ...core.errors import ParameterError, SemRefError
-from ..compat import POLYGON, SOURCE_POLYGON
+from ...core.errors import ParameterError
+from ..compat import POLYGON
+from ..framework import offers
 from ..framework.assessing import AssessAlgorithm, footprint_sizes, reason_text, setting_rows
-from ..framework.base import LOCALIZATION, cancelable, check_canceled
-from ..framework.sinks import Sink
+from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
+from ..framework.declarations import Number, NumberResult, PolygonOutput, Text
 from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
+
+    from ...core.assessment.cells import Cells
+    from ...core.database.model import ReferenceDatabase, Windows
+    from ...core.localizer.localizer import Localizer
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
+    from ..reports.assessment_report import AssessedFootprint
 
 FIELDS = (
     ("footprint", "real"),
@@ -43,7 +47,6 @@ VERDICTS = ("hardly_ever", "sometimes", "often", "reliably", "very_reliably")
 
 class AssessDatabase(AssessAlgorithm):
     ID = "assessdatabase"
-    BY_VALUES = False
     GROUP = LOCALIZATION
     TAGS = ("coverage", "planning", "success", "probability", "footprint", "mission", "map", "look-alikes")
 
@@ -51,7 +54,6 @@ class AssessDatabase(AssessAlgorithm):
     SPACING = "SPACING"
     TRIALS = "TRIALS"
     OUTPUT = "OUTPUT"
-    REPORT = "REPORT"
     LOCALIZABLE_FRACTION = "LOCALIZABLE_FRACTION"
 
     def title(self):
@@ -68,121 +70,129 @@ class AssessDatabase(AssessAlgorithm):
             "localization” tests a database with a label map of another date."
         )
 
-    def initAlgorithm(self, config=None):
-        number = QgsProcessingParameterNumber
-        self.offer_database()
-        self.offer(
-            QgsProcessingParameterString(self.FOOTPRINT, tr("Footprints (map units)"), optional=True),
-            tr(
-                "Edge of the ground that an image shows; several separated by “;” for several heights. The window "
-                "size if left out."
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            offers.database(),
+            Text(
+                self.FOOTPRINT,
+                tr("Footprints (map units)"),
+                tr(
+                    "Edge of the ground that an image shows; several separated by “;” for several heights. The window "
+                    "size if left out."
+                ),
+                optional=True,
             ),
+            Number(
+                self.SPACING,
+                tr("Spacing (map units)"),
+                tr("Edge of the squares; half the smallest footprint if left out."),
+                optional=True,
+                minimum=0.0,
+            ),
+            Number(
+                self.TRIALS,
+                tr("Simulated images"),
+                tr("For each footprint, spread evenly over the ground. More make the intervals narrower."),
+                default=1000,
+                minimum=20,
+                maximum=100_000,
+                is_integer=True,
+            ),
+            *self.noise_parameters(),
+            PolygonOutput(
+                self.OUTPUT,
+                tr("Expected success"),
+                tr(
+                    "Squares of ground; of several footprints one square each, of which the first footprint’s are "
+                    "drawn."
+                ),
+            ),
+            offers.report(
+                tr("Map, success by footprint, landmarks and what was assumed, in one file to read and print.")
+            ),
+            NumberResult(self.LOCALIZABLE_FRACTION, tr("Localizable fraction")),
         )
-        self.offer(
-            number(self.SPACING, tr("Spacing (map units)"), number.Double, None, optional=True, minValue=0.0),
-            tr("Edge of the squares; half the smallest footprint if left out."),
-        )
-        self.offer(
-            number(self.TRIALS, tr("Simulated images"), number.Integer, 1000, minValue=20, maxValue=100_000),
-            tr("For each footprint, spread evenly over the ground. More make the intervals narrower."),
-        )
-        self.offer_noise()
-        self.offer(
-            QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Expected success"), SOURCE_POLYGON),
-            tr("Squares of ground; of several footprints one square each, of which the first footprint’s are drawn."),
-        )
-        self.offer(
-            QgsProcessingParameterFileDestination(self.REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True),
-            tr("Map, success by footprint, landmarks and what was assumed, in one file to read and print."),
-        )
-        self.addOutput(QgsProcessingOutputNumber(self.LOCALIZABLE_FRACTION, tr("Localizable fraction")))
 
-    def checkParameterValues(self, parameters, context):
-        possible, reason = super().checkParameterValues(parameters, context)
-        if not possible:
-            return False, reason
-        try:
-            footprint_sizes(self.parameterAsString(parameters, self.FOOTPRINT, context), 1.0)
-            self.noise(parameters, context)
-        except SemRefError as error:
-            return False, str(error)
-        return True, ""
+    def check(self, values: Values) -> None:
+        footprint_sizes(values.text(self.FOOTPRINT), 1.0)
+        super().check(values)
 
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, float]:
         from ...core.assessment.cells import ground_cells
-        from ...core.localizer.localizer import Localizer
 
-        database, crs = self.read_all(parameters, context, feedback)
-        text = self.parameterAsString(parameters, self.FOOTPRINT, context)
-        footprints = footprint_sizes(text, database.parameters.window_size)
-        cells = cancelable(ground_cells, database, self._spacing(parameters, context, footprints), feedback=feedback)
+        database, crs = self.read_all(values, feedback)
+        footprints = footprint_sizes(values.text(self.FOOTPRINT), database.parameters.window_size)
+        spacing = values.optional_number(self.SPACING, min(footprints) / 2)
+        cells = cancelable(ground_cells, database, spacing, feedback=feedback)
         if not len(cells):
             raise ParameterError(f"{database.source} has neither labels nor landmarks; build it again.")
-        localizer = Localizer(database)
-        self.index(localizer, feedback)
+        localizer = self.indexed(database, feedback)
         results = []
         for n, footprint in enumerate(footprints):
             share = [5 + 90 * (n + done) / len(footprints) for done in (0, 1)]
-            results.append(self._assessed(parameters, context, database, localizer, footprint, cells, feedback, share))
+            results.append(self._assessed(values, database, localizer, footprint, cells, feedback, share))
         check_canceled(feedback)
-        threshold = self.threshold(parameters, context)
-        report = self._write_report(parameters, context, database, cells, results)
-        destination = self._write_cells(parameters, context, database, cells, results, crs)
+        if outputs.wants(self.REPORT):
+            outputs.text(self.REPORT, self._report(values, database, cells, results))
+        self._write_cells(values, outputs, database, cells, results, crs)
+        threshold = self.threshold(values)
         self._say(results, threshold, feedback)
-        fraction = float((results[0].estimates.success >= threshold).mean())
-        return {self.OUTPUT: destination, **report, self.LOCALIZABLE_FRACTION: fraction}
+        return {self.LOCALIZABLE_FRACTION: float((results[0].estimates.success >= threshold).mean())}
 
-    def _spacing(self, parameters, context, footprints) -> float:
-        if parameters.get(self.SPACING) in (None, ""):
-            return min(footprints) / 2
-        return self.parameterAsDouble(parameters, self.SPACING, context)
-
-    def _assessed(self, parameters, context, database, localizer, footprint, cells, feedback, share):
+    def _assessed(
+        self,
+        values: Values,
+        database: ReferenceDatabase,
+        localizer: Localizer,
+        footprint: float,
+        cells: Cells,
+        feedback: QgsProcessingFeedback,
+        share: Sequence[float],
+    ) -> AssessedFootprint:
         from ..reports.assessment_report import AssessedFootprint
 
-        assessment = self.assessment(parameters, context, database, localizer, footprint, feedback)
-        count = self.parameterAsInt(parameters, self.TRIALS, context)
-        queries = assessment.plan(cells.centers, cells.size, count)
+        assessment = self.assessment(values, database, localizer, footprint, feedback)
+        queries = assessment.plan(cells.centers, cells.size, values.integer(self.TRIALS))
         trials, correlated = self.simulate(assessment, queries, feedback, *share)
         estimates = cancelable(assessment.estimate, cells.centers, trials, correlated, cells.size, feedback=feedback)
         return AssessedFootprint(footprint, estimates, trials, correlated, assessment.model)
 
-    def _write_report(self, parameters, context, database, cells, results):
-        from ...storage.files import written_beside
+    def _report(
+        self, values: Values, database: ReferenceDatabase, cells: Cells, results: Sequence[AssessedFootprint]
+    ) -> str:
         from ..reports.assessment_report import AssessmentReport
 
-        path = self.parameterAsFileOutput(parameters, self.REPORT, context)
-        if not path:
-            return {}
-        noise, threshold = self.noise(parameters, context), self.threshold(parameters, context)
-        correlation = self.parameterAsBool(parameters, self.MAP_CORRELATION, context)
-        seed = self.parameterAsInt(parameters, self.SEED, context)
+        noise, threshold = self.noise(values), self.threshold(values)
+        correlation = values.switch(self.MAP_CORRELATION)
         settings = [
             (tr("Spacing (map units)"), f"{cells.size:g}"),
-            (tr("Simulated images"), str(self.parameterAsInt(parameters, self.TRIALS, context))),
-            *setting_rows(noise, threshold, correlation, seed),
+            (tr("Simulated images"), str(values.integer(self.TRIALS))),
+            *setting_rows(noise, threshold, correlation, values.integer(self.SEED)),
         ]
         report = AssessmentReport(database, cells, results, noise, threshold, correlation, settings)
-        with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
-            file.write(report.html(os.path.basename(database.source)))
-        return {self.REPORT: path}
+        return report.html(os.path.basename(database.source))
 
-    def _write_cells(self, parameters, context, database, cells, results, crs):
+    def _write_cells(
+        self,
+        values: Values,
+        outputs: Outputs,
+        database: ReferenceDatabase,
+        cells: Cells,
+        results: Sequence[AssessedFootprint],
+        crs: QgsCoordinateReferenceSystem,
+    ) -> None:
         from ..exchange.assessment_styles import cell_renderer
-        from ..exchange.output_style import style_output
 
-        sink = Sink(self, parameters, self.OUTPUT, context, FIELDS, POLYGON, crs)
-        threshold, half = self.threshold(parameters, context), cells.size / 2
-        for result in results:
-            unlike = _nearest_distinctiveness(database.windows, cells.centers, result.footprint)
-            for n, (x, y) in enumerate(cells.centers.tolist()):
-                square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
-                sink.add(square, _values(result, n, unlike[n], threshold))
-        destination = sink.close()
-        style_output(destination, cell_renderer(threshold, results[0].footprint, len(results) == 1), context)
-        return destination
+        threshold, half = self.threshold(values), cells.size / 2
+        renderer = cell_renderer(threshold, results[0].footprint, len(results) == 1)
+        with outputs.layer(self.OUTPUT, FIELDS, POLYGON, crs, renderer) as sink:
+            for result in results:
+                unlike = _nearest_distinctiveness(database.windows, cells.centers, result.footprint)
+                for n, (x, y) in enumerate(cells.centers.tolist()):
+                    square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
+                    sink.add(square, _values(result, n, unlike[n], threshold))
 
-    def _say(self, results, threshold, feedback):
+    def _say(self, results: Sequence[AssessedFootprint], threshold: float, feedback: QgsProcessingFeedback) -> None:
         for result in results:
             feedback.pushInfo(
                 tr(
@@ -197,7 +207,7 @@ class AssessDatabase(AssessAlgorithm):
             )
 
 
-def _values(result, n: int, distinctiveness: float, threshold: float) -> dict:
+def _values(result: AssessedFootprint, n: int, distinctiveness: float, threshold: float) -> Dict[str, Any]:
     from ..exchange.assessment_styles import success_classes
 
     estimates = result.estimates
@@ -221,7 +231,7 @@ def _values(result, n: int, distinctiveness: float, threshold: float) -> dict:
     }
 
 
-def _nearest_distinctiveness(windows, places, footprint: float) -> list:
+def _nearest_distinctiveness(windows: Windows, places: np.ndarray, footprint: float) -> List[float]:
     """Of the window nearest to each place, of the level whose size is nearest to the footprint; NaN where unknown."""
     from ...core.constellation.neighbors import nearest
 

@@ -3,26 +3,35 @@
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, Optional, Sequence, Tuple, Type
 
 import numpy as np
 from qgis.core import (
     QgsGeometry,
     QgsPointXY,
     QgsProcessingFeatureSourceDefinition,
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
 )
 
-from ...core.errors import ParameterError, SemRefError
+from ...core.errors import ParameterError
 from ...storage.route_files import is_waypoint_file
-from ..compat import POINT, SOURCE_LINE, SOURCE_POINT
+from ..compat import POINT, SOURCE_LINE
+from ..framework import offers
 from ..framework.assessing import AssessAlgorithm, reason_text, setting_rows
-from ..framework.base import LOCALIZATION, cancelable, check_canceled
-from ..framework.sinks import Sink
+from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
+from ..framework.declarations import Number, NumberResult, PointOutput, VectorSource
 from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
+
+    from ...core.assessment.assessment import Assessment, Estimates
+    from ...core.assessment.route import Gap, RoutePoints, ShiftHint
+    from ...core.database.model import ReferenceDatabase
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
+    from ..reports.route_report import AssessedRoute
 
 FIELDS = (
     ("route", "integer"),
@@ -54,9 +63,14 @@ class RouteParameter(QgsProcessingParameterFeatureSource):
         return is_waypoint_file(_plain(value)) or super().checkValueIsAcceptable(value, context)
 
 
+class RouteSource(VectorSource):
+    """A route: a line layer or a waypoint file."""
+
+    KIND: ClassVar[Type[QgsProcessingParameterDefinition]] = RouteParameter
+
+
 class AssessRoute(AssessAlgorithm):
     ID = "assessroute"
-    BY_VALUES = False
     GROUP = LOCALIZATION
     TAGS = ("flight plan", "mission", "waypoints", "gpx", "kml", "qgroundcontrol", "planning", "gap", "profile")
 
@@ -67,7 +81,6 @@ class AssessRoute(AssessAlgorithm):
     TRIALS = "TRIALS"
     SHIFT = "SHIFT"
     OUTPUT = "OUTPUT"
-    REPORT = "REPORT"
     LONGEST_GAP = "LONGEST_GAP"
     LONGEST_GAP_SECONDS = "LONGEST_GAP_SECONDS"
 
@@ -85,119 +98,136 @@ class AssessRoute(AssessAlgorithm):
             "database” does, under the noise that you state."
         )
 
-    def initAlgorithm(self, config=None):
-        number = QgsProcessingParameterNumber
-        self.offer_database()
-        self.offer(
-            RouteParameter(self.ROUTE, tr("Route"), [SOURCE_LINE]),
-            tr("A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own."),
-        )
-        self.offer(
-            number(self.SPACING, tr("Spacing (map units)"), number.Double, None, optional=True, minValue=0.0),
-            tr("Distance between the points; a quarter of the footprint if left out."),
-        )
-        self.offer(
-            number(self.FOOTPRINT, tr("Footprint (map units)"), number.Double, None, optional=True, minValue=0.0),
-            tr("Edge of the ground that an image shows; the window size if left out."),
-        )
-        self.offer(
-            number(self.SPEED, tr("Speed (m/s)"), number.Double, None, optional=True, minValue=0.0),
-            tr("Over ground; gaps are then told in seconds, too."),
-        )
-        self.offer(
-            number(self.SHIFT, tr("Largest shift (map units)"), number.Double, None, optional=True, minValue=0.0),
-            tr(
-                "How far stretches without an expected fix may be shifted to either side; half of it is tried, too. "
-                "The footprint if left out, 0 for none."
+    def parameters(self) -> Tuple[Declared, ...]:
+        lengths = (
+            (
+                self.SPACING,
+                tr("Spacing (map units)"),
+                tr("Distance between the points; a quarter of the footprint if left out."),
+            ),
+            (
+                self.FOOTPRINT,
+                tr("Footprint (map units)"),
+                tr("Edge of the ground that an image shows; the window size if left out."),
+            ),
+            (self.SPEED, tr("Speed (m/s)"), tr("Over ground; gaps are then told in seconds, too.")),
+            (
+                self.SHIFT,
+                tr("Largest shift (map units)"),
+                tr(
+                    "How far stretches without an expected fix may be shifted to either side; half of it is tried, "
+                    "too. The footprint if left out, 0 for none."
+                ),
             ),
         )
-        self.offer(
-            number(self.TRIALS, tr("Simulated images a point"), number.Integer, 10, minValue=1, maxValue=1000),
-            tr("More make the intervals narrower; points near each other learn from each other."),
+        return (
+            offers.database(),
+            RouteSource(
+                self.ROUTE,
+                tr("Route"),
+                tr(
+                    "A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its "
+                    "own."
+                ),
+                kinds=(SOURCE_LINE,),
+            ),
+            *(Number(*what, optional=True, minimum=0.0) for what in lengths),
+            Number(
+                self.TRIALS,
+                tr("Simulated images a point"),
+                tr("More make the intervals narrower; points near each other learn from each other."),
+                default=10,
+                minimum=1,
+                maximum=1000,
+                is_integer=True,
+            ),
+            *self.noise_parameters(),
+            PointOutput(
+                self.OUTPUT,
+                tr("Points along the route"),
+                tr(
+                    "What to expect at each point; “gap” is the length of the stretch without an expected fix it lies "
+                    "in."
+                ),
+            ),
+            offers.report(
+                tr("Profile of expected success along the route, and its gaps, in one file to read and print.")
+            ),
+            NumberResult(self.LONGEST_GAP, tr("Longest gap")),
+            NumberResult(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
         )
-        self.offer_noise()
-        self.offer(
-            QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Points along the route"), SOURCE_POINT),
-            tr("What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in."),
-        )
-        self.offer(
-            QgsProcessingParameterFileDestination(self.REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True),
-            tr("Profile of expected success along the route, and its gaps, in one file to read and print."),
-        )
-        self.addOutput(QgsProcessingOutputNumber(self.LONGEST_GAP, tr("Longest gap")))
-        self.addOutput(QgsProcessingOutputNumber(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")))
 
-    def checkParameterValues(self, parameters, context):
-        possible, reason = super().checkParameterValues(parameters, context)
-        if not possible:
-            return False, reason
-        try:
-            self.noise(parameters, context)
-        except SemRefError as error:
-            return False, str(error)
-        return True, ""
-
-    def read_layers(self, parameters, context, feedback):
+    def read_layers(self, values: Values) -> None:
         from ..exchange.routes import read_route, route_of_source
 
-        value = _plain(parameters.get(self.ROUTE))
+        value = _plain(values.raw(self.ROUTE))
         if is_waypoint_file(value):
             self._route = read_route(value)
             return
-        source = self.parameterAsSource(parameters, self.ROUTE, context)
-        if source is None:
+        try:
+            source = values.source(self.ROUTE)
+        except ParameterError as error:
             raise ParameterError(
                 f"ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file."
-            )
+            ) from error
         self._route = route_of_source(source)
 
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, float]:
         from ...core.assessment.route import gaps, route_points
-        from ...core.localizer.localizer import Localizer
         from ..exchange.routes import lines_in
         from ..reports.route_report import AssessedRoute
 
-        database, crs = self.read_all(parameters, context, feedback)
-        footprint = self._number(parameters, context, self.FOOTPRINT, database.parameters.window_size)
-        spacing = self._number(parameters, context, self.SPACING, footprint / 4)
-        points = route_points(lines_in(self._route, crs, context.transformContext()), spacing)
+        database, crs = self.read_all(values, feedback)
+        footprint = values.optional_number(self.FOOTPRINT, database.parameters.window_size)
+        spacing = values.optional_number(self.SPACING, footprint / 4)
+        points = route_points(lines_in(self._route, crs, values.transform_context), spacing)
         inside = _inside(database.parameters.extent, points.places)
         if not inside.any():
             raise ParameterError("ROUTE lies outside the database’s map; choose another route or database.")
-        localizer = Localizer(database)
-        self.index(localizer, feedback)
-        assessment = self.assessment(parameters, context, database, localizer, footprint, feedback)
-        count = self.parameterAsInt(parameters, self.TRIALS, context)
-        reach = min(spacing, footprint / 10)
-        estimates = self._estimated(assessment, points.places, reach, count, feedback, (5, 65))
+        assessment = self.assessment(values, database, self.indexed(database, feedback), footprint, feedback)
+        count = values.integer(self.TRIALS)
+        estimates = self._estimated(assessment, points.places, min(spacing, footprint / 10), count, feedback, (5, 65))
         # Off the map there is nothing to agree with.
         for name in ("success", "low", "high"):
             getattr(estimates, name)[~inside] = 0.0
-        threshold = self.threshold(parameters, context)
+        threshold = self.threshold(values)
         stretches = gaps(points, estimates.success, threshold)
-        largest = self._number(parameters, context, self.SHIFT, footprint)
+        largest = values.optional_number(self.SHIFT, footprint)
         hints = self._hints(assessment, points, estimates, stretches, largest, count, feedback)
-        speed = self._number(parameters, context, self.SPEED, 0.0) or None
+        speed = values.optional_number(self.SPEED) or None
         route = AssessedRoute(points, estimates, inside, stretches, hints, footprint, spacing, threshold, speed)
         check_canceled(feedback)
-        report = self._write_report(parameters, context, database, route, assessment, feedback)
-        destination = self._write_points(parameters, context, route, crs)
+        if outputs.wants(self.REPORT):
+            outputs.text(self.REPORT, self._report(values, database, route, assessment))
+        self._write_points(outputs, route, crs)
         longest = max((gap.length for gap in stretches), default=0.0)
         self._say(route, longest, feedback)
-        results = {self.OUTPUT: destination, **report, self.LONGEST_GAP: longest}
-        return {**results, self.LONGEST_GAP_SECONDS: longest / speed} if speed else results
+        return {self.LONGEST_GAP: longest, **({self.LONGEST_GAP_SECONDS: longest / speed} if speed else {})}
 
-    def _number(self, parameters, context, key, default: float) -> float:
-        if parameters.get(key) in (None, ""):
-            return default
-        return self.parameterAsDouble(parameters, key, context)
-
-    def _estimated(self, assessment, places, reach, count, feedback, share):
+    def _estimated(
+        self,
+        assessment: Assessment,
+        places: np.ndarray,
+        reach: float,
+        count: int,
+        feedback: QgsProcessingFeedback,
+        share: Tuple[float, float],
+    ) -> Estimates:
+        """What to expect at places (P, 2), from ``count`` images each within ``reach``."""
         queries = assessment.plan(places, reach, count * len(places))
         trials, correlated = self.simulate(assessment, queries, feedback, *share)
         return cancelable(assessment.estimate, places, trials, correlated, feedback=feedback)
 
-    def _hints(self, assessment, points, estimates, stretches, largest, count, feedback):
+    def _hints(
+        self,
+        assessment: Assessment,
+        points: RoutePoints,
+        estimates: Estimates,
+        stretches: Sequence[Gap],
+        largest: float,
+        count: int,
+        feedback: QgsProcessingFeedback,
+    ) -> List[Optional[ShiftHint]]:
         """A hint, or None, for each stretch: all shifts of all stretches are simulated together."""
         from ...core.assessment.route import SHIFTS, best_shift
 
@@ -216,39 +246,28 @@ class AssessRoute(AssessAlgorithm):
             for gap, end in zip(stretches, ends)
         ]
 
-    def _write_points(self, parameters, context, route, crs):
-        from ..exchange.assessment_styles import point_renderer
-        from ..exchange.output_style import style_output
-
-        sink = Sink(self, parameters, self.OUTPUT, context, FIELDS, POINT, crs)
-        gap_of = {int(n): (gap, hint) for gap, hint in zip(route.stretches, route.hints) for n in gap.points}
-        for n, (x, y) in enumerate(route.points.places.tolist()):
-            sink.add(QgsGeometry.fromPointXY(QgsPointXY(x, y)), _values(route, n, *gap_of.get(n, (None, None))))
-        destination = sink.close()
-        style_output(destination, point_renderer(route.threshold), context)
-        return destination
-
-    def _write_report(self, parameters, context, database, route, assessment, feedback):
-        from ...storage.files import written_beside
+    def _report(self, values: Values, database: ReferenceDatabase, route: AssessedRoute, assessment: Assessment) -> str:
         from ..reports.route_report import route_html
 
-        path = self.parameterAsFileOutput(parameters, self.REPORT, context)
-        if not path:
-            return {}
-        noise, seed = self.noise(parameters, context), self.parameterAsInt(parameters, self.SEED, context)
+        noise = self.noise(values)
         settings = [
             (tr("Footprint (map units)"), f"{route.footprint:g}"),
             (tr("Spacing (map units)"), f"{route.spacing:g}"),
-            (tr("Simulated images a point"), str(self.parameterAsInt(parameters, self.TRIALS, context))),
-            *setting_rows(noise, route.threshold, assessment.correlation, seed),
+            (tr("Simulated images a point"), str(values.integer(self.TRIALS))),
+            *setting_rows(noise, route.threshold, assessment.correlation, values.integer(self.SEED)),
         ]
-        name = os.path.basename(database.source)
-        html = route_html(route, name, noise, assessment.correlation, settings)
-        with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
-            file.write(html)
-        return {self.REPORT: path}
+        return route_html(route, os.path.basename(database.source), noise, assessment.correlation, settings)
 
-    def _say(self, route, longest, feedback):
+    def _write_points(self, outputs: Outputs, route: AssessedRoute, crs: QgsCoordinateReferenceSystem) -> None:
+        from ..exchange.assessment_styles import point_renderer
+
+        gap_of = {int(n): (gap, hint) for gap, hint in zip(route.stretches, route.hints) for n in gap.points}
+        with outputs.layer(self.OUTPUT, FIELDS, POINT, crs, point_renderer(route.threshold)) as sink:
+            for n, (x, y) in enumerate(route.points.places.tolist()):
+                attributes = _values(route, n, *gap_of.get(n, (None, None)))
+                sink.add(QgsGeometry.fromPointXY(QgsPointXY(x, y)), attributes)
+
+    def _say(self, route: AssessedRoute, longest: float, feedback: QgsProcessingFeedback) -> None:
         feedback.pushInfo(
             tr("{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.").format(
                 count=len(route.points),
@@ -263,12 +282,12 @@ class AssessRoute(AssessAlgorithm):
                 feedback.pushInfo(hint_text(gap, hint))
 
 
-def _plain(value):
+def _plain(value: Any) -> Any:
     """What a dialog's “selected features only” is wrapped around."""
     return value.source.staticValue() if isinstance(value, QgsProcessingFeatureSourceDefinition) else value
 
 
-def hint_text(gap, hint) -> str:
+def hint_text(gap: Gap, hint: ShiftHint) -> str:
     """Where a stretch does better, in a sentence."""
     text = (
         tr(
@@ -284,13 +303,13 @@ def hint_text(gap, hint) -> str:
     return text.format(start=gap.start, end=gap.end, shift=abs(hint.offset), after=hint.success, before=hint.before)
 
 
-def _inside(extent, places: np.ndarray) -> np.ndarray:
+def _inside(extent: Sequence[float], places: np.ndarray) -> np.ndarray:
     x_min, y_min, x_max, y_max = extent
     x, y = places.T
     return (x >= x_min) & (x <= x_max) & (y >= y_min) & (y <= y_max)
 
 
-def _values(route, n: int, gap, hint) -> dict:
+def _values(route: AssessedRoute, n: int, gap: Optional[Gap], hint: Optional[ShiftHint]) -> Dict[str, Any]:
     points, estimates = route.points, route.estimates
     success, error = float(estimates.success[n]), float(estimates.error[n])
     reason = reason_text(estimates.reasons[n], float(estimates.landmarks[n])) if route.inside[n] else OUTSIDE

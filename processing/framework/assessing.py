@@ -5,18 +5,23 @@ from __future__ import annotations
 import math
 import time
 from dataclasses import replace
-from typing import Dict, List, Sequence, Tuple
-
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsProcessingParameterBoolean,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterNumber,
-)
+from typing import TYPE_CHECKING, Dict, List, Sequence, Tuple
 
 from ...core.errors import DatabaseError, ParameterError
 from ..translation import tr
+from . import offers
 from .base import SemRefAlgorithm, cancelable, check_canceled
+from .declarations import Number, Parameter, Switch
+
+if TYPE_CHECKING:
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
+
+    from ...core.assessment.assessment import Assessment, PlaceQuery
+    from ...core.database.model import ReferenceDatabase
+    from ...core.evaluation.trial import Trial
+    from ...core.localizer.localizer import Localizer
+    from ...core.simulation.noise import LabelNoise
+    from .values import Values
 
 CORRELATED_SHARE = 5
 """Map correlation, which takes seconds an image, is tried on at most this part of the trials."""
@@ -25,104 +30,90 @@ CORRELATED_SHARE = 5
 class AssessAlgorithm(SemRefAlgorithm):
     """An algorithm that simulates images of a database."""
 
-    DATABASE = "DATABASE"
-    MISSED = "MISSED"
-    INVENTED = "INVENTED"
-    MISNAMED = "MISNAMED"
-    RAGGED = "RAGGED"
+    MISSED, INVENTED, MISNAMED, RAGGED = offers.MISSED, offers.INVENTED, offers.MISNAMED, offers.RAGGED
+    DATABASE, REPORT, SEED = offers.DATABASE, offers.REPORT, offers.SEED
     MAP_CORRELATION = "MAP_CORRELATION"
     THRESHOLD = "THRESHOLD"
-    SEED = "SEED"
 
-    def offer_database(self):
-        self.offer(
-            QgsProcessingParameterFile(self.DATABASE, tr("Reference database"), fileFilter=tr("GeoPackage (*.gpkg)")),
-            tr("A GeoPackage made by “Build reference database”."),
-        )
-
-    def offer_noise(self):
-        number = QgsProcessingParameterNumber
-        self.offer(
-            number(self.THRESHOLD, tr("Good enough from (%)"), number.Double, 90.0, minValue=1.0, maxValue=99.9),
-            tr("Expected success from which a place counts as one where localization works."),
-        )
-        self.offer(
-            QgsProcessingParameterBoolean(self.MAP_CORRELATION, tr("With map correlation (slow)"), False),
-            tr(
-                "Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: "
-                "where landmarks give no fix, map correlation is tried on images cut from the database’s overview. "
-                "That takes seconds an image on a large map, so it is tried on a fifth of the images at most."
+    def noise_parameters(self) -> Tuple[Parameter, ...]:
+        """What is good enough, how images are localized, and how poor their labels are."""
+        limits = {self.MISSED: (20.0, 100.0), self.INVENTED: (20.0, 100.0), self.MISNAMED: (5.0, 100.0)}
+        limits[self.RAGGED] = 1.0, None
+        return (
+            Number(
+                self.THRESHOLD,
+                tr("Good enough from (%)"),
+                tr("Expected success from which a place counts as one where localization works."),
+                default=90.0,
+                minimum=1.0,
+                maximum=99.9,
             ),
-        )
-        for key, title, default, text in (
-            (self.MISSED, tr("Landmarks missed (%)"), 20.0, tr("Share of the landmarks that are taken away.")),
-            (
-                self.INVENTED,
-                tr("Landmarks invented (%)"),
-                20.0,
-                tr("Share of landmarks that are added, shaped like landmarks of other places of the map."),
+            Switch(
+                self.MAP_CORRELATION,
+                tr("With map correlation (slow)"),
+                tr(
+                    "Without it the constellation of landmarks alone is assessed. With it, as the method Automatic "
+                    "works: where landmarks give no fix, map correlation is tried on images cut from the database’s "
+                    "overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at "
+                    "most."
+                ),
+                default=False,
             ),
-            (self.MISNAMED, tr("Landmarks misnamed (%)"), 5.0, tr("Share of the landmarks that get another class.")),
-        ):
-            self.offer(number(key, title, number.Double, default, minValue=0.0, maxValue=100.0), text)
-        self.offer(
-            number(self.RAGGED, tr("Ragged edges (map units)"), number.Double, 1.0, minValue=0.0),
-            tr("Standard deviation of how far edges are moved, alike over eight pixels."),
-        )
-        self.offer(
-            number(self.SEED, tr("Seed"), number.Integer, 1, minValue=0),
-            tr("Another number gives other trials, the same number the same."),
-            advanced=True,
+            *(
+                Number(key, title, text, default=limits[key][0], minimum=0.0, maximum=limits[key][1])
+                for key, title, text in offers.noises()
+            ),
+            offers.seed(),
         )
 
-    def noise(self, parameters, context):
+    def check(self, values: Values) -> None:
+        self.noise(values)
+
+    def noise(self, values: Values) -> LabelNoise:
         """How poor labels are taken to be, in map units. Raises ParameterError for noise that can't be."""
         from ...core.simulation.noise import LabelNoise
 
-        keys = self.MISSED, self.INVENTED, self.MISNAMED
-        shares = [self.parameterAsDouble(parameters, key, context) / 100 for key in keys]
-        return LabelNoise(*shares, self.parameterAsDouble(parameters, self.RAGGED, context))
+        shares = [values.number(key) / 100 for key in (self.MISSED, self.INVENTED, self.MISNAMED)]
+        return LabelNoise(*shares, values.number(self.RAGGED))
 
-    def threshold(self, parameters, context) -> float:
+    def threshold(self, values: Values) -> float:
         """0…1."""
-        return self.parameterAsDouble(parameters, self.THRESHOLD, context) / 100
+        return values.number(self.THRESHOLD) / 100
 
-    def read_all(self, parameters, context, feedback):
+    def read_all(
+        self, values: Values, feedback: QgsProcessingFeedback
+    ) -> Tuple[ReferenceDatabase, QgsCoordinateReferenceSystem]:
         """(database with bounds and, if it has one, overview; its CRS)."""
         from ...storage.database.reader import read_overview, read_stored_database
+        from ..exchange.reference_systems import database_crs
 
         feedback.setProgressText(tr("Reading the database"))
-        path = self.parameterAsFile(parameters, self.DATABASE, context)
+        path = values.file(self.DATABASE)
         stored = cancelable(read_stored_database, path, feedback=feedback)
-        crs = QgsCoordinateReferenceSystem.fromWkt(stored.database.parameters.crs)
-        if not crs.isValid():
-            raise DatabaseError(f"{path} has no readable parameter crs; build it again.")
-        database = stored.database
+        crs, database = database_crs(stored.database), stored.database
         try:
             database = replace(database, overview=cancelable(read_overview, path, feedback=feedback))
         except DatabaseError:
             # Landmarks can be assessed all the same.
-            if self.parameterAsBool(parameters, self.MAP_CORRELATION, context):
+            if values.switch(self.MAP_CORRELATION):
                 raise
             feedback.pushWarning(tr("The database has no overview; where its ground ends is taken from its extent."))
         return database, crs
 
-    def assessment(self, parameters, context, database, localizer, footprint: float, feedback):
+    def assessment(
+        self,
+        values: Values,
+        database: ReferenceDatabase,
+        localizer: Localizer,
+        footprint: float,
+        feedback: QgsProcessingFeedback,
+    ) -> Assessment:
         """The assessment of a footprint; says when images like that aren't searched for."""
         from ...core.assessment.assessment import Assessment
 
-        correlation = self.parameterAsBool(parameters, self.MAP_CORRELATION, context)
-        seed = self.parameterAsInt(parameters, self.SEED, context)
-        made = cancelable(
-            Assessment,
-            database,
-            localizer,
-            footprint,
-            self.noise(parameters, context),
-            seed,
-            correlation,
-            feedback=feedback,
-        )
+        correlation = values.switch(self.MAP_CORRELATION)
+        arguments = database, localizer, footprint, self.noise(values), values.integer(self.SEED), correlation
+        made = cancelable(Assessment, *arguments, feedback=feedback)
         if not made.simulator.is_searched or correlation and not made.simulator.is_correlated:
             feedback.pushWarning(
                 tr(
@@ -132,12 +123,23 @@ class AssessAlgorithm(SemRefAlgorithm):
             )
         return made
 
-    def index(self, localizer, feedback):
-        """Builds the localizer's index once, cancelable."""
+    def indexed(self, database: ReferenceDatabase, feedback: QgsProcessingFeedback) -> Localizer:
+        """A localizer of the database, its index built once, cancelable."""
+        from ...core.localizer.localizer import Localizer
+
+        localizer = Localizer(database)
         feedback.setProgressText(tr("Preparing the landmarks"))
         cancelable(lambda: localizer.index, feedback=feedback)
+        return localizer
 
-    def simulate(self, assessment, queries: Sequence, feedback, first: float, last: float) -> Tuple[List, Dict]:
+    def simulate(
+        self,
+        assessment: Assessment,
+        queries: Sequence[PlaceQuery],
+        feedback: QgsProcessingFeedback,
+        first: float,
+        last: float,
+    ) -> Tuple[List[Trial], Dict[int, Trial]]:
         """The trials, and those that map correlation was tried on by their numbers in ``queries``."""
         feedback.setProgressText(tr("Localizing simulated images"))
         middle = first + (last - first) * (0.3 if assessment.correlation else 1.0)
@@ -165,7 +167,7 @@ def method_title(correlation: bool) -> str:
     return tr("Automatic") if correlation else tr("Constellation")
 
 
-def setting_rows(noise, threshold: float, correlation: bool, seed: int) -> List[Tuple[str, str]]:
+def setting_rows(noise: LabelNoise, threshold: float, correlation: bool, seed: int) -> List[Tuple[str, str]]:
     """What both reports list: (what, value)."""
     return [
         (tr("Method"), method_title(correlation)),
