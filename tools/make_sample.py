@@ -77,7 +77,7 @@ def write_all(folder: Path, seed: int, pixel_size: float) -> str:
     return summary(landscape, labels, views)
 
 
-def picture_bands(labels_hw: np.ndarray, view: pictures.View) -> np.ndarray:
+def picture_bands(labels_hw: np.ndarray, view: pictures.Picture) -> np.ndarray:
     """(1 or 3, H, W) the view's class values, or its class colors."""
     picture = pictures.cut(labels_hw, view)
     return np.moveaxis(pictures.colored(picture), 2, 0) if view.in_color else picture[None]

@@ -19,7 +19,7 @@ from shapely.geometry.base import BaseGeometry
 from . import shapes
 from .classes import BARE_LAND, BUILDING, CULTIVATED, FOREST, GRASS, WATER
 from .landscape import ZORDER, Feature, Landscape
-from .pictures import WINDOW_PX, View
+from .pictures import WINDOW_PX, Picture
 
 Frame = tuple[float, float, int, int]
 """West and north edge in map units, width and height in pixels."""
@@ -374,7 +374,7 @@ def as_bytes(picture: np.ndarray) -> np.ndarray:
     return (np.clip(picture, 0, 1) * 255 + 0.5).astype(np.uint8)
 
 
-def shoot(photo: np.ndarray, view: View, seed: int, size_px: int = WINDOW_PX) -> np.ndarray:
+def shoot(photo: np.ndarray, view: Picture, seed: int, size_px: int = WINDOW_PX) -> np.ndarray:
     """What a camera over the view's place would store, (size, size, 3) uint8: its own exposure, blur, vignette, noise.
 
     The place is the same as that of `pictures.cut`. The same seed and view give the same picture.

@@ -12,6 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from ..simulation.views import PIXELS, View, lies_on
+from ..simulation.views import cut as cut_view
 from .classes import CLASSES
 
 WINDOW_PX, STRIDE_PX = 640, 160
@@ -25,31 +27,44 @@ PHOTO_COUNT = 12
 
 
 @dataclass(frozen=True)
-class View:
-    """One picture: where its center is in map pixels, its heading, and map pixels per image pixel."""
+class Picture:
+    """One picture of the sample, as truth.csv tells of it.
 
-    name: str  # file name
+    Attributes:
+        name: of its file
+        kind: what it is an example of
+        column: of its center, in pixels of the map
+        row: of its center, in pixels of the map
+        heading_deg: of its top, clockwise from grid north
+        scale: map pixels an image pixel shows
+        window: name of the window that it is centered on, if any
+        in_color: whether classes are shown by their colors
+    """
+
+    name: str
     kind: str
     column: float
     row: float
     heading_deg: float = 0.0
     scale: float = 1.0
-    window: str = ""  # the window it is centered on, if any
+    window: str = ""
     in_color: bool = False
 
+    def view(self, size_px: int) -> View:
+        """What a camera with so many pixels is over, on the map's pixel grid."""
+        return View(self.column, -self.row, self.heading_deg, self.scale, size_px, size_px)
 
-def cut(raster: np.ndarray, view: View, size_px: int = WINDOW_PX) -> np.ndarray:
-    """The view's picture, (size, size[, bands]), by nearest neighbor; raises ValueError when it leaves the map."""
-    offset = (np.arange(size_px) + 0.5 - size_px / 2) * view.scale
-    right, down = np.meshgrid(offset, offset)
-    turn = np.deg2rad(view.heading_deg)
-    c, s = np.cos(turn), np.sin(turn)
-    # rounding keeps 90° exact: without it cos(90°) ≈ 6e-17 could push a sample over a pixel's edge
-    columns = np.floor(np.round(view.column + c * right - s * down, 6)).astype(int)
-    rows = np.floor(np.round(view.row + s * right + c * down, 6)).astype(int)
-    if min(columns.min(), rows.min()) < 0 or columns.max() >= raster.shape[1] or rows.max() >= raster.shape[0]:
-        raise ValueError(f"The view {view.name} reaches beyond the map.")
-    return raster[rows, columns]
+
+def cut(raster: np.ndarray, picture: Picture, size_px: int = WINDOW_PX) -> np.ndarray:
+    """The picture (size, size[, bands]) of a label map (h, w) or photo (h, w, bands).
+
+    Raises:
+        ValueError: when it leaves the map.
+    """
+    view = picture.view(size_px)
+    if not lies_on(PIXELS.of_shape(raster.shape[:2]), view):
+        raise ValueError(f"The view {picture.name} reaches beyond the map.")
+    return cut_view(raster, PIXELS, view)
 
 
 def colored(labels_hw: np.ndarray) -> np.ndarray:
@@ -60,7 +75,7 @@ def colored(labels_hw: np.ndarray) -> np.ndarray:
     return table[labels_hw]
 
 
-def plan_views(shape_hw: tuple[int, int], seed: int) -> tuple[View, ...]:
+def plan_views(shape_hw: tuple[int, int], seed: int) -> tuple[Picture, ...]:
     """All pictures of the sample, in the order of truth.csv."""
     height, width = shape_hw
     reach = WINDOW_PX * max(SCALES) / 2
@@ -87,28 +102,29 @@ def plan_views(shape_hw: tuple[int, int], seed: int) -> tuple[View, ...]:
     return tuple(views + _off_grid(rng, shape_hw, COLOR_OFF_GRID_COUNT, "color_off_grid", in_color=True))
 
 
-def plan_photos(shape_hw: tuple[int, int], seed: int, count: int = PHOTO_COUNT) -> tuple[View, ...]:
+def plan_photos(shape_hw: tuple[int, int], seed: int, count: int = PHOTO_COUNT) -> tuple[Picture, ...]:
     """Where photos are taken: any place, heading and scale; more of them begin with the same ones."""
     rng = np.random.default_rng([seed, 101])
     return tuple(_off_grid(rng, shape_hw, count, "photo", suffix="jpg"))
 
 
-def _on(at: tuple[int, int], kind: str, stem: str, **settings: Any) -> View:
+def _on(at: tuple[int, int], kind: str, stem: str, **settings: Any) -> Picture:
     half = WINDOW_PX / 2
-    return View(f"{stem}.png", kind, at[0] + half, at[1] + half, window=_text(at), **settings)
+    return Picture(f"{stem}.png", kind, at[0] + half, at[1] + half, window=_text(at), **settings)
 
 
 def _off_grid(
     rng: np.random.Generator, shape_hw: tuple[int, int], count: int, kind: str, suffix: str = "png", **settings: Any
-) -> list[View]:
+) -> list[Picture]:
     """Views at any place, heading and scale whose corners stay on the map."""
-    views = []
+    pictures = []
     margin = WINDOW_PX / 2 * np.sqrt(2) * max(OFF_GRID_SCALES) + 2
     for number in range(1, count + 1):
         column, row = np.round(rng.uniform(margin, np.subtract(shape_hw[::-1], margin)), 2)
         heading, scale = round(rng.uniform(0, 360), 1), round(rng.uniform(*OFF_GRID_SCALES), 3)
-        views.append(View(f"{kind}_{number:02d}.{suffix}", kind, float(column), float(row), heading, scale, **settings))
-    return views
+        name = f"{kind}_{number:02d}.{suffix}"
+        pictures.append(Picture(name, kind, float(column), float(row), heading, scale, **settings))
+    return pictures
 
 
 def _windows(rng: np.random.Generator, shape_hw: tuple[int, int], margin: float, count: int) -> list[tuple[int, int]]:

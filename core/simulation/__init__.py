@@ -1,1 +1,1 @@
-"""Simulated images: cut from a label map with known truth, and spoilt on purpose."""
+"""Simulated images: cut from a label map with known truth, and spoiled on purpose."""

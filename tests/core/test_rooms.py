@@ -46,7 +46,7 @@ MAY_IMPORT = {
         "simulation": {"geometry", "labels", "landmarks"},
         "evaluation": ABOVE_THE_IMAGE,
         "assessment": ABOVE_THE_IMAGE | {"constellation", "correlation", "evaluation"},
-        "sample": {"geometry"},
+        "sample": {"geometry", "simulation"},
         "__main__": {"onboard"},
     },
     "processing": {

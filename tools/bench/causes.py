@@ -7,7 +7,7 @@ import numpy as np
 from bench import page
 from bench.rates import share
 from bench.trials import Ground
-from semref.core.sample.pictures import View
+from semref.core.sample.pictures import Picture as View
 
 CASES = (
     ("rotation 30°", 30, 1.0),

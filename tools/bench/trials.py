@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from semref.core.sample.pictures import View, cut
+from semref.core.sample.pictures import Picture as View
+from semref.core.sample.pictures import cut
 
 WINDOW_COUNT = 100
 LARGEST_SCALE = 2.0

@@ -23,7 +23,7 @@ def labels_hw():
 
 
 def view(column, row, heading=0.0, scale=1.0):
-    return pictures.View("v.png", "test", column, row, heading, scale)
+    return pictures.Picture("v.png", "test", column, row, heading, scale)
 
 
 @pytest.mark.parametrize(("heading", "quarter_turns"), [(0, 0), (90, 1), (180, 2), (270, 3)])
@@ -184,7 +184,7 @@ def test_houses_throw_their_shadow_to_the_north(small_photo):
 
 
 def test_a_shot_shows_the_place_of_its_view(small_photo):
-    view = pictures.View("p.jpg", "photo", 60.0, 50.0, 90.0, 1.0)
+    view = pictures.Picture("p.jpg", "photo", 60.0, 50.0, 90.0, 1.0)
     shot = photo.shoot(small_photo, view, 5, 64).astype(float).mean(axis=2)
     cut = pictures.cut(small_photo, view, 64).astype(float).mean(axis=2)
     assert np.corrcoef(cv2.GaussianBlur(cut, (0, 0), 1).ravel(), shot.ravel())[0, 1] > 0.9
