@@ -2216,10 +2216,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Topologievektor</translation>
   </message>
   <message>
-   <source>Topology vector (He &amp; Wu 2025)</source>
-   <translation>Topologievektor (He &amp; Wu 2025)</translation>
-  </message>
-  <message>
    <source>Topology vector (published)</source>
    <translation>Topologievektor (veröffentlicht)</translation>
   </message>

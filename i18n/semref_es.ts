@@ -2216,10 +2216,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Vector topológico</translation>
   </message>
   <message>
-   <source>Topology vector (He &amp; Wu 2025)</source>
-   <translation>Vector topológico (He &amp; Wu 2025)</translation>
-  </message>
-  <message>
    <source>Topology vector (published)</source>
    <translation>Vector topológico (publicado)</translation>
   </message>

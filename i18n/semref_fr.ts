@@ -2216,10 +2216,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Vecteur topologique</translation>
   </message>
   <message>
-   <source>Topology vector (He &amp; Wu 2025)</source>
-   <translation>Vecteur topologique (He &amp; Wu 2025)</translation>
-  </message>
-  <message>
    <source>Topology vector (published)</source>
    <translation>Vecteur topologique (publié)</translation>
   </message>

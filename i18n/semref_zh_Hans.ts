@@ -2216,10 +2216,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>拓扑向量</translation>
   </message>
   <message>
-   <source>Topology vector (He &amp; Wu 2025)</source>
-   <translation>拓扑向量（He &amp; Wu 2025）</translation>
-  </message>
-  <message>
    <source>Topology vector (published)</source>
    <translation>拓扑向量（已发表）</translation>
   </message>

@@ -5,26 +5,26 @@ from __future__ import annotations
 import os
 from dataclasses import replace
 from math import isnan
+from typing import TYPE_CHECKING, Callable, Dict, List, Optional, Sequence, Tuple
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsGeometry,
-    QgsPointXY,
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterEnum,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterFolderDestination,
-    QgsProcessingParameterMultipleLayers,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterPoint,
-)
+from qgis.core import QgsGeometry, QgsPointXY
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
-from ...core.labels.class_table import LIST_SEPARATOR
 from ...core.localization import Method, Prior
-from ..compat import POINT, POLYGON, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
-from ..framework.base import LOCALIZATION, SemRefAlgorithm, cancelable, check_canceled
+from ..compat import POINT, POLYGON
+from ..framework import offers
+from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
+from ..framework.declarations import (
+    Choice,
+    File,
+    Files,
+    FolderOutput,
+    MapPoint,
+    Number,
+    NumberResult,
+    PointOutput,
+    PolygonOutput,
+)
 from ..framework.localized_image import (
     ALTERNATIVE_FIELDS,
     FIELDS,
@@ -39,15 +39,29 @@ from ..framework.localized_image import (
     say,
     with_jumps,
 )
-from ..framework.sinks import Sink
 from ..translation import tr
 from ..wording.camera_messages import camera_remark
 from ..wording.sentences import worded
 
+if TYPE_CHECKING:
+    import numpy as np
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
+
+    from ...core.database.model import ReferenceDatabase
+    from ...core.geometry.leveling import Leveling
+    from ...core.labels.class_table import ClassTable
+    from ...core.localization import Localization
+    from ...core.localizer.localizer import Localizer
+    from ...storage.camera_files import Camera
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
+
+    LabelReader = Callable[[str], np.ndarray]
+    Localize = Callable[[np.ndarray, Optional[Leveling]], Localization]
+
 
 class LocalizeImages(SemRefAlgorithm):
     ID = "localizeimages"
-    BY_VALUES = False
     GROUP = LOCALIZATION
     TAGS = ("position", "match", "uav", "drone", "navigation", "gnss", "geolocation", "fix")
 
@@ -82,181 +96,201 @@ class LocalizeImages(SemRefAlgorithm):
             "vector method finds images centered on a window and accepts images from elsewhere: check what it finds."
         )
 
-    def initAlgorithm(self, config=None):
-        self.offer(
-            QgsProcessingParameterFile(self.DATABASE, tr("Reference database"), fileFilter=tr("GeoPackage (*.gpkg)")),
-            tr("A GeoPackage made by “Build reference database”."),
-        )
-        self.offer(
-            QgsProcessingParameterMultipleLayers(self.IMAGES, tr("Images"), SOURCE_FILE),
-            tr(
-                "Label images, or folders of them: single-band class values, or colors decoded by the database’s class "
-                "table; with a model, photos. They need no georeference."
+    def parameters(self) -> Tuple[Declared, ...]:
+        return (
+            offers.database(),
+            Files(
+                self.IMAGES,
+                tr("Images"),
+                tr(
+                    "Label images, or folders of them: single-band class values, or colors decoded by the database’s "
+                    "class table; with a model, photos. They need no georeference."
+                ),
             ),
-        )
-        self.offer(
-            QgsProcessingParameterFile(self.MODEL, tr("Model"), fileFilter=tr("ONNX models (*.onnx)"), optional=True),
-            tr(
-                "A segmentation network: the images are then photos. Its classes are those of the database by name; "
-                "classes that the database does not have count as unlabeled."
+            offers.model(
+                tr(
+                    "A segmentation network: the images are then photos. Its classes are those of the database by "
+                    "name; classes that the database does not have count as unlabeled."
+                ),
+                optional=True,
             ),
-        )
-        self.offer(
-            QgsProcessingParameterEnum(
+            Choice(
                 self.METHOD,
                 tr("Method"),
-                [tr("Automatic"), tr("Topology vector (He & Wu 2025)"), tr("Constellation"), tr("Map correlation")],
-                defaultValue=Method.AUTOMATIC.number,
-            ),
-            tr(
-                "Automatic takes the constellation of landmarks and, where that finds no place, map correlation; each "
-                "checks what the other finds. Map correlation compares areas instead of landmarks, for poor labels; it "
-                "takes seconds an image, and so does automatic where the constellation finds no place. Topology vector "
-                "is the published method: the nearest vector of all windows, accepted up to distance 2."
-            ),
-        )
-        self.offer(
-            QgsProcessingParameterPoint(self.PRIOR_POINT, tr("Approximate position"), optional=True),
-            tr("Where the images are known to be, roughly. It speeds up the search and is never needed."),
-            advanced=True,
-        )
-        number = QgsProcessingParameterNumber
-        self.offer(
-            number(self.PRIOR_RADIUS, tr("Radius around it (map units)"), number.Double, 1000.0, minValue=0.01),
-            tr("Only with an approximate position: places farther away are not searched."),
-            advanced=True,
-        )
-        self.offer(
-            number(self.PRIOR_HEADING, tr("Approximate heading (°)"), number.Double, None, True, -360, 360),
-            tr("Where the images’ top points to, roughly, in degrees clockwise from grid north."),
-            advanced=True,
-        )
-        self.offer(
-            number(self.PRIOR_HEADING_RANGE, tr("Range around it (± °)"), number.Double, 20.0, False, 1, 180),
-            tr("Only with an approximate heading: other headings are not searched."),
-            advanced=True,
-        )
-        for key, title in ((self.SCALE_MINIMUM, tr("Smallest scale")), (self.SCALE_MAXIMUM, tr("Largest scale"))):
-            self.offer(
-                number(key, title, number.Double, None, optional=True, minValue=0.01, maxValue=100),
                 tr(
-                    "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. "
-                    "If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, "
-                    "also when automatic uses them. A narrow range is searched faster."
+                    "Automatic takes the constellation of landmarks and, where that finds no place, map correlation; "
+                    "each checks what the other finds. Map correlation compares areas instead of landmarks, for poor "
+                    "labels; it takes seconds an image, and so does automatic where the constellation finds no place. "
+                    "Topology vector is the published method: the nearest vector of all windows, accepted up to "
+                    "distance 2."
                 ),
+                default=Method.AUTOMATIC.number,
+                options=[worded(method.title) for method in Method],
+            ),
+            *self._prior_parameters(),
+            *self._flight_parameters(),
+            *self._output_parameters(),
+        )
+
+    def _prior_parameters(self) -> Tuple[Declared, ...]:
+        """What is known beforehand; never needed."""
+        scale = tr(
+            "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. "
+            "If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, "
+            "also when automatic uses them. A narrow range is searched faster."
+        )
+        return (
+            MapPoint(
+                self.PRIOR_POINT,
+                tr("Approximate position"),
+                tr("Where the images are known to be, roughly. It speeds up the search and is never needed."),
+                optional=True,
                 advanced=True,
-            )
-        self.offer(
-            QgsProcessingParameterFile(
+            ),
+            Number(
+                self.PRIOR_RADIUS,
+                tr("Radius around it (map units)"),
+                tr("Only with an approximate position: places farther away are not searched."),
+                advanced=True,
+                default=1000.0,
+                minimum=0.01,
+            ),
+            Number(
+                self.PRIOR_HEADING,
+                tr("Approximate heading (°)"),
+                tr("Where the images’ top points to, roughly, in degrees clockwise from grid north."),
+                optional=True,
+                advanced=True,
+                minimum=-360,
+                maximum=360,
+            ),
+            Number(
+                self.PRIOR_HEADING_RANGE,
+                tr("Range around it (± °)"),
+                tr("Only with an approximate heading: other headings are not searched."),
+                advanced=True,
+                default=20.0,
+                minimum=1,
+                maximum=180,
+            ),
+            *(
+                Number(key, title, scale, optional=True, advanced=True, minimum=0.01, maximum=100)
+                for key, title in (
+                    (self.SCALE_MINIMUM, tr("Smallest scale")),
+                    (self.SCALE_MAXIMUM, tr("Largest scale")),
+                )
+            ),
+        )
+
+    def _flight_parameters(self) -> Tuple[Declared, ...]:
+        """How the images were taken."""
+        return (
+            File(
                 self.ATTITUDE,
                 tr("Camera table (roll, pitch, focal length, time)"),
+                tr(
+                    "A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch "
+                    "above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, "
+                    "focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and "
+                    "time). Images are leveled before they are localized. What the table does not tell is taken from "
+                    "EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes "
+                    "images as they are."
+                ),
                 optional=True,
-                fileFilter=tr("CSV (*.csv *.txt)"),
+                advanced=True,
+                filter=tr("CSV (*.csv *.txt)"),
             ),
-            tr(
-                "A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above "
-                "0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, "
-                "focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and time). "
-                "Images are leveled before they are localized. What the table does not tell is taken from EXIF and XMP "
-                "of the image, or of the photo of the same name beside it. The topology vector takes images as they "
-                "are."
+            Number(
+                self.MAXIMUM_SPEED,
+                tr("Maximum speed (map units per second)"),
+                tr(
+                    "For images of one flight whose times are known: a fix that can’t be reached in time from the "
+                    "fixes before and after it is marked as jump, with the reason. It stays a fix and is counted."
+                ),
+                optional=True,
+                advanced=True,
+                minimum=0.001,
             ),
-            advanced=True,
         )
-        self.offer(
-            number(self.MAXIMUM_SPEED, tr("Maximum speed (map units per second)"), number.Double, None, True, 0.001),
-            tr(
-                "For images of one flight whose times are known: a fix that can’t be reached in time from the fixes "
-                "before and after it is marked as jump, with the reason. It stays a fix and is counted."
-            ),
-            advanced=True,
-        )
-        self.offer(
-            QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), SOURCE_POINT),
-            tr("One point an image: status, position, confidence, distance, window and, without a fix, the reason."),
-        )
-        self.offer(
-            QgsProcessingParameterFeatureSink(
-                self.FOOTPRINTS, tr("Footprints"), SOURCE_POLYGON, optional=True, createByDefault=False
-            ),
-            tr("One polygon a fix: the ground the image shows, or the matched window of the topology vector method."),
-        )
-        self.offer(
-            QgsProcessingParameterFeatureSink(
-                self.ALTERNATIVES, tr("Possible places"), SOURCE_POLYGON, optional=True, createByDefault=False
-            ),
-            tr("For ambiguous images: the ground of each place that fits, the best one first."),
-        )
-        self.offer(
-            QgsProcessingParameterFeatureSink(
-                self.MATCHES, tr("Matches"), SOURCE_POINT, optional=True, createByDefault=False
-            ),
-            tr(
-                "One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the "
-                "image has it, where the fix puts it, and how far that is off."
-            ),
-            advanced=True,
-        )
-        self.offer(
-            QgsProcessingParameterFolderDestination(
-                self.LABELS, tr("Folder for the label images"), optional=True, createByDefault=False
-            ),
-            tr("A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table."),
-            advanced=True,
-        )
-        self.addOutput(QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of fixes")))
 
-    def checkParameterValues(self, parameters, context):
-        possible, reason = super().checkParameterValues(parameters, context)
-        if not possible:
-            return False, reason
-        smallest, largest = self._scales(parameters, context) or (0.0, 0.0)
+    def _output_parameters(self) -> Tuple[Declared, ...]:
+        """What is written, and the number that is told."""
+        left_out = {"optional": True, "by_default": False}
+        return (
+            PointOutput(
+                self.OUTPUT,
+                tr("Positions"),
+                tr(
+                    "One point an image: status, position, confidence, distance, window and, without a fix, the reason."
+                ),
+            ),
+            PolygonOutput(
+                self.FOOTPRINTS,
+                tr("Footprints"),
+                tr(
+                    "One polygon a fix: the ground the image shows, or the matched window of the topology vector "
+                    "method."
+                ),
+                **left_out,
+            ),
+            PolygonOutput(
+                self.ALTERNATIVES,
+                tr("Possible places"),
+                tr("For ambiguous images: the ground of each place that fits, the best one first."),
+                **left_out,
+            ),
+            PointOutput(
+                self.MATCHES,
+                tr("Matches"),
+                tr(
+                    "One point a landmark of the map that agrees with one of an image, for fixes with a heading: where "
+                    "the image has it, where the fix puts it, and how far that is off."
+                ),
+                advanced=True,
+                **left_out,
+            ),
+            FolderOutput(
+                self.LABELS,
+                tr("Folder for the label images"),
+                tr(
+                    "A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table."
+                ),
+                advanced=True,
+                **left_out,
+            ),
+            NumberResult(self.FIX_COUNT, tr("Number of fixes")),
+        )
+
+    def check(self, values: Values) -> None:
+        smallest, largest = self._scales(values) or (0.0, 0.0)
         if smallest > largest:
-            return False, tr(
+            sentence = tr(
                 "The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first."
-            ).format(smallest=smallest, largest=largest)
-        return True, ""
+            )
+            raise ParameterError(sentence.format(smallest=smallest, largest=largest))
 
-    def _scales(self, parameters, context):
+    def _scales(self, values: Values) -> Optional[Tuple[float, float]]:
         """(smallest, largest) as given, the other one by default; None, each method's own, when neither is given."""
         from ...core.localizer.localizer import default_scales
 
-        keys = (self.SCALE_MINIMUM, self.SCALE_MAXIMUM)
-        if all(parameters.get(key) in (None, "") for key in keys):
+        keys = self.SCALE_MINIMUM, self.SCALE_MAXIMUM
+        if not any(values.has(key) for key in keys):
             return None
-        defaults = default_scales(Method.of_number(self.parameterAsEnum(parameters, self.METHOD, context)))
-        return tuple(
-            default if parameters.get(key) in (None, "") else self.parameterAsDouble(parameters, key, context)
-            for key, default in zip(keys, defaults)
-        )
+        smallest, largest = default_scales(Method.of_number(values.choice(self.METHOD)))
+        return values.optional_number(keys[0], smallest), values.optional_number(keys[1], largest)
 
-    def work(self, parameters, context, feedback):
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
         from ...core.localizer.localizer import Localizer
-        from ...storage.camera_files import read_cameras
-        from ...storage.database.reader import read_database
-        from ...storage.rasters import image_files
+        from ..exchange.reference_systems import database_crs
 
-        feedback.setProgressText(tr("Reading the database"))
-        method = Method.of_number(self.parameterAsEnum(parameters, self.METHOD, context))
-        path = self.parameterAsFile(parameters, self.DATABASE, context)
-        database = read_database(path, with_overview=method == Method.MAP_CORRELATION)
-        if method == Method.AUTOMATIC:
-            database = _with_overview(database, path, feedback)
-        crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
-        if not crs.isValid():
-            raise DatabaseError(f"{database.source} has no readable parameter crs; build it again.")
-        localize = self._localizing(parameters, context, method, Localizer(database), crs)
-        read_labels = self._label_reader(parameters, context, database.class_table, feedback)
-        paths = image_files(self._paths(parameters, context))
-        if not paths:
-            raise ParameterError("IMAGES is empty; choose at least one image or a folder with images.")
-        table = self.parameterAsFile(parameters, self.ATTITUDE, context)
-        cameras = cancelable(read_cameras, paths, table, feedback=feedback)
-        if method == Method.TOPOLOGY_VECTOR:
-            # The published method, exactly: images as they are.
-            cameras = [replace(camera, attitude=None, problem=None) for camera in cameras]
-        folder = self.parameterAsString(parameters, self.LABELS, context)
-        with LabelImages.written_to(folder, paths, database.class_table) as keep:
+        method = Method.of_number(values.choice(self.METHOD))
+        database = self._database(values, method, feedback)
+        crs = database_crs(database)
+        localize = self._localizing(values, method, Localizer(database), crs)
+        read_labels = self._label_reader(values, database.class_table, feedback)
+        paths, cameras = self._images(values, method, feedback)
+        with outputs.folder(self.LABELS) as folder:
+            keep = LabelImages(folder, paths, database.class_table)
             localized = []
             for n, path in enumerate(paths):
                 check_canceled(feedback)
@@ -265,59 +299,58 @@ class LocalizeImages(SemRefAlgorithm):
                 localized.append(cancelable(_localize, *arguments, feedback=feedback))
                 say(localized[-1], feedback)
                 feedback.setProgress(95 * (n + 1) / len(paths))
-            if parameters.get(self.MAXIMUM_SPEED) not in (None, ""):
-                speed = self.parameterAsDouble(parameters, self.MAXIMUM_SPEED, context)
+            speed = values.optional_number(self.MAXIMUM_SPEED)
+            if speed is not None:
                 times_s = [camera.time_s for camera in cameras]
                 localized = with_jumps(localized, times_s, database.windows, speed, feedback)
-            # Sinks are made last: a cancel before leaves nothing behind.
+            # Layers are made last: a cancel before leaves nothing behind.
             check_canceled(feedback)
-            results = self._write(parameters, context, localized, database, crs)
-        if folder:
-            results[self.LABELS] = folder
+            self._write_positions(values, outputs, localized, crs)
+            self._write_others(outputs, localized, database, crs)
         fixes = sum(1 for item in localized if item.result is not None and item.result.is_fix)
         feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
-        results[self.FIX_COUNT] = fixes
-        return results
+        return {self.FIX_COUNT: fixes}
 
-    def _write(self, parameters, context, localized, database, crs):
-        """Writes the layers that are wanted; their destinations by key."""
-        results = {self.OUTPUT: self._write_positions(parameters, context, localized, crs)}
-        polygons = (
-            (self.FOOTPRINTS, FOOTPRINT_FIELDS, footprint_rows),
-            (self.ALTERNATIVES, ALTERNATIVE_FIELDS, alternatives),
-        )
-        for key, fields, rows_of in polygons:
-            sink = Sink(self, parameters, key, context, fields, POLYGON, crs)
-            if sink.is_wanted:
-                for item in localized:
-                    for ground, values in rows_of(item):
-                        sink.add(_polygon(ground), values)
-                results[key] = sink.close()
-        sink = Sink(self, parameters, self.MATCHES, context, MATCH_FIELDS, POINT, crs)
-        if sink.is_wanted:
-            for item in localized:
-                for position, values in match_rows(item, database):
-                    sink.add(QgsGeometry.fromPointXY(QgsPointXY(*position)), values)
-            results[self.MATCHES] = sink.close()
-        return results
+    def _database(self, values: Values, method: Method, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
+        """The database with what the method needs of it."""
+        from ...storage.database.reader import read_database
 
-    def _localizing(self, parameters, context, method, localizer, crs):
+        feedback.setProgressText(tr("Reading the database"))
+        path = values.file(self.DATABASE)
+        database = read_database(path, with_overview=method == Method.MAP_CORRELATION)
+        return _with_overview(database, path, feedback) if method == Method.AUTOMATIC else database
+
+    def _images(
+        self, values: Values, method: Method, feedback: QgsProcessingFeedback
+    ) -> Tuple[List[str], List[Camera]]:
+        """Paths of the images and how their cameras were held."""
+        from ...storage.camera_files import read_cameras
+        from ...storage.rasters import image_files
+
+        paths = image_files(values.files(self.IMAGES))
+        if not paths:
+            raise ParameterError("IMAGES is empty; choose at least one image or a folder with images.")
+        cameras = cancelable(read_cameras, paths, values.file(self.ATTITUDE), feedback=feedback)
+        if method == Method.TOPOLOGY_VECTOR:
+            # The published method, exactly: images as they are.
+            cameras = [replace(camera, attitude=None, problem=None) for camera in cameras]
+        return paths, cameras
+
+    def _localizing(
+        self, values: Values, method: Method, localizer: Localizer, crs: QgsCoordinateReferenceSystem
+    ) -> Localize:
         """The function (labels, Leveling or None) → Localization that is asked for."""
         from ...core.localizer.leveled import localize_leveled
         from ...core.localizer.localizer import default_scales
 
         localizer.check(method)
-        with_matches = parameters.get(self.MATCHES) not in (None, "")
-        scales = self._scales(parameters, context)
-        position = radius = None
-        if parameters.get(self.PRIOR_POINT) not in (None, ""):
-            point = self.parameterAsPoint(parameters, self.PRIOR_POINT, context, crs)
-            position, radius = (point.x(), point.y()), self.parameterAsDouble(parameters, self.PRIOR_RADIUS, context)
-        heading, heading_range = None, self.parameterAsDouble(parameters, self.PRIOR_HEADING_RANGE, context)
-        if parameters.get(self.PRIOR_HEADING) not in (None, ""):
-            heading = self.parameterAsDouble(parameters, self.PRIOR_HEADING, context)
+        with_matches = values.has(self.MATCHES)
+        scales = self._scales(values)
+        position = values.point(self.PRIOR_POINT, crs)
+        radius = None if position is None else values.number(self.PRIOR_RADIUS)
+        heading, heading_range = values.optional_number(self.PRIOR_HEADING), values.number(self.PRIOR_HEADING_RANGE)
 
-        def localize(labels_hw, way):
+        def localize(labels_hw: np.ndarray, way: Optional[Leveling]) -> Localization:
             # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
             ground = scales or (way and default_scales(method))
             sizes = ground and localizer.pixel_sizes(labels_hw.shape, ground)
@@ -328,43 +361,63 @@ class LocalizeImages(SemRefAlgorithm):
 
         return localize
 
-    def _label_reader(self, parameters, context, table, feedback):
+    def _label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
         """The function path → labels: of label images, or with a model of photos."""
         from ...storage.rasters import read_label_image
         from ..framework.photo_labels import PhotoLabels
 
-        model_path = self.parameterAsFile(parameters, self.MODEL, context)
+        model_path = values.file(self.MODEL)
         if model_path:
             feedback.setProgressText(tr("Loading the model"))
             return PhotoLabels(model_path, table, feedback)
         return lambda path: read_label_image(path, table)
 
-    def _paths(self, parameters, context):
-        """Files as a list, one path, or several separated by “;” as text."""
-        value = parameters[self.IMAGES]
-        if isinstance(value, str) and not os.path.exists(value):
-            return [part.strip() for part in value.split(LIST_SEPARATOR) if part.strip()]
-        return [path for path in self.parameterAsFileList(parameters, self.IMAGES, context) if path]
-
-    def _write_positions(self, parameters, context, localized, crs):
+    def _write_positions(
+        self,
+        values: Values,
+        outputs: Outputs,
+        localized: Sequence[LocalizedImage],
+        crs: QgsCoordinateReferenceSystem,
+    ) -> None:
         from ..exchange.reference_systems import longitudes_latitudes
 
-        sink = Sink(self, parameters, self.OUTPUT, context, FIELDS, POINT, crs)
-        for item in localized:
-            values, geometry = row(item), None
-            if item.result and item.result.position:
-                geometry = QgsGeometry.fromPointXY(QgsPointXY(*item.result.position))
-                degrees = longitudes_latitudes([item.result.position], crs, context.transformContext())
-                values["longitude"], values["latitude"] = (None if isnan(v[0]) else float(v[0]) for v in degrees)
-            sink.add(geometry, values)
-        return sink.close()
+        with outputs.layer(self.OUTPUT, FIELDS, POINT, crs) as sink:
+            for item in localized:
+                cells, geometry = row(item), None
+                if item.result and item.result.position:
+                    geometry = QgsGeometry.fromPointXY(QgsPointXY(*item.result.position))
+                    degrees = longitudes_latitudes([item.result.position], crs, values.transform_context)
+                    cells["longitude"], cells["latitude"] = (None if isnan(v[0]) else float(v[0]) for v in degrees)
+                sink.add(geometry, cells)
+
+    def _write_others(
+        self,
+        outputs: Outputs,
+        localized: Sequence[LocalizedImage],
+        database: ReferenceDatabase,
+        crs: QgsCoordinateReferenceSystem,
+    ) -> None:
+        """Writes the layers that are wanted beside the positions."""
+        polygons = (
+            (self.FOOTPRINTS, FOOTPRINT_FIELDS, footprint_rows),
+            (self.ALTERNATIVES, ALTERNATIVE_FIELDS, alternatives),
+        )
+        for key, fields, rows_of in polygons:
+            with outputs.layer(key, fields, POLYGON, crs) as sink:
+                for item in localized:
+                    for ground, cells in rows_of(item):
+                        sink.add(_polygon(ground), cells)
+        with outputs.layer(self.MATCHES, MATCH_FIELDS, POINT, crs) as sink:
+            for item in localized:
+                for position, cells in match_rows(item, database):
+                    sink.add(QgsGeometry.fromPointXY(QgsPointXY(*position)), cells)
 
 
-def _polygon(corners_xy) -> QgsGeometry:
+def _polygon(corners_xy: Sequence[Tuple[float, float]]) -> QgsGeometry:
     return QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners_xy]])
 
 
-def _with_overview(database, path, feedback):
+def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
     """The database with its overview; without one automatic has the constellation alone, and says so."""
     from ...storage.database.reader import read_overview
 
@@ -376,7 +429,9 @@ def _with_overview(database, path, feedback):
         return database
 
 
-def _localize(path, localize, read_labels, camera, keep) -> LocalizedImage:
+def _localize(
+    path: str, localize: Localize, read_labels: LabelReader, camera: Camera, keep: LabelImages
+) -> LocalizedImage:
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
     try:
         labels_hw = read_labels(path)

@@ -59,7 +59,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     def check(self, values: Values) -> None:
         """Raises SemRefError for values that don't fit together; for what needs no work."""
 
-    def read_layers(self, values: Values, *_: Any) -> None:
+    def read_layers(self, values: Values) -> None:
         """Takes what belongs to the main thread out of layers; raises SemRefError."""
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Optional[Dict[str, Any]]:
@@ -69,16 +69,6 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             The numbers that it tells, by key.
         """
         raise NotImplementedError
-
-    BY_VALUES = True
-    """False for an algorithm that still reads QGIS's parameters itself."""
-
-    def offer(self, parameter, text: str, advanced: bool = False) -> None:
-        """Adds a parameter with its help."""
-        parameter.setHelp(text)
-        if advanced:
-            parameter.setFlags(parameter.flags() | parameter.FlagAdvanced)
-        self.addParameter(parameter)
 
     def worded(self, error: SemRefError) -> str:
         """What an error says in the user's language, with this algorithm's keys where they help."""
@@ -139,8 +129,6 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         possible, reason = super().checkParameterValues(parameters, context)
         if not possible:
             return False, reason
-        if not self.BY_VALUES:
-            return True, ""
         try:
             self.check(Values(self, parameters, context))
         except SemRefError as error:
@@ -152,10 +140,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     ) -> bool:
         self._refusal = None
         try:
-            if self.BY_VALUES:
-                self.read_layers(Values(self, parameters, context))
-            else:
-                self.read_layers(parameters, context, feedback)
+            self.read_layers(Values(self, parameters, context))
         except SemRefError as error:
             # Raised by processAlgorithm: of what prepareAlgorithm raises QGIS tells Python callers nothing.
             self._refusal = error
@@ -167,8 +152,6 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         try:
             if self._refusal is not None:
                 raise self._refusal
-            if not self.BY_VALUES:
-                return self.work(parameters, context, feedback)
             values = Values(self, parameters, context)
             outputs = Outputs(values)
             numbers = self.work(values, outputs, feedback)

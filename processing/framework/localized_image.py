@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 from dataclasses import dataclass, replace
-from typing import Callable, Dict, Iterator, Optional, Sequence, Tuple
+from typing import Dict, Optional, Sequence, Tuple
 
 from ...core.labels.class_table import ClassTable
 from ...core.localization import Localization
@@ -80,7 +79,10 @@ class LocalizedImage:
 
 
 class LabelImages:
-    """A folder of label images, each named after its image; called with an image's path and its (H, W) labels."""
+    """A folder of label images, each named after its image; called with an image's path and its (H, W) labels.
+
+    Without a folder (an empty path) nothing is written.
+    """
 
     def __init__(self, folder: str, paths: Sequence[str], table: ClassTable) -> None:
         self._folder, self._table = folder, table
@@ -89,22 +91,12 @@ class LabelImages:
     def __call__(self, path: str, labels_hw) -> None:
         from ...storage.label_map_file import LabelMapFile
 
+        if not self._folder:
+            return
         height, width = labels_hw.shape
         target = os.path.join(self._folder, self._names[path])
         with LabelMapFile(target, width, height, None, "", self._table) as label_map:
             label_map.write_rows(0, labels_hw)
-
-    @staticmethod
-    @contextlib.contextmanager
-    def written_to(folder: str, paths: Sequence[str], table: ClassTable) -> Iterator[Callable]:
-        """The writer of a folder, which takes its place when the block ends well; nothing is written without one."""
-        from ...storage.files import folder_written_beside
-
-        if not folder:
-            yield lambda path, labels_hw: None
-            return
-        with folder_written_beside(folder) as temporary:
-            yield LabelImages(temporary, paths, table)
 
 
 def label_image_names(paths: Sequence[str]) -> Dict[str, str]:

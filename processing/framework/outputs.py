@@ -74,8 +74,14 @@ class Outputs:
 
     @contextmanager
     def folder(self, key: str, mark: str = "") -> Iterator[str]:
-        """Gives a new folder to fill; ``mark``: the file by which an older one is known that may be replaced."""
+        """Gives a new folder to fill, an empty path for one that is not wanted.
+
+        ``mark``: the file by which an older one is known that may be replaced.
+        """
         target = self._values.text(key)
+        if not target:
+            yield ""
+            return
         with folder_written_beside(target, mark) as temporary:
             yield temporary
         self.results[key] = target
