@@ -62,7 +62,7 @@ def cut(raster: np.ndarray, picture: Picture, size_px: int = WINDOW_PX) -> np.nd
         ValueError: when it leaves the map.
     """
     view = picture.view(size_px)
-    if not lies_on(PIXELS.of_shape(raster.shape[:2]), view):
+    if not lies_on(PIXELS.of_shape((raster.shape[0], raster.shape[1])), view):
         raise ValueError(f"The view {picture.name} reaches beyond the map.")
     return cut_view(raster, PIXELS, view)
 
