@@ -38,7 +38,7 @@ def compared(baseline, tmp_path, capsys):
             store.empty_folder(folder)
             store.write_section(folder, "area", {"windows": values[0], "fixes": values[1]}, {"map/pixels": values[2]})
             store.write_json(folder / store.MANIFEST, MANIFEST)
-        status = baseline("compare").compare(tmp_path / "a", tmp_path / "b", **options)
+        status = baseline("compare").compare(tmp_path / "a", tmp_path / "b", **{"every": True, **options})
         return status, capsys.readouterr().out
 
     return run
@@ -56,6 +56,14 @@ def test_the_same_is_identical(compared):
     assert counts(text, "area/windows") == (9, 9, 0, 0)
     assert counts(text, "area/fixes") == (2, 2, 0, 0)
     assert counts(text, "area/map/pixels") == (12, 12, 0, 0)
+
+
+def test_what_is_identical_is_summed_up(compared):
+    pixels = PIXELS + 1
+    rows = [{**row, "x": 5.0} for row in ROWS]
+    assert counts(compared(every=False)[1], "area/map") == (12, 12, 0, 0)
+    text = compared(rows=rows, pixels=pixels, every=False)[1]
+    assert counts(text, "area/map/pixels") == (12, 0, 0, 12) and counts(text, "all") == (23, 2, 0, 21)
 
 
 def test_a_changed_value_is_found_and_named(compared):

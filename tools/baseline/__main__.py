@@ -29,7 +29,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
     options = parse(arguments)
     try:
         if options.command == "compare":
-            return compare(options.folder_a, options.folder_b, options.ignore, options.additions)
+            return compare(options.folder_a, options.folder_b, options.ignore, options.additions, options.every)
         return _record(options)
     except RecordingError as error:
         print(f"tools.baseline: {error}", file=sys.stderr)
@@ -46,12 +46,13 @@ def parse(arguments: Optional[List[str]] = None) -> argparse.Namespace:
     record.add_argument("--data", type=Path, default=DATA, help="the real data's folder; default: %(default)s")
     record.add_argument("--sample-only", action="store_true", help="do without the real data")
     record.add_argument("--quick", action="store_true", help="a part that takes two minutes")
-    record.add_argument("--only", nargs="+", metavar="SECTION", help="some sections; the areas are always made")
+    record.add_argument("--only", nargs="+", metavar="SECTION", help="some sections anew, and the areas")
     record.add_argument("--work", type=Path, help="empty folder for the outputs, kept; default: a temporary one")
     compared = commands.add_parser("compare", help="say what differs between two recordings")
     compared.add_argument("folder_a", type=Path, help="the recording to hold to")
     compared.add_argument("folder_b", type=Path, help="the recording to judge")
     compared.add_argument("--ignore", nargs="+", default=[], metavar="PATTERN", help="rows to leave out, such as */log")
+    compared.add_argument("--every", action="store_true", help="give everything a line, also what is identical")
     text = "FOLDER_B may have columns, keys and outputs that FOLDER_A lacks"
     compared.add_argument("--additions", action="store_true", help=text)
     return parser.parse_args(arguments)

@@ -10,28 +10,34 @@ from . import dumps
 from .areas import write_geojson
 from .recorder import Recorder
 
-EVALUATIONS = {"landmarks": ([1, 2], 16), "map": ([3], 2)}
-"""METHODS and TRIALS of each evaluation."""
+TRIALS, TRIALS_OF_MAP = 16, 4
+"""Of the evaluation by landmarks, which has a report, and by map correlation: reports take a hundred more images."""
 
 
 def record(recorder: Recorder, places: Dict[str, Any]) -> None:
     """Records rows, reports' figures and JSON."""
     area = places.get("liechtenstein", places["sample"])
-    for name, (methods, trials) in EVALUATIONS.items():
-        if recorder.quick and name != "landmarks":
-            continue
-        outputs = _outputs(recorder, f"evaluated_{name}")
-        numbers = recorder.path(f"assessment/{name}.json")
-        parameters = {"DATABASE": area.database, "LABELS": area.labels, "METHODS": methods, "JSON": numbers}
-        parameters.update(TRIALS=4 if recorder.quick else trials, SEED=7, **outputs)
-        recorder.run(f"evaluated/{name}", "evaluatelocalization", parameters)
-        _put(recorder, f"evaluated/{name}", outputs)
-        recorder.put(f"evaluated/{name}/json", json.loads(Path(numbers).read_text(encoding="utf-8")))
+    _evaluate(recorder, area)
     outputs = _outputs(recorder, "database")
     parameters = {"DATABASE": area.database, "SPACING": 800, "TRIALS": 20 if recorder.quick else 120, "SEED": 3}
     recorder.run("assessed/database", "assessdatabase", {**parameters, **outputs})
     _put(recorder, "assessed/database", outputs)
     _route(recorder, places["sample"])
+
+
+def _evaluate(recorder: Recorder, area) -> None:
+    outputs, numbers = _outputs(recorder, "evaluated_landmarks"), recorder.path("assessment/landmarks.json")
+    parameters = {"DATABASE": area.database, "LABELS": area.labels, "SEED": 7}
+    more = {"METHODS": [1, 2], "TRIALS": 4 if recorder.quick else TRIALS, "JSON": numbers, **outputs}
+    recorder.run("evaluated/landmarks", "evaluatelocalization", {**parameters, **more})
+    _put(recorder, "evaluated/landmarks", outputs)
+    recorder.put("evaluated/landmarks/json", json.loads(Path(numbers).read_text(encoding="utf-8")))
+    if recorder.quick:
+        return
+    rows = recorder.path("assessment/evaluated_map.gpkg")
+    parameters.update(METHODS=[0, 3], TRIALS=TRIALS_OF_MAP, OUTPUT=rows)
+    recorder.run("evaluated/map", "evaluatelocalization", parameters)
+    recorder.put_layer("evaluated/map", rows)
 
 
 def _route(recorder: Recorder, sample) -> None:

@@ -21,6 +21,7 @@ IGNORED = {
     "plugin_version": "the plugin's version",
     "content_hash": "of onboard files, which holds the version; that it is right is recorded",
     "last_change": "time at which a GeoPackage was written",
+    "timestamp": "time at which a GeoPackage's metadata were written",
     "update_time": "time at which a style was written",
     "time": "time at which an image file was written",
     "seconds": "how long something took",
@@ -48,7 +49,9 @@ class Tally:
             self.notes.append(note)
 
 
-def compare(folder_a: Path, folder_b: Path, ignore: Sequence[str] = (), additions: bool = False) -> int:
+def compare(
+    folder_a: Path, folder_b: Path, ignore: Sequence[str] = (), additions: bool = False, every: bool = False
+) -> int:
     """Prints the table; gives the exit status: 1 when anything is different.
 
     Args:
@@ -56,16 +59,18 @@ def compare(folder_a: Path, folder_b: Path, ignore: Sequence[str] = (), addition
         folder_b: the recording to judge.
         ignore: patterns of things that are left out.
         additions: whether B may have columns, keys and outputs that A lacks; they are counted.
+        every: whether everything gets a line of its own, also what is identical.
     """
     manifests = [read_manifest(folder) for folder in (folder_a, folder_b)]
     for letter, folder, manifest in zip("AB", (folder_a, folder_b), manifests):
         kind = "quick" if manifest["quick"] else "full"
         print(f"{letter}: {folder}: {kind} recording of {manifest['commit']} ({manifest['versions']})")
     tallies = dict(tallies_of(folder_a, folder_b, ignore, additions))
-    width = max((len(what) for what in tallies), default=0)
+    lines = list(_lines(tallies, every))
+    width = max((len(what) for what, _ in lines), default=0)
     head = ("items", "identical", "within 1e-9", "different")
     print(f"\n{'what':{width}}" + "".join(f" | {title:>11}" for title in head))
-    for what, tally in tallies.items():
+    for what, tally in lines:
         print(f"{what:{width}}" + _numbers(tally.counts))
         for note in tally.notes:
             print(f"    {note}")
@@ -78,6 +83,17 @@ def compare(folder_a: Path, folder_b: Path, ignore: Sequence[str] = (), addition
         print(f"Left out on request: {', '.join(ignore)}")
     print("Different." if totals[DIFFERENT] else "Nothing is different.")
     return 1 if totals[DIFFERENT] else 0
+
+
+def _lines(tallies: Dict[str, Tally], every: bool) -> Iterator[Tuple[str, Tally]]:
+    """Lines of the table: what is identical is summed up by the first two parts of its name."""
+    sums: Dict[str, Tally] = {}
+    for what, tally in tallies.items():
+        apart = every or tally.counts[CLOSE] or tally.counts[DIFFERENT]
+        group = sums.setdefault(what if apart else "/".join(what.split("/")[:2]), Tally())
+        group.counts = [total + count for total, count in zip(group.counts, tally.counts)]
+        group.notes += tally.notes
+    yield from sums.items()
 
 
 def _numbers(counts: Sequence[int]) -> str:

@@ -10,6 +10,7 @@ from contextlib import closing
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any, Dict, List, Tuple
+from xml.etree.ElementTree import canonicalize
 
 import numpy as np
 from osgeo import gdal, ogr
@@ -25,6 +26,11 @@ SKIPPED_TABLES = ("sqlite_", "rtree_", "gpkg_spatial_ref_sys")
 def digest(content: bytes) -> str:
     """Size and hash of bytes."""
     return f"{len(content)} bytes, sha256 {hashlib.sha256(content).hexdigest()}"
+
+
+def style_digest(text: str) -> str:
+    """Size and hash of a style of QGIS, which writes the attributes of an element in any order."""
+    return digest(canonicalize(text).encode())
 
 
 def layer_rows(path: str) -> List[Dict[str, Any]]:
@@ -81,6 +87,8 @@ def _table(connection: sqlite3.Connection, name: str) -> List[Dict[str, Any]]:
 
 
 def _cell(column: str, value: Any) -> Any:
+    if column == "styleQML":
+        return style_digest(value)
     if isinstance(value, bytes):
         return np.frombuffer(value, "<f4").tolist() if column == "vector" else digest(value)
     return digest(value.encode()) if isinstance(value, str) and len(value) > 2_000 else value
@@ -101,7 +109,7 @@ def raster(path: str) -> Tuple[Dict[str, Any], np.ndarray]:
         "bands": [[gdal.GetDataTypeName(band.DataType), band.GetNoDataValue(), *band.GetBlockSize()] for band in bands],
         "categories": bands[0].GetCategoryNames(),
         "colors": colors and [list(colors.GetColorEntry(n)) for n in range(colors.GetCount())],
-        "style": digest(style.read_bytes()) if style.exists() else None,
+        "style": style_digest(style.read_text(encoding="utf-8")) if style.exists() else None,
     }
     return about, dataset.ReadAsArray()
 

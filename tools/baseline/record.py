@@ -7,12 +7,12 @@ import subprocess
 import time
 import traceback
 from pathlib import Path
-from typing import Dict, List, Optional
+from typing import Any, Dict, List, Optional
 
 from . import annotation, areas, assessment, fixes, interface, labels, models, onboard
 from .recorder import Recorder
 from .session import qgis_with_plugin
-from .store import MANIFEST, RecordingError, empty_folder, write_json
+from .store import MANIFEST, RecordingError, empty_folder, read_manifest, write_json
 
 SECTIONS = {
     "interface": interface.record,
@@ -29,15 +29,26 @@ SECTIONS = {
 def record(
     target: Path, work: Path, repository: Path, data: Path, quick: bool, only: Optional[List[str]] = None
 ) -> int:
-    """Writes a recording into ``target``; gives the exit status: 1 when a section failed."""
+    """Writes a recording into ``target``; gives the exit status: 1 when a section failed.
+
+    Args:
+        target: the recording's folder.
+        work: where the outputs of the algorithms go.
+        repository: the checkout that is recorded.
+        data: the real data's folder.
+        quick: whether to record a part.
+        only: sections to record, beside the areas; others that a recording of the same commit has are kept.
+    """
     unknown = set(only or ()) - set(SECTIONS)
     if unknown:
         raise RecordingError(f"There is no section {', '.join(sorted(unknown))}; there are {', '.join(SECTIONS)}.")
-    empty_folder(target)
+    about = {"quick": quick, "commit": _commit(repository)}
+    seconds: Dict[str, float] = _kept(target, about) if only else {}
+    if not seconds:
+        empty_folder(target)
     write_json(target / MANIFEST, {"complete": False})
     recorder = Recorder(target, work, repository, data, quick)
-    seconds: Dict[str, float] = {}
-    failed = []
+    failed, began = [], time.perf_counter()
     with qgis_with_plugin(repository):
         versions = _versions()
         started = time.perf_counter()
@@ -57,13 +68,21 @@ def record(
             count = recorder.write(name)
             seconds[name] = time.perf_counter() - started
             print(f"{name}: {count} things, {seconds[name]:.0f} s", flush=True)
-        manifest = {"quick": quick, "only": only, "seconds": seconds, "failed": failed, "versions": versions}
-        write_json(target / MANIFEST, {**manifest, "complete": True, "commit": _commit(repository)})
-    total, processor = sum(seconds.values()), sum(os.times()[:4])
+        about.update(seconds=seconds, failed=failed, versions=versions)
+        write_json(target / MANIFEST, {**about, "complete": True})
+    total, processor = time.perf_counter() - began, sum(os.times()[:4])
     print(f"Recorded {repository} in {total:.0f} s ({processor:.0f} s of processor time) into {target}")
     if failed:
         print(f"FAILED: {', '.join(failed)}; what was raised stands in the recording.")
     return 1 if failed else 0
+
+
+def _kept(target: Path, about: Dict[str, Any]) -> Dict[str, float]:
+    """Seconds of the sections of a recording that is there, when some are recorded anew; none if it is another's."""
+    if not (target / MANIFEST).exists():
+        return {}
+    found = read_manifest(target)
+    return found["seconds"] if {**found, **about} == found else {}
 
 
 def _versions() -> str:
