@@ -47,19 +47,19 @@ ALGORITHMS = (
 class SemRefProvider(QgsProcessingProvider):
     """Id ``semref``; the ids and keys of its algorithms are public."""
 
-    def id(self):
+    def id(self) -> str:
         return "semref"
 
-    def name(self):
+    def name(self) -> str:
         return "SemRef"
 
-    def icon(self):
+    def icon(self) -> QIcon:
         return QIcon(str(ICON_PATH))
 
-    def svgIconPath(self):
+    def svgIconPath(self) -> str:
         return str(ICON_PATH)
 
-    def loadAlgorithms(self):
+    def loadAlgorithms(self) -> None:
         for algorithm in ALGORITHMS:
             self.addAlgorithm(algorithm())
         # A model can be read only when the algorithms in it are registered: not the first time.
@@ -67,14 +67,14 @@ class SemRefProvider(QgsProcessingProvider):
             for model in shipped_models():
                 self.addAlgorithm(model)
 
-    def defaultVectorFileExtension(self, has_geometry=True):
+    def defaultVectorFileExtension(self, has_geometry: bool = True) -> str:
         return "gpkg"
 
-    def defaultRasterFileExtension(self):
+    def defaultRasterFileExtension(self) -> str:
         return "tif"
 
 
-def register_provider(registry: QgsProcessingRegistry):
+def register_provider(registry: QgsProcessingRegistry) -> QgsProcessingProvider:
     """A registered SemRefProvider with its models; the caller keeps it and removes it from the registry.
 
     Returns the provider that is there already when one is: QGIS crashes when one id is registered twice.

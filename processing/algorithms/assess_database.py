@@ -56,10 +56,10 @@ class AssessDatabase(AssessAlgorithm):
     OUTPUT = "OUTPUT"
     LOCALIZABLE_FRACTION = "LOCALIZABLE_FRACTION"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Assess reference database")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Shows where images will be localized with a reference database, and where not: expected success and error "
             "of each square of ground under the noise that you state, number of landmarks, look-alikes, and the "

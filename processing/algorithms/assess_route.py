@@ -84,10 +84,10 @@ class AssessRoute(AssessAlgorithm):
     LONGEST_GAP = "LONGEST_GAP"
     LONGEST_GAP_SECONDS = "LONGEST_GAP_SECONDS"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Assess route")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Shows what to expect along a planned route: success, error and number of landmarks at every point, the "
             "longest stretch without an expected fix, and which stretches do better when they are shifted to a side."
@@ -99,27 +99,6 @@ class AssessRoute(AssessAlgorithm):
         )
 
     def parameters(self) -> Tuple[Declared, ...]:
-        lengths = (
-            (
-                self.SPACING,
-                tr("Spacing (map units)"),
-                tr("Distance between the points; a quarter of the footprint if left out."),
-            ),
-            (
-                self.FOOTPRINT,
-                tr("Footprint (map units)"),
-                tr("Edge of the ground that an image shows; the window size if left out."),
-            ),
-            (self.SPEED, tr("Speed (m/s)"), tr("Over ground; gaps are then told in seconds, too.")),
-            (
-                self.SHIFT,
-                tr("Largest shift (map units)"),
-                tr(
-                    "How far stretches without an expected fix may be shifted to either side; half of it is tried, "
-                    "too. The footprint if left out, 0 for none."
-                ),
-            ),
-        )
         return (
             offers.database(),
             RouteSource(
@@ -131,7 +110,7 @@ class AssessRoute(AssessAlgorithm):
                 ),
                 kinds=(SOURCE_LINE,),
             ),
-            *(Number(*what, optional=True, minimum=0.0) for what in lengths),
+            *self._lengths(),
             Number(
                 self.TRIALS,
                 tr("Simulated images a point"),
@@ -156,6 +135,31 @@ class AssessRoute(AssessAlgorithm):
             NumberResult(self.LONGEST_GAP, tr("Longest gap")),
             NumberResult(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
         )
+
+    def _lengths(self) -> Tuple[Declared, ...]:
+        """What may be left out of how the route is flown."""
+        lengths = (
+            (
+                self.SPACING,
+                tr("Spacing (map units)"),
+                tr("Distance between the points; a quarter of the footprint if left out."),
+            ),
+            (
+                self.FOOTPRINT,
+                tr("Footprint (map units)"),
+                tr("Edge of the ground that an image shows; the window size if left out."),
+            ),
+            (self.SPEED, tr("Speed (m/s)"), tr("Over ground; gaps are then told in seconds, too.")),
+            (
+                self.SHIFT,
+                tr("Largest shift (map units)"),
+                tr(
+                    "How far stretches without an expected fix may be shifted to either side; half of it is tried, "
+                    "too. The footprint if left out, 0 for none."
+                ),
+            ),
+        )
+        return tuple(Number(*what, optional=True, minimum=0.0) for what in lengths)
 
     def read_layers(self, values: Values) -> None:
         from ..exchange.routes import read_route, route_of_source

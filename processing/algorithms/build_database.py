@@ -40,10 +40,10 @@ class BuildDatabase(SemRefAlgorithm):
     WINDOW_COUNT = "WINDOW_COUNT"
     REFERENCE_COUNT = "REFERENCE_COUNT"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Build reference database")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Slides windows over a label map and describes each by the topology vector of its landmarks; saves "
             "windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.\n\n"
@@ -63,6 +63,27 @@ class BuildDatabase(SemRefAlgorithm):
                     "table."
                 )
             ),
+            *self._windows(),
+            Number(
+                self.MINIMUM_AREA,
+                tr("Minimum area (m²)"),
+                tr("Smaller regions are no landmarks."),
+                default=100.0,
+                minimum=0.0,
+            ),
+            FileOutput(
+                self.DATABASE,
+                tr("Reference database"),
+                tr("One GeoPackage with the layers windows, references, overview, classes and parameters."),
+                filter=tr("GeoPackage (*.gpkg)"),
+            ),
+            NumberResult(self.WINDOW_COUNT, tr("Number of windows")),
+            NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
+        )
+
+    def _windows(self) -> Tuple[Declared, ...]:
+        """How windows lie and what describes them."""
+        return (
             Number(
                 self.WINDOW_SIZE,
                 tr("Window size (map units)"),
@@ -98,21 +119,6 @@ class BuildDatabase(SemRefAlgorithm):
                 maximum=1000,
                 is_integer=True,
             ),
-            Number(
-                self.MINIMUM_AREA,
-                tr("Minimum area (m²)"),
-                tr("Smaller regions are no landmarks."),
-                default=100.0,
-                minimum=0.0,
-            ),
-            FileOutput(
-                self.DATABASE,
-                tr("Reference database"),
-                tr("One GeoPackage with the layers windows, references, overview, classes and parameters."),
-                filter=tr("GeoPackage (*.gpkg)"),
-            ),
-            NumberResult(self.WINDOW_COUNT, tr("Number of windows")),
-            NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
 
     def check(self, values: Values) -> None:

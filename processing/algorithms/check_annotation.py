@@ -41,10 +41,10 @@ class CheckAnnotation(AnnotationAlgorithm):
     ISSUE_COUNT = "ISSUE_COUNT"
     ERROR_COUNT = "ERROR_COUNT"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Check annotation")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps "
             "that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that "

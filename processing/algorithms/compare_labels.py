@@ -44,10 +44,10 @@ class CompareLabels(SemRefAlgorithm):
     MEAN_IOU = "MEAN_IOU"
     OVERALL_ACCURACY = "OVERALL_ACCURACY"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Compare label maps")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall "
             "accuracy, and the places where they disagree as polygons, the largest first.\n\n"

@@ -31,10 +31,10 @@ class DecodeColorLabels(SemRefAlgorithm):
     OUTPUT = "OUTPUT"
     HSV_RANGES, NEAREST_COLOR = range(2)
 
-    def title(self):
+    def title(self) -> str:
         return tr("Decode color labels")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as "
             "published or by the nearest class color.\n\n"

@@ -52,10 +52,10 @@ class DescribeImage(SemRefAlgorithm):
     VECTOR = "VECTOR"
     REFERENCE_COUNT = "REFERENCE_COUNT"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Describe image")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Shows what localization sees in a label image: its landmarks as points and its topology vector.\n\n"
             "The image is described in its largest centered square, exactly as the windows of a database are. With a "
@@ -73,6 +73,26 @@ class DescribeImage(SemRefAlgorithm):
                 tr("The image is described as this database’s windows are; the settings below are then not used."),
                 optional=True,
             ),
+            *self._without_database(),
+            PointOutput(
+                self.REFERENCES,
+                tr("Landmarks"),
+                tr("Points with class, area and pixel position; in pixels (y up, negative) without georeference."),
+            ),
+            FileOutput(
+                self.VECTOR,
+                tr("Topology vector"),
+                tr("Distance ratios, angle differences and class ranks, with the classes used."),
+                optional=True,
+                by_default=False,
+                filter=tr("JSON files (*.json)"),
+            ),
+            NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
+        )
+
+    def _without_database(self) -> Tuple[Declared, ...]:
+        """What a database would tell."""
+        return (
             offers.class_table(
                 tr("Without a database: the classes. If left out, those that the label image itself carries.")
             ),
@@ -98,20 +118,6 @@ class DescribeImage(SemRefAlgorithm):
                 minimum=3,
                 is_integer=True,
             ),
-            PointOutput(
-                self.REFERENCES,
-                tr("Landmarks"),
-                tr("Points with class, area and pixel position; in pixels (y up, negative) without georeference."),
-            ),
-            FileOutput(
-                self.VECTOR,
-                tr("Topology vector"),
-                tr("Distance ratios, angle differences and class ranks, with the classes used."),
-                optional=True,
-                by_default=False,
-                filter=tr("JSON files (*.json)"),
-            ),
-            NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
 
     def read_layers(self, values: Values) -> None:

@@ -87,10 +87,10 @@ class EvaluateLocalization(SemRefAlgorithm):
     MEDIAN_ERROR = "MEDIAN_ERROR"
     FALSE_ACCEPT_RATE = "FALSE_ACCEPT_RATE"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Evaluate localization")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off "
             "the windows and spoiled, then localized with one method or several.\n\n"

@@ -34,10 +34,10 @@ class ExportOnboard(SemRefAlgorithm):
     OUTPUT = "OUTPUT"
     BYTES = "BYTES"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Export for onboard use")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy "
             "the plugin’s folder “core” beside it and run “python -m core localize”.\n\n"

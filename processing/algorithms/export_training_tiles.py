@@ -32,10 +32,10 @@ class ExportTrainingTiles(SemRefAlgorithm):
     OUTPUT = "OUTPUT"
     TILE_COUNT = "TILE_COUNT"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Export training tiles")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Cuts an image and its label map into tiles that a segmentation network is trained on, with a class "
             "table, statistics and a manifest.\n\n"

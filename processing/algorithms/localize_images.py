@@ -84,10 +84,10 @@ class LocalizeImages(SemRefAlgorithm):
     LABELS = "LABELS"
     FIX_COUNT = "FIX_COUNT"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Localize images")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Finds where images were taken: each label image is described by its landmarks and matched with a "
             "reference database.\n\n"

@@ -32,10 +32,10 @@ class MakeSample(SemRefAlgorithm):
     SEED = "SEED"
     PHOTO_COUNT = "PHOTO_COUNT"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Make sample area")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their "
             "class table (classes.csv), an orthophoto, and photos taken anywhere above it, with where they were "

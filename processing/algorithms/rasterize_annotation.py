@@ -38,10 +38,10 @@ class RasterizeAnnotation(AnnotationAlgorithm):
     CLASS_COUNT = "CLASS_COUNT"
     LABELED_FRACTION = "LABELED_FRACTION"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Rasterize annotation")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Burns land-cover polygons into a label map: a single-band GeoTIFF whose pixels hold class values, "
             "0 where no polygon lies.\n\n"

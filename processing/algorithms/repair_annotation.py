@@ -35,10 +35,10 @@ class RepairAnnotation(AnnotationAlgorithm):
     OUTPUT = "OUTPUT"
     CHANGES = "CHANGES"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Repair annotation")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and "
             "slivers to the neighbor with the longest shared border, and touching polygons of one class become one. "

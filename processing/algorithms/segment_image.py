@@ -37,10 +37,10 @@ class SegmentImage(SemRefAlgorithm):
     CLASS_TABLE = "CLASS_TABLE"
     OUTPUT = "OUTPUT"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Segment image")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).\n\n"
             "The image is brought to the resolution of the model where both are known and looked at in overlapping "

@@ -37,10 +37,10 @@ class UpdateDatabase(SemRefAlgorithm):
     CHANGED = "CHANGED"
     OUTPUT = "OUTPUT"
 
-    def title(self):
+    def title(self) -> str:
         return tr("Update reference database")
 
-    def summary(self):
+    def summary(self) -> str:
         return tr(
             "Brings a reference database up to date after its label map was corrected: the same answer as building it "
             "anew, but only windows and landmarks that the corrections reach are touched.\n\n"

@@ -6,7 +6,7 @@ import contextlib
 import errno
 from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
-from typing import Any, Callable, Dict, Generator, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Generator, List, Optional, Tuple, TypeVar, Union
 
 from qgis.core import QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
 from qgis.PyQt.QtGui import QIcon
@@ -21,6 +21,7 @@ from .outputs import Outputs
 from .values import Values
 
 Declared = Union[Parameter, NumberResult]
+Result = TypeVar("Result")
 
 ICON_PATH = Path(__file__).resolve().parents[2] / "resources" / "icon.svg"
 
@@ -190,7 +191,7 @@ def check_canceled(feedback: QgsProcessingFeedback) -> None:
         raise Canceled
 
 
-def cancelable(function: Callable, *arguments, feedback: QgsProcessingFeedback):
+def cancelable(function: Callable[..., Result], *arguments: Any, feedback: QgsProcessingFeedback) -> Result:
     """The function's result; a cancel is heeded at once, while the function ends in its own thread."""
     pool = ThreadPoolExecutor(1)
     try:

@@ -4,13 +4,22 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, replace
-from typing import Dict, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple
 
 from ...core.labels.class_table import ClassTable
 from ...core.localization import Localization
 from ...core.sentences import Sentence
 from ..translation import tr
 from ..wording.sentences import worded
+
+if TYPE_CHECKING:
+    import numpy as np
+    from qgis.core import QgsProcessingFeedback
+
+    from ...core.database.model import ReferenceDatabase, Windows
+
+PlacedRow = Tuple[Any, Dict[str, Any]]
+"""(map coordinates of a point or of corners, values by name of field)."""
 
 ERROR = "error"
 """Status of an image that could not be read; the others come from the localizer."""
@@ -88,7 +97,7 @@ class LabelImages:
         self._folder, self._table = folder, table
         self._names = label_image_names(paths)
 
-    def __call__(self, path: str, labels_hw) -> None:
+    def __call__(self, path: str, labels_hw: np.ndarray) -> None:
         from ...storage.label_map_file import LabelMapFile
 
         if not self._folder:
@@ -117,7 +126,13 @@ def label_image_names(paths: Sequence[str]) -> Dict[str, str]:
     return names
 
 
-def with_jumps(localized, times_s, windows, speed, feedback):
+def with_jumps(
+    localized: Sequence[LocalizedImage],
+    times_s: Sequence[Optional[float]],
+    windows: Windows,
+    speed: float,
+    feedback: QgsProcessingFeedback,
+) -> List[LocalizedImage]:
     """The images, fixes of known time marked as jumps or not; says what was found."""
     import numpy as np
 
@@ -146,7 +161,7 @@ def with_jumps(localized, times_s, windows, speed, feedback):
     return checked
 
 
-def row(item) -> dict:
+def row(item: LocalizedImage) -> Dict[str, Any]:
     """Values of FIELDS by name, without longitude and latitude."""
     result = item.result
     if result is None:
@@ -163,7 +178,7 @@ def row(item) -> dict:
     }
 
 
-def footprint_rows(item) -> list:
+def footprint_rows(item: LocalizedImage) -> List[PlacedRow]:
     """((4, 2) map coordinates, values of FOOTPRINT_FIELDS) of an image with a fix, else nothing."""
     if item.result is None or item.result.footprint is None:
         return []
@@ -171,7 +186,7 @@ def footprint_rows(item) -> list:
     return [(item.result.footprint, {name: values[name] for name, _ in FOOTPRINT_FIELDS})]
 
 
-def match_rows(item, database) -> list:
+def match_rows(item: LocalizedImage, database: ReferenceDatabase) -> List[PlacedRow]:
     """(map position, values of MATCH_FIELDS) of each landmark of the map that agrees with one of the image."""
     if item.result is None or not item.result.is_fix or item.result.matches is None:
         return []
@@ -187,7 +202,7 @@ def match_rows(item, database) -> list:
     return rows
 
 
-def alternatives(item) -> list:
+def alternatives(item: LocalizedImage) -> List[PlacedRow]:
     """((4, 2) map coordinates, values of ALTERNATIVE_FIELDS) of each place that an image without a fix may show."""
     from ...core.geometry.footprint import image_corners
 
@@ -202,7 +217,7 @@ def alternatives(item) -> list:
     ]
 
 
-def say(item, feedback) -> None:
+def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
     name = os.path.basename(item.path)
     if item.result is None:
         feedback.reportError(f"{name}: {item.error}", False)

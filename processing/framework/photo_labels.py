@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from qgis.core import QgsProcessingFeedback
 
@@ -11,6 +13,10 @@ from ..packages.components import ONNXRUNTIME, how_to_install, missing
 from ..threads import worker_threads
 from ..translation import tr
 from .base import check_canceled
+
+if TYPE_CHECKING:
+    from ...core.segmentation.model import SegmentationModel
+    from ...storage.images import GdalImage
 
 
 class PhotoLabels:
@@ -52,7 +58,7 @@ class PhotoLabels:
         return labels.labels_hw
 
 
-def describe(model, image, feedback) -> None:
+def describe(model: SegmentationModel, image: GdalImage, feedback: QgsProcessingFeedback) -> None:
     """Says what runs, which bands it sees, and what of the model's metadata was overruled."""
     text = tr("{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.")
     classes = ", ".join(model.classes.names)

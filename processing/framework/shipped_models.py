@@ -122,7 +122,7 @@ class ShippedModel(QgsProcessingModelAlgorithm):
 
     # --- QgsProcessingAlgorithm ---
 
-    def createInstance(self):
+    def createInstance(self) -> ShippedModel:
         # QGIS's own copies know the name only, not the title.
         made = ShippedModel()
         made.load(self._path)
