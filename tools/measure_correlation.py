@@ -14,10 +14,10 @@ on a map of one half only, and mirrored images. ``aerial``: the annotated tiles 
 grid. ``automatic``: METHOD 0 on Liechtenstein, with a database whose landmarks are buildings, bare land and
 water from 100 m² on: objects missed, invented and misnamed, 8 to 12 objects, degraded labels; false accepts as for
 ``country``, as many of each kind as ``--elsewhere``. ``--evidence`` also records what each road says of the other's
-best place, which sets the constants of core/localizer/combined.py.
+best place, which sets ``LocalizerSettings``.
 ``radius``: errors of poses refined from beside the right place, on the country and on the aerial tiles, against their
 deviation, which set the 95 % radius. ``--rows FILE`` adds
-one JSON line a trial, from which ``fit`` proposes the constants of correlation_decision.
+one JSON line a trial, from which ``fit`` proposes the decision's part of ``CorrelationSettings``.
 """
 
 from __future__ import annotations
@@ -61,19 +61,14 @@ def load_package() -> None:
 load_package()
 from semref.core.constellation import solver as constellation  # noqa: E402
 from semref.core.correlation.class_pyramid import MapPyramid  # noqa: E402
-from semref.core.correlation.decision import LEAST_NOISE, position_error_95  # noqa: E402
+from semref.core.correlation.decision import position_error_95  # noqa: E402
 from semref.core.correlation.places import (  # noqa: E402
-    COARSE_EDGE,
-    DECISION_EDGE,
-    SCALE_STEP,
-    TURN_STEP_DEG,
-    CorrelationSettings,
     finest_pose,
     image_evidence,
     reduced_image,
 )
 from semref.core.correlation.refine import ScoredPose, axes, refine  # noqa: E402
-from semref.core.correlation.search import QUIET_ENERGY  # noqa: E402
+from semref.core.correlation.settings import CORRELATION  # noqa: E402
 from semref.core.correlation.solver import agreement_at, localize  # noqa: E402
 from semref.core.database.build import BuildSettings, DatabaseBuilder  # noqa: E402
 from semref.core.evaluation.rates import wilson  # noqa: E402
@@ -85,6 +80,8 @@ from semref.core.landmarks.landmarks import extract_landmarks  # noqa: E402
 from semref.core.localization import CorrelationPeaks, Method, Prior  # noqa: E402
 from semref.core.localizer.localizer import Localizer  # noqa: E402
 from semref.core.simulation.noise import MODEST, STRONG, LabelNoise, spoil_labels  # noqa: E402
+
+OVERVIEW_FRAME = MapFrame.at((0.0, 0.0), 4.0)
 
 OBJECT_CLASSES = (1, 2, 3)  # building, bare land, water
 OBJECT_NOISE = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05)
@@ -161,8 +158,9 @@ def trial(job) -> dict:
         position = center[0] + away[0], -center[1] + away[1]
         prior = Prior(position, prior_m, pixel_size_range=STATE["search"])
     started, cpu = time.perf_counter(), time.process_time()
-    settings = CorrelationSettings(threads=STATE["threads"])
-    found = localize(image, STATE["pyramids"][kind], prior, settings)
+    pyramid = STATE["pyramids"][kind]
+    pyramid.settings = dataclasses.replace(CORRELATION, threads=STATE["threads"])
+    found = localize(image, pyramid, prior)
     row = {
         "kind": kind,
         "noise": noise_name,
@@ -220,13 +218,15 @@ def radius_trial(job) -> dict:
     )
     labels = spoiled(labels, pixel * STATE["meters"], NOISES[noise_name], seed)
     pyramid = STATE["pyramids"]["right"]
-    quiet = QUIET_ENERGY * pyramid.energy
     image = image_evidence(labels, pyramid)
-    off = rng.uniform(-0.5, 0.5, 4) * (edge * pixel / COARSE_EDGE, edge * pixel / COARSE_EDGE, TURN_STEP_DEG, 1)
-    pose = ScoredPose(center[0] + off[0], center[1] + off[1], heading + off[2], pixel * SCALE_STEP ** off[3])
-    for coarse in (COARSE_EDGE, DECISION_EDGE):
-        pose = refine(reduced_image(image, coarse), pyramid, pose, quiet, 4)
-    finest, covariance = finest_pose(image, pyramid, pose, quiet)
+    coarse = CORRELATION.coarse_edge
+    off = rng.uniform(-0.5, 0.5, 4) * (edge * pixel / coarse, edge * pixel / coarse, CORRELATION.turn_step_deg, 1)
+    pose = ScoredPose(
+        center[0] + off[0], center[1] + off[1], heading + off[2], pixel * CORRELATION.scale_step ** off[3]
+    )
+    for edge_px in (coarse, CORRELATION.decision_edge):
+        pose = refine(reduced_image(image, edge_px), pyramid, pose, pyramid.quiet, 4)
+    finest, covariance = finest_pose(image, pyramid, pose)
     spread = axes(finest) @ covariance[:2, :2] @ axes(finest).T
     return {
         "noise": noise_name,
@@ -234,7 +234,7 @@ def radius_trial(job) -> dict:
         "footprint": edge * pixel,
         "error": float(np.hypot(finest.x - center[0], finest.y - center[1])),
         "deviation": float(np.sqrt(np.linalg.eigvalsh(spread).max())),
-        "error_95": position_error_95(spread, pose.score, pyramid.frame[2]),
+        "error_95": position_error_95(spread, pose.score, pyramid.frame.pixel_size),
     }
 
 
@@ -242,17 +242,17 @@ def prepare_country(half: str) -> None:
     """Maps of the whole country and of one half; images come from ``half``."""
     labels, rows, other, lonely = read_halves(half)
     overview, lonely = most_frequent_labels(labels), most_frequent_labels(lonely)
-    whole = MapPyramid(overview, (0.0, 0.0, 4.0))
+    whole = MapPyramid(overview, OVERVIEW_FRAME)
     STATE.update(
         labels=labels, size=FOOTPRINT_PX, pixels=(0.8, 1.25), search=(0.7, 1.4), meters=1.0, least=LEAST_LABELED
     )
     STATE["rows"] = {"right": rows, "elsewhere": other, "mirrored": rows}
-    STATE["pyramids"] = {"right": whole, "elsewhere": MapPyramid(lonely, (0.0, 0.0, 4.0)), "mirrored": whole}
+    STATE["pyramids"] = {"right": whole, "elsewhere": MapPyramid(lonely, OVERVIEW_FRAME), "mirrored": whole}
 
 
 def prepare_aerial(tile: Path) -> None:
     labels = np.ascontiguousarray(read_labels(tile))
-    pyramid = MapPyramid(most_frequent_labels(labels), (0.0, 0.0, 4.0))
+    pyramid = MapPyramid(most_frequent_labels(labels), OVERVIEW_FRAME)
     STATE.update(labels=labels, size=None, pixels=(0.9, 1.1), search=(0.7, 1.4), meters=AERIAL_PIXEL_M, least=0.9)
     STATE["rows"] = {"right": (0, labels.shape[0]), "mirrored": (0, labels.shape[0])}
     STATE["pyramids"] = {"right": pyramid, "mirrored": pyramid}
@@ -441,7 +441,7 @@ def print_table(rows: list[dict], title: str) -> None:
 
 
 def print_fit(rows: list[dict]) -> None:
-    """Margins and errors from which the constants of correlation_decision are chosen."""
+    """Margins and errors from which the settings of the decision are chosen."""
     from semref.core.correlation.decision import smaller_lead
 
     for row in rows:
@@ -457,10 +457,12 @@ def print_fit(rows: list[dict]) -> None:
 
 
 def print_radius(rows: list[dict]) -> None:
-    """Errors in units of deviation × noise, which ERROR_FACTOR bounds, and how many the 95 % radius holds."""
+    """Errors in units of deviation × noise, which ``error_factor`` bounds, and how many the 95 % radius holds."""
     for noise in sorted({row["noise"] for row in rows}):
         group = [row for row in rows if row["noise"] == noise]
-        ratios = [row["error"] / row["deviation"] / max(1 / row["score"] ** 2 - 1, LEAST_NOISE) for row in group]
+        ratios = [
+            row["error"] / row["deviation"] / max(1 / row["score"] ** 2 - 1, CORRELATION.least_noise) for row in group
+        ]
         print(
             f"{noise}: quantiles 50 90 95 98 % {np.round(np.quantile(ratios, [0.5, 0.9, 0.95, 0.98]), 2)}, "
             f"95 % radius holds {rate_text(sum(row['error'] <= row['error_95'] for row in group), len(group))}"

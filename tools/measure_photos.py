@@ -26,7 +26,6 @@ import numpy as np
 from qgis_session import ROOT, load_plugin_package
 
 load_plugin_package()
-from semref.core.correlation.solver import NOMINAL_RANGE  # noqa: E402
 from semref.core.correlation.solver import localize as correlate  # noqa: E402
 from semref.core.database.build import BuildSettings, DatabaseBuilder  # noqa: E402
 from semref.core.evaluation.rates import wilson  # noqa: E402
@@ -165,7 +164,9 @@ class OnceLocalizer(Localizer):
     def correlated(self, labels_hw, prior):
         """Map correlation's whole result; ``saved_seconds``: what it took, added to by every later answer."""
         if labels_hw is not self._labels:
-            sizes = prior.pixel_size_range if prior else self.pixel_sizes(labels_hw.shape, NOMINAL_RANGE)
+            sizes = (
+                prior.pixel_size_range if prior else self.pixel_sizes(labels_hw.shape, self.settings.correlation.scales)
+            )
             started = time.perf_counter()
             self._labels, self._found = labels_hw, correlate(labels_hw, self.pyramid, sizes)
             self._seconds = time.perf_counter() - started

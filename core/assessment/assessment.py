@@ -13,7 +13,7 @@ from typing import Dict, Iterable, List, Optional, Sequence, Tuple
 import cv2
 import numpy as np
 
-from ..constellation.verification import DISTRACTORS, center_noise
+from ..constellation.verification import center_noise
 from ..database.model import ReferenceDatabase
 from ..evaluation.trial import Query, Trial
 from ..localization import Status
@@ -206,8 +206,9 @@ class Assessment:
         index = self._localizer.index
         pixel, references = self.simulator.pixel, self._database.references
         log_areas_px = index.log_areas - 2 * math.log(pixel)
-        chance = 2 * math.pi * center_noise(log_areas_px, pixel) ** 2 * index.densities
-        gains = np.log(DISTRACTORS + (1 - DISTRACTORS) / np.maximum(chance, 1e-12))
+        chance = 2 * math.pi * center_noise(log_areas_px, pixel, index.settings) ** 2 * index.densities
+        distractors = index.settings.distractors
+        gains = np.log(distractors + (1 - distractors) / np.maximum(chance, 1e-12))
         numbers, landmarks, classes = [], np.empty(len(places)), np.empty(len(places))
         for n, (x, y) in enumerate(places.tolist()):
             views = [self.simulator.view(x, y, heading) for heading in HEADINGS_DEG]

@@ -14,14 +14,13 @@ from typing import Optional, Tuple
 import numpy as np
 
 from ..constellation.solver import localize as solve
-from ..correlation.solver import NOMINAL_RANGE
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, ParameterError
 from ..evaluation.trial import Query, Trial, judge
 from ..labels.sources import ArrayLabels
 from ..landmarks.landmarks import Landmarks
 from ..localization import Localization, Method, Prior, Status
-from ..localizer.localizer import SCALES, SMALLEST_OBJECT_PX, Localizer
+from ..localizer.localizer import Localizer
 from ..simulation.noise import JITTER_LENGTH_PX, joined, spoil_labels, spoil_landmarks, with_moved_boundaries
 from ..simulation.views import View, cut, image_coordinates
 
@@ -59,11 +58,12 @@ class ImageSimulator:
         self._localizer = localizer
         self._database = database
         self.footprint = footprint
-        parameters = database.parameters
+        parameters, settings = database.parameters, localizer.settings.constellation
         self.size_px = min(max(round(footprint / parameters.pixel_size), 1), LARGEST_IMAGE_PX)
         self.pixel = footprint / self.size_px
-        self._prior = Prior(pixel_size_range=localizer.pixel_sizes((self.size_px, self.size_px), SCALES))
-        self._smallest_px = max(parameters.minimum_area / self._prior.pixel_size_range[1] ** 2, SMALLEST_OBJECT_PX)
+        self._prior = Prior(pixel_size_range=localizer.pixel_sizes((self.size_px, self.size_px), settings.scales))
+        smallest = parameters.minimum_area / self._prior.pixel_size_range[1] ** 2
+        self._smallest_px = max(smallest, settings.smallest_object_px)
         references = database.references
         self._half = _half_boxes(database)
         self._order = np.argsort(references.positions[:, 0], kind="stable")
@@ -83,7 +83,9 @@ class ImageSimulator:
     @property
     def is_correlated(self) -> bool:
         """The same of map correlation."""
-        low, high = self._localizer.pixel_sizes((self.size_px, self.size_px), NOMINAL_RANGE)
+        low, high = self._localizer.pixel_sizes(
+            (self.size_px, self.size_px), self._localizer.settings.correlation.scales
+        )
         return low <= self.pixel <= high
 
     def whole_landmarks(self, view: View) -> Tuple[np.ndarray, np.ndarray]:

@@ -13,29 +13,8 @@ import numpy as np
 from ..geometry.pose import fit_similarity
 from ..localization import Prior
 from .index import ConstellationIndex, expand_ranges, key_ranges, like_triangles
-from .triangles import MINIMUM_SIDE_IN_SIZES, ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
-
-ANCHORS = 70
-"""Objects of an image that make triangles: its largest. More only take time."""
-
-QUERY_NEIGHBORS = 7
-"""One more than in the index, because some neighbors of an image's object are not on the map."""
-
-CENTER_NOISE_PX = 0.7
-CENTER_NOISE_IN_SIZES = 0.1
-"""Noise of a center: pixels, and share of the object's size √area. Calibrated on Liechtenstein 2021, north."""
-
-PLACE_TOLERANCE_IN_NOISE = 3.5
-PLACE_TOLERANCE_MINIMUM, PLACE_TOLERANCE_MAXIMUM = 0.012, 0.06
-"""Tolerance of C in the frame of AB: 2.5 σ of a difference of three noisy centers, over |AB|; triangles that
-need more than the maximum tell too little, and below the minimum the 8-bit numbers of the index end."""
-
-AREA_TOLERANCE = 0.4
-"""Of ln(area / |AB|²): edges off by a pixel or two."""
-
-CELL_OF_IMAGE = 0.04
-CELL_OF_TURN = 0.1
-"""Size of the cells in which poses are gathered: share of the image's diagonal on the ground, radians and ln scale."""
+from .settings import ConstellationSettings
+from .triangles import ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
 
 
 @dataclass(frozen=True)
@@ -85,25 +64,26 @@ class Seeds:
     capped: bool
 
 
-def query_triangles(query: SeenLandmarks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def query_triangles(query: SeenLandmarks, settings: ConstellationSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(Q, 3) objects A, B, C; (Q, 5) descriptors; (Q,) tolerances of the place of C.
 
     A triangle whose sides are so alike that noise could change their order is given in each order.
     """
     usable = np.flatnonzero(query.whole & (query.ranks >= 0))
     areas = np.exp(query.log_areas[usable])
-    neighbors, exists = triples(query.points[usable], areas, QUERY_NEIGHBORS)
-    exists[np.argsort(-areas, kind="stable")[ANCHORS:]] = False
+    neighbors, exists = triples(query.points[usable], areas, settings.query_neighbors, settings)
+    exists[np.argsort(-areas, kind="stable")[settings.anchors :]] = False
     rows, pair = np.nonzero(exists)
-    chosen = np.take_along_axis(neighbors[rows], neighbor_pairs(QUERY_NEIGHBORS)[pair], axis=1)
+    chosen = np.take_along_axis(neighbors[rows], neighbor_pairs(settings.query_neighbors)[pair], axis=1)
     triple = usable[np.column_stack([rows, chosen])].reshape(-1, 3)
     order, sides = canonical_order(query.points[triple])
-    noise = np.hypot(CENTER_NOISE_PX, CENTER_NOISE_IN_SIZES * np.exp(query.log_areas[triple] / 2).mean(axis=1))
-    tolerance = PLACE_TOLERANCE_IN_NOISE * noise / np.maximum(sides[:, 2], 1e-9)
-    large = sides[:, 2] >= MINIMUM_SIDE_IN_SIZES * np.exp(query.log_areas[triple[:, 0]] / 2)
-    good = large & (tolerance <= PLACE_TOLERANCE_MAXIMUM) & (sides[:, 0] > 0)
+    sizes = np.exp(query.log_areas[triple] / 2).mean(axis=1)
+    noise = np.hypot(settings.center_noise_px, settings.center_noise_in_sizes * sizes)
+    tolerance = settings.place_tolerance_in_noise * noise / np.maximum(sides[:, 2], 1e-9)
+    large = sides[:, 2] >= settings.minimum_side_in_sizes * np.exp(query.log_areas[triple[:, 0]] / 2)
+    good = large & (tolerance <= settings.place_tolerance_maximum) & (sides[:, 0] > 0)
     triple = np.take_along_axis(triple[good], ORDERS[order[good]], axis=1)
-    tolerance, sides = np.maximum(tolerance[good], PLACE_TOLERANCE_MINIMUM), sides[good]
+    tolerance, sides = np.maximum(tolerance[good], settings.place_tolerance_minimum), sides[good]
     alike = tolerance * sides[:, 2]
     middle = sides[:, 2] - sides[:, 1] < alike
     short = sides[:, 1] - sides[:, 0] < alike
@@ -113,12 +93,13 @@ def query_triangles(query: SeenLandmarks) -> tuple[np.ndarray, np.ndarray, np.nd
 
 
 def find_seeds(
-    index: ConstellationIndex, query: SeenLandmarks, triangles: tuple, prior: Optional[Prior], seed_count: int, cap: int
+    index: ConstellationIndex, query: SeenLandmarks, triangles: tuple, prior: Optional[Prior], cap: int
 ) -> Seeds:
     """The most voted poses of an image; triangles as of ``query_triangles``; at most ``cap`` of the index's are looked
     at, those of the rarest first."""
     triple, numbers, place = triangles
-    reach = np.column_stack([place, place, *[np.full(len(place), AREA_TOLERANCE)] * 3])
+    settings = index.settings
+    reach = np.column_stack([place, place, *[np.full(len(place), settings.area_tolerance)] * 3])
     which, first, last = key_ranges(index, numbers, query.ranks[triple], reach)
     which, first, last, capped = _rarest(which, first, last, len(triple), cap)
     stretch, hits = expand_ranges(first, last)
@@ -131,7 +112,7 @@ def find_seeds(
     image = query.points[triple[source]]
     centers, turns = fit_similarity(image, index.points[members], np.ones(image.shape))
     kept = _allowed(index, centers, turns, prior)
-    return _clusters(centers[kept], turns[kept], image[kept].mean(axis=1), query.diagonal, seed_count, capped)
+    return _clusters(centers[kept], turns[kept], image[kept].mean(axis=1), query.diagonal, settings, capped)
 
 
 def _rarest(which: np.ndarray, first: np.ndarray, last: np.ndarray, count: int, cap: int):
@@ -160,24 +141,25 @@ def _allowed(index: ConstellationIndex, centers: np.ndarray, turns: np.ndarray, 
     return kept
 
 
-def _clusters(centers, turns, focuses, diagonal: float, seed_count: int, capped: bool) -> Seeds:
+def _clusters(centers, turns, focuses, diagonal: float, settings: ConstellationSettings, capped: bool) -> Seeds:
     """Means of the poses in the fullest cells; two lattices of cells, so that no cluster is cut by both."""
     log_size = np.log(np.abs(turns))
     angle = np.angle(turns)
     # Cells of position grow with the pixel size in whole steps, so that equal poses share a lattice.
-    cell = CELL_OF_IMAGE * diagonal * np.exp(np.round(log_size / CELL_OF_TURN) * CELL_OF_TURN)
-    around = int(np.ceil(2 * np.pi / CELL_OF_TURN))
+    turn_cell = settings.cell_of_turn
+    cell = settings.cell_of_image * diagonal * np.exp(np.round(log_size / turn_cell) * turn_cell)
+    around = int(np.ceil(2 * np.pi / turn_cell))
     found = []
     for shift in (0.0, 0.5):
         cells = np.column_stack(
             [
                 np.floor(centers.real / cell + shift),
                 np.floor(centers.imag / cell + shift),
-                np.floor(log_size / CELL_OF_TURN + 0.5),
+                np.floor(log_size / turn_cell + 0.5),
                 np.floor((angle + np.pi) / (2 * np.pi) * around + shift) % around,
             ]
         ).astype(np.int64)
-        found.append(_cell_means(cells, (centers, turns, focuses), seed_count))
+        found.append(_cell_means(cells, (centers, turns, focuses), settings.seeds))
     centers, turns, focuses, votes = (np.concatenate(parts) for parts in zip(*found))
     order = np.argsort(-votes, kind="stable")
     return Seeds(centers[order], turns[order], focuses[order], votes[order], capped)

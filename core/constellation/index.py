@@ -12,10 +12,8 @@ import numpy as np
 
 from ..database.model import MapLandmarks
 from .neighbors import ClassMatcher, local_density
-from .triangles import MINIMUM_SIDE_IN_SIZES, ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
-
-NEIGHBORS = 6
-"""Nearest larger objects that an object makes triangles with, two at a time: 15 triangles an object."""
+from .settings import CONSTELLATION, ConstellationSettings
+from .triangles import ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
 
 LOWEST = np.array([-0.1, -1.0, -10.0, -10.0, -10.0])
 CELL = np.array([0.05, 0.05, 0.5, 0.5, 0.5])
@@ -48,7 +46,8 @@ class ConstellationIndex:
     minimum_area_m2: smallest of the catalogue; neighbors: (N, K) int32; keys: (T,) uint32 ascending;
     triangles: (T,) int32 (anchor · P + pair) · 6 + order; fine: (T, 5) uint8;
     matcher: nearest object of a class; area_densities: (C, B) density of ln area in AREA_BINS;
-    by_easting: (N,) int64 objects from west to east; eastings: (N,) theirs, ascending.
+    by_easting: (N,) int64 objects from west to east; eastings: (N,) theirs, ascending; settings: it was built with, and
+    every search in it uses.
     """
 
     origin: complex
@@ -67,6 +66,7 @@ class ConstellationIndex:
     area_densities: np.ndarray
     by_easting: np.ndarray
     eastings: np.ndarray
+    settings: ConstellationSettings = CONSTELLATION
 
     def __len__(self) -> int:
         return len(self.points)
@@ -104,7 +104,9 @@ def full_area(contour_areas: np.ndarray, pixel: float) -> np.ndarray:
     return (np.sqrt(contour_areas) + pixel) ** 2
 
 
-def build_index(references: MapLandmarks, pixel_size_m: float, neighbor_count: int = NEIGHBORS) -> ConstellationIndex:
+def build_index(
+    references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings = CONSTELLATION
+) -> ConstellationIndex:
     """Indexes all landmarks of a map; ``pixel_size_m`` is the label map's.
 
     Objects cut by the map's edge take no part in triangles: their centers are not theirs. Seconds at 10⁵ objects.
@@ -116,7 +118,7 @@ def build_index(references: MapLandmarks, pixel_size_m: float, neighbor_count: i
     areas = full_area(np.asarray(references.areas_m2, np.float64), pixel_size_m)
     log_areas = np.log(np.maximum(areas, 1e-12))
     whole = ~np.asarray(references.touches_edge, bool)
-    neighbors, keys, triangles, fine = _all_triangles(points, ranks, log_areas, whole, neighbor_count)
+    neighbors, keys, triangles, fine = _all_triangles(points, ranks, log_areas, whole, settings)
     order = np.argsort(keys, kind="stable")
     by_easting = np.argsort(points.real, kind="stable")
     return ConstellationIndex(
@@ -125,7 +127,7 @@ def build_index(references: MapLandmarks, pixel_size_m: float, neighbor_count: i
         class_values,
         ranks.astype(np.int64),
         log_areas,
-        local_density(positions, ranks),
+        local_density(positions, ranks, settings),
         whole,
         float(areas.min()) if len(areas) else 0.0,
         neighbors,
@@ -136,6 +138,7 @@ def build_index(references: MapLandmarks, pixel_size_m: float, neighbor_count: i
         area_densities(ranks, log_areas),
         by_easting,
         points.real[by_easting],
+        settings,
     )
 
 
@@ -219,11 +222,12 @@ def like_triangles(
     return left
 
 
-def _all_triangles(points, ranks, log_areas, whole, neighbor_count):
+def _all_triangles(points, ranks, log_areas, whole, settings: ConstellationSettings):
     """Neighbors (N, K), and keys, codes and fine numbers of all triangles of the catalogue."""
+    neighbor_count = settings.neighbors
     usable = np.flatnonzero(whole)
     neighbors = np.full((len(points), neighbor_count), -1, np.int32)
-    near, exists = triples(points[usable], np.exp(log_areas[usable]), neighbor_count)
+    near, exists = triples(points[usable], np.exp(log_areas[usable]), neighbor_count, settings)
     neighbors[usable] = np.where(near >= 0, usable[near].astype(np.int32) if len(usable) else near, -1)
     pairs = neighbor_pairs(neighbor_count)
     count = int(ranks.max()) + 1 if len(ranks) else 0
@@ -233,7 +237,7 @@ def _all_triangles(points, ranks, log_areas, whole, neighbor_count):
         anchors = chunk[rows]
         triple = np.column_stack([anchors, np.take_along_axis(neighbors[anchors], pairs[pair], axis=1)])
         order, sides = canonical_order(points[triple])
-        large = sides[:, 2] >= MINIMUM_SIDE_IN_SIZES * np.exp(log_areas[anchors] / 2)
+        large = sides[:, 2] >= settings.minimum_side_in_sizes * np.exp(log_areas[anchors] / 2)
         large &= sides[:, 0] > 0
         triple = np.take_along_axis(triple[large], ORDERS[order[large]], axis=1)
         numbers = describe_triangles(points[triple], log_areas[triple])

@@ -5,17 +5,13 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
+from .settings import ConstellationSettings
+
 KD_TREE_SINGLE = 4
 """OpenCV's name for its exact, deterministic k-d tree (FLANN_INDEX_KDTREE_SINGLE)."""
 
 LEAF_POINTS = 12
 """Points in a leaf of that tree; only speed depends on it."""
-
-CANDIDATES_PER_NEIGHBOR = 5
-"""Neighbors looked at for each larger one wanted; half of them are larger by construction, more or fewer locally."""
-
-DENSITY_NEIGHBORS = 6
-"""Neighbors of the same class whose distance tells the local density."""
 
 
 class ClassMatcher:
@@ -60,7 +56,7 @@ def nearest(points_xy: np.ndarray, queries_xy: np.ndarray, count: int) -> tuple[
     return make_tree(points_xy).knnSearch(queries_xy, count, params={"checks": -1})
 
 
-def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int) -> np.ndarray:
+def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int, settings: ConstellationSettings) -> np.ndarray:
     """(N, count) int32: each object's nearest objects of larger area, nearest first, −1 where there are no more.
 
     points_xy: (N, 2) float; areas: (N,) in the square of any unit. Whatever the scale of an image, the same objects
@@ -71,30 +67,30 @@ def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int) -> np.n
     points = centered_float32(points_xy)
     # Position breaks ties of area, so that the answer does not hang on the objects' order.
     order = np.lexsort((points[:, 1], points[:, 0], areas))
-    first = 0
+    first, candidates = 0, settings.candidates_per_neighbor * count
     while first < len(order):
         members = order[first:]
-        anchors = members[: max(len(members) // 2, 1)] if len(members) > CANDIDATES_PER_NEIGHBOR * count else members
-        found[anchors] = _larger_among(points, members, len(anchors), count)
+        anchors = members[: max(len(members) // 2, 1)] if len(members) > candidates else members
+        found[anchors] = _larger_among(points, members, len(anchors), count, candidates)
         first += len(anchors)
     return found
 
 
-def local_density(points_xy: np.ndarray, classes: np.ndarray) -> np.ndarray:
+def local_density(points_xy: np.ndarray, classes: np.ndarray, settings: ConstellationSettings) -> np.ndarray:
     """(N,) objects of the same class per unit of area around each object.
 
     From the distance of the k-th neighbor of its class, k / (π d²); of the whole extent where a class has few objects.
     """
-    points = centered_float32(points_xy)
+    points, count = centered_float32(points_xy), settings.density_neighbors
     density = np.empty(len(classes))
     extent = float(np.prod(np.maximum(np.ptp(points, axis=0), 1e-6))) if len(points) else 1.0
     for value in np.unique(classes):
         members = np.flatnonzero(classes == value)
         density[members] = len(members) / extent
-        if len(members) > DENSITY_NEIGHBORS:
+        if len(members) > count:
             ordered = members[spatial_order(points[members])]
-            squared = nearest(points[ordered], points[ordered], DENSITY_NEIGHBORS + 1)[1][:, -1]
-            near = DENSITY_NEIGHBORS / (np.pi * np.maximum(squared, 1e-6))
+            squared = nearest(points[ordered], points[ordered], count + 1)[1][:, -1]
+            near = count / (np.pi * np.maximum(squared, 1e-6))
             density[ordered] = np.maximum(near, len(members) / extent)
     return density
 
@@ -113,10 +109,15 @@ def spatial_order(points_xy: np.ndarray) -> np.ndarray:
     return np.lexsort((points_xy[:, 1], strip))
 
 
-def _larger_among(points: np.ndarray, members: np.ndarray, anchor_count: int, count: int) -> np.ndarray:
-    """(anchor_count, count) nearest larger objects of the first members; members are in ascending order of area."""
+def _larger_among(
+    points: np.ndarray, members: np.ndarray, anchor_count: int, count: int, candidates: int
+) -> np.ndarray:
+    """(anchor_count, count) nearest larger objects, among so many candidates, of the first members.
+
+    members are in ascending order of area.
+    """
     found = np.full((anchor_count, count), -1, np.int32)
-    size = min(CANDIDATES_PER_NEIGHBOR * count + 1, len(members))
+    size = min(candidates + 1, len(members))
     order = spatial_order(points[members])
     anchors = order[order < anchor_count]
     near = nearest(points[members[order]], points[members[anchors]], size)[0]

@@ -24,9 +24,8 @@ from ..localization import Localization, Matches, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .hypotheses import SeenLandmarks, find_seeds, query_triangles
 from .index import ConstellationIndex, full_area
+from .settings import ConstellationSettings
 from .verification import (
-    LARGEST_OBJECTS,
-    MINIMUM_MATCHES,
     PoseEvidence,
     Verifier,
     rough_scores,
@@ -34,63 +33,6 @@ from .verification import (
     verify,
     verify_tilted,
 )
-
-MINIMUM_LOG_ODDS = 20.7
-"""ln 10⁹: the odds that a fix must have against chance, as astrometry.net asks of stars."""
-
-MARGIN = 8.0
-MARGIN_SHARE = 0.2
-"""By how much a fix must beat every other place and its own mirror: log odds, and share of its own log odds."""
-
-LARGEST_ERROR = 0.01
-"""A fix must have a 95 % ellipse within this share of the image's diagonal. Calibrated on Liechtenstein 2021, northern
-half: of 218 fixes with 8–12 objects in view the larger ones are two right ones and two that are 13 and 18 m off."""
-
-EVEN_LOG_ODDS = 4.0
-LOG_ODDS_UNIT = 3.0
-"""Confidence is a logistic function of the smallest margin: one half at EVEN_LOG_ODDS. Calibrated on
-Liechtenstein 2021, northern half."""
-
-MINIMUM_OBJECTS = 4
-"""Whole objects of known class below which nothing is searched: three make a hypothesis, one more would test it."""
-
-FIRST_TRIANGLES = 400
-"""Triangles of the first search; all are used only if it brings no fix."""
-
-MAXIMUM_HITS = (400_000, 1_500_000)
-"""Triangles of the index looked at in the first search and in the second, rarest first. Bounds the time at 10⁶."""
-
-SEEDS = 32
-ROUGH_OBJECTS = 80
-VERIFIED = 5
-"""Poses fitted roughly, with so many objects, and poses verified, for the image and for its mirror."""
-
-ROUGH_GATES = (0.012, 0.006)
-"""How far a match may be in the rough fits, as a share of the image's diagonal."""
-
-ROUGH_SHARE = 0.25
-"""Poses are verified while their rough score is this share of the best one's; the best one always is."""
-
-REPEATED = 0.15
-REPEAT_REACH = 0.5
-"""A step is tried as a repeat of the map when it leads this share of the objects to another of their class, and is at
-most this share of their extent long."""
-
-TILTED_NOISE = 1.6
-TILTED_SHARE = 0.6
-TILTED_VERIFIED = 3
-TILTED_MARGIN = 6.0
-"""A tilted camera is tried, from so many seeds, unless some pose of a level one has less noise than this factor and
-matches this share of the objects; it must win by this many log odds."""
-
-FEW_OBJECTS = 40
-"""Up to so many objects a pose is verified from its seed as well as from its rough fit."""
-
-SAME_TILTED_PLACE = 0.04
-"""A level and a tilted pose whose objects lie nearer than this share of the diagonal are the same place."""
-
-SAME_PLACE_IN_NOISE = 5.0
-"""Poses whose objects lie nearer to each other than this many σ are the same."""
 
 
 def localize(
@@ -111,15 +53,16 @@ def localize(
         prior: What is known beforehand.
         minimum_area_px: Contour area below which landmarks were not extracted; by default the smallest one's.
     """
+    settings = index.settings
     query = make_query(objects, index, width_px, height_px)
     count = query.usable_count
-    if count < MINIMUM_OBJECTS:
+    if count < settings.minimum_objects:
         return _too_few(count, index, False)
     smallest = minimum_area_px if minimum_area_px is not None else float(objects.areas_px.min())
     verifier = Verifier(index, width_px, height_px, float(full_area(smallest, 1.0)))
-    for triangles, cap in _rounds(query_triangles(query)):
+    for triangles, cap in _rounds(query_triangles(query, settings), settings):
         found, capped = _solve(verifier, query, triangles, prior, cap)
-        if found and found[0].log_odds >= MINIMUM_LOG_ODDS:
+        if found and found[0].log_odds >= settings.minimum_log_odds:
             found = _with_repeats(verifier, query, found)
             # A mirrored image has no heading that could be known.
             blind = None if prior is None else replace(prior, heading_deg=None)
@@ -143,9 +86,10 @@ def matches_at(
     Returns:
         None where no more agree than by chance.
     """
+    settings = index.settings
     query = make_query(objects, index, width_px, height_px)
-    telling = query.select(telling_objects(query, LARGEST_OBJECTS))
-    if len(telling.points) < MINIMUM_MATCHES:
+    telling = query.select(telling_objects(query, settings.largest_objects))
+    if len(telling.points) < settings.minimum_matches:
         return None
     verifier = Verifier(index, width_px, height_px, float(full_area(objects.areas_px.min(), 1.0)))
     pose = Pose(complex(*place.position) - index.origin, turn_of(place.heading_deg, place.pixel_size_m))
@@ -153,7 +97,7 @@ def matches_at(
     if len(evidence.matched):
         focus = complex(telling.points[evidence.matched].mean())
         tilted = verify_tilted(verifier, telling, pose, focus)
-        evidence = tilted if tilted.log_odds > evidence.log_odds + TILTED_MARGIN else evidence
+        evidence = tilted if tilted.log_odds > evidence.log_odds + settings.tilted_margin else evidence
     return _matches(objects, query, index, evidence) if evidence.log_odds > 0 else None
 
 
@@ -171,25 +115,26 @@ def mirrored(triangles: tuple) -> tuple:
     return triple, numbers * np.array([1, -1, 1, 1, 1]), tolerances
 
 
-def _rounds(triangles: tuple) -> List[Tuple[tuple, int]]:
+def _rounds(triangles: tuple, settings: ConstellationSettings) -> List[Tuple[tuple, int]]:
     """The triangles in two portions with their caps: a few from all over the image, then all."""
     count = len(triangles[0])
-    step = max(-(-count // FIRST_TRIANGLES), 1)
+    step = max(-(-count // settings.first_triangles), 1)
     some = tuple(part[::step] for part in triangles)
-    return [(some, MAXIMUM_HITS[0]), (triangles, MAXIMUM_HITS[1])]
+    return [(some, settings.maximum_hits[0]), (triangles, settings.maximum_hits[1])]
 
 
 def _solve(
     verifier: Verifier, query: SeenLandmarks, triangles: tuple, prior: Optional[Prior], cap: int
 ) -> Tuple[List[PoseEvidence], bool]:
     """The best few poses at different places, best first; and whether the search was capped."""
-    seeds = find_seeds(verifier.index, query, triangles, prior, SEEDS, cap)
+    settings = verifier.index.settings
+    seeds = find_seeds(verifier.index, query, triangles, prior, cap)
     if not len(seeds.centers):
         return [], seeds.capped
-    gates = [gate * query.diagonal for gate in ROUGH_GATES]
-    rough = query.select(telling_objects(query, ROUGH_OBJECTS))
+    gates = [gate * query.diagonal for gate in settings.rough_gates]
+    rough = query.select(telling_objects(query, settings.rough_objects))
     centers, turns, scores = rough_scores(verifier, rough, seeds.centers, seeds.turns, gates)
-    telling = query.select(telling_objects(query, LARGEST_OBJECTS))
+    telling = query.select(telling_objects(query, settings.largest_objects))
     found: List[PoseEvidence] = []
     tried: List[Pose] = []
     best = 0.0
@@ -197,74 +142,80 @@ def _solve(
         pose = Pose(complex(centers[number]), complex(turns[number]))
         if any(_distance(query, pose, other) < 2.0 * abs(pose.turn) for other in tried):
             continue
-        if tried and scores[number] < ROUGH_SHARE * best:
+        if tried and scores[number] < settings.rough_share * best:
             break
         best = max(best, float(scores[number]))
         tried.append(pose)
-        _add(query, found, verify(verifier, telling, pose))
-        if len(telling.points) <= FEW_OBJECTS:
+        _add(query, found, verify(verifier, telling, pose), settings)
+        if len(telling.points) <= settings.few_objects:
             # The rough fit of few objects may have settled on wrong matches.
             seed = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
-            _add(query, found, verify(verifier, telling, seed))
-        if len(tried) == VERIFIED:
+            _add(query, found, verify(verifier, telling, seed), settings)
+        if len(tried) == settings.verified:
             break
     strongest = max(found, key=lambda evidence: evidence.log_odds)
     if strongest.log_odds > 0:
         focus = complex(telling.points[strongest.matched].mean()) if len(strongest.matched) else 0j
-        _add(query, found, verify_tilted(verifier, telling, strongest.pose, focus))
-    if not _agrees(strongest):
-        for number in range(min(TILTED_VERIFIED, len(seeds.centers))):
+        _add(query, found, verify_tilted(verifier, telling, strongest.pose, focus), settings)
+    if not _agrees(strongest, settings):
+        for number in range(min(settings.tilted_verified, len(seeds.centers))):
             pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
-            _add(query, found, verify_tilted(verifier, telling, pose, complex(seeds.focuses[number])))
+            evidence = verify_tilted(verifier, telling, pose, complex(seeds.focuses[number]))
+            _add(query, found, evidence, settings)
     return sorted(found, key=lambda evidence: -evidence.log_odds), seeds.capped
 
 
-def _agrees(evidence: PoseEvidence) -> bool:
+def _agrees(evidence: PoseEvidence, settings: ConstellationSettings) -> bool:
     """Whether a level camera explains the image, so that a tilted one needs no trial."""
     share = len(evidence.matched) / max(evidence.considered, 1)
-    return evidence.log_odds >= MINIMUM_LOG_ODDS and evidence.noise_factor < TILTED_NOISE and share > TILTED_SHARE
+    exact = evidence.noise_factor < settings.tilted_noise
+    return evidence.log_odds >= settings.minimum_log_odds and exact and share > settings.tilted_share
 
 
-def _add(query: SeenLandmarks, found: List[PoseEvidence], evidence: PoseEvidence) -> None:
+def _add(
+    query: SeenLandmarks, found: List[PoseEvidence], evidence: PoseEvidence, settings: ConstellationSettings
+) -> None:
     """Adds a pose; of those at one place the best stays, a tilted one only if it is clearly better."""
-    same = [other for other in found if same_place(query, evidence, other)]
-    better = evidence.log_odds - (0 if evidence.pose.is_level else TILTED_MARGIN)
+    same = [other for other in found if same_place(query, evidence, other, settings)]
+    better = evidence.log_odds - (0 if evidence.pose.is_level else settings.tilted_margin)
     if all(better > other.log_odds for other in same):
         found[:] = [other for other in found if not any(other is one for one in same)] + [evidence]
 
 
 def _with_repeats(verifier: Verifier, query: SeenLandmarks, found: List[PoseEvidence]) -> List[PoseEvidence]:
     """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
-    best, telling = found[0], query.select(telling_objects(query, LARGEST_OBJECTS))
+    settings = verifier.index.settings
+    best, telling = found[0], query.select(telling_objects(query, settings.largest_objects))
     all_found = list(found)
     for step in repeats(verifier, query, best):
         moved = verify(verifier, telling, Pose(best.pose.center + step, best.pose.turn))
-        if not any(same_place(query, moved, other) for other in all_found):
+        if not any(same_place(query, moved, other, settings) for other in all_found):
             all_found.append(moved)
     return sorted(all_found, key=lambda evidence: -evidence.log_odds)
 
 
 def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> List[complex]:
-    """Steps at which REPEATED of the matched objects have another of their class, most frequent first."""
-    index = verifier.index
+    """Steps at which enough of the matched objects have another of their class, most frequent first."""
+    index, settings = verifier.index, verifier.index.settings
     points, ranks = index.points[evidence.objects], index.ranks[evidence.objects]
-    if len(points) < MINIMUM_OBJECTS:
+    if len(points) < settings.minimum_objects:
         return []
     noise = float(np.median(evidence.deviations))
     steps = (points[:, None] - points[None])[ranks[:, None] == ranks[None]]
-    steps = steps[(np.abs(steps) > SAME_PLACE_IN_NOISE * noise) & (np.abs(steps) < REPEAT_REACH * np.ptp(points.real))]
+    longest = settings.repeat_reach * np.ptp(points.real)
+    steps = steps[(np.abs(steps) > settings.same_place_in_noise * noise) & (np.abs(steps) < longest)]
     cells = np.round(steps / (2 * noise))
     _, first, counts = np.unique(cells, return_index=True, return_counts=True)
-    order = np.argsort(-counts, kind="stable")[:VERIFIED]
-    return [complex(steps[first[k]]) for k in order if counts[k] >= REPEATED * len(points)]
+    order = np.argsort(-counts, kind="stable")[: settings.verified]
+    return [complex(steps[first[k]]) for k in order if counts[k] >= settings.repeated * len(points)]
 
 
-def same_place(query: SeenLandmarks, one: PoseEvidence, other: PoseEvidence) -> bool:
+def same_place(query: SeenLandmarks, one: PoseEvidence, other: PoseEvidence, settings: ConstellationSettings) -> bool:
     """Whether two poses put the image's objects on the same spots, as far as their noise tells."""
     noise = max((float(np.median(e.deviations)) if len(e.deviations) else 0.0) for e in (one, other))
-    reach = max(SAME_PLACE_IN_NOISE * noise, 2.0 * abs(one.pose.turn))
+    reach = max(settings.same_place_in_noise * noise, 2.0 * abs(one.pose.turn))
     if not (one.pose.is_level and other.pose.is_level):
-        reach = max(reach, SAME_TILTED_PLACE * query.diagonal * abs(one.pose.turn))
+        reach = max(reach, settings.same_tilted_place * query.diagonal * abs(one.pose.turn))
     return _distance(query, one.pose, other.pose) < reach
 
 
@@ -282,15 +233,15 @@ def _decide(
     capped: bool,
 ) -> Localization:
     """The verdict on the poses found, best first, and on those found for the mirrored image."""
-    count = query.usable_count
+    count, settings = query.usable_count, index.settings
     if not found:
         reason = Sentence("localization.no_triangles")
         return Localization(Status.NO_MATCH, Method.CONSTELLATION, count, reason, search_capped=capped)
     best, covariance = found[0], _covariance(index, query, found[0])
     mirror = float(max(decoys[0].log_odds, 0.0)) if decoys else 0.0
-    needed = best.log_odds - max(MARGIN, MARGIN_SHARE * best.log_odds)
+    needed = best.log_odds - max(settings.margin, settings.margin_share * best.log_odds)
     rivals = [other for other in found[1:] if other.log_odds > needed]
-    status, reason = _verdict(query, best, len(rivals), mirror > needed, covariance)
+    status, reason = _verdict(query, best, len(rivals), mirror > needed, covariance, settings)
     if status is Status.NO_MATCH and count < objects_needed(index):
         return _too_few(count, index, capped)
     runner_up = max((other.log_odds for other in found[1:]), default=-np.inf)
@@ -301,7 +252,7 @@ def _decide(
         count,
         reason,
         best=places[0],
-        confidence=confidence(best.log_odds, max(mirror, runner_up)),
+        confidence=confidence(best.log_odds, max(mirror, runner_up), settings),
         alternatives=places if status is Status.AMBIGUOUS else (),
         error_95_m=covariance.ellipse_95.semi_major if covariance else None,
         covariance=covariance,
@@ -313,26 +264,32 @@ def _decide(
 
 
 def _verdict(
-    query: SeenLandmarks, best: PoseEvidence, rivals: int, mirror_fits: bool, covariance: Optional[PoseCovariance]
+    query: SeenLandmarks,
+    best: PoseEvidence,
+    rivals: int,
+    mirror_fits: bool,
+    covariance: Optional[PoseCovariance],
+    settings: ConstellationSettings,
 ) -> Tuple[Status, Optional[Sentence]]:
     """Whether the best pose is a fix, and why not."""
-    if best.log_odds < MINIMUM_LOG_ODDS:
-        reason = Sentence("localization.log_odds_too_low", log_odds=best.log_odds, needed=MINIMUM_LOG_ODDS)
+    if best.log_odds < settings.minimum_log_odds:
+        reason = Sentence("localization.log_odds_too_low", log_odds=best.log_odds, needed=settings.minimum_log_odds)
         return Status.NO_MATCH, reason
     if rivals:
         return Status.AMBIGUOUS, Sentence("localization.rivals", count=rivals)
     if mirror_fits:
         return Status.AMBIGUOUS, Sentence("localization.mirror_fits")
-    largest = LARGEST_ERROR * query.diagonal * abs(best.pose.turn)
+    largest = settings.largest_error * query.diagonal * abs(best.pose.turn)
     if covariance is None or covariance.ellipse_95.semi_major > largest:
         return Status.NO_MATCH, Sentence("localization.position_too_loose")
     return Status.FIX, None
 
 
-def confidence(log_odds: float, rival_log_odds: float) -> float:
+def confidence(log_odds: float, rival_log_odds: float, settings: ConstellationSettings) -> float:
     """Probability that the best place is the right one, from its log odds and those of its strongest rival."""
-    margin = min(log_odds, log_odds - rival_log_odds + EVEN_LOG_ODDS)
-    return float(1 / (1 + np.exp(-np.clip((margin - EVEN_LOG_ODDS) / LOG_ODDS_UNIT, -50, 50))))
+    even = settings.even_log_odds
+    margin = min(log_odds, log_odds - rival_log_odds + even)
+    return float(1 / (1 + np.exp(-np.clip((margin - even) / settings.log_odds_unit, -50, 50))))
 
 
 def _place(index: ConstellationIndex, evidence: PoseEvidence) -> Place:
@@ -346,13 +303,13 @@ def _place(index: ConstellationIndex, evidence: PoseEvidence) -> Place:
     )
 
 
-def _matched(query: SeenLandmarks, evidence: PoseEvidence) -> np.ndarray:
+def _matched(query: SeenLandmarks, evidence: PoseEvidence, settings: ConstellationSettings) -> np.ndarray:
     """(m,) the matched ones among all landmarks of the image."""
-    return telling_objects(query, LARGEST_OBJECTS)[evidence.matched]
+    return telling_objects(query, settings.largest_objects)[evidence.matched]
 
 
 def _matches(objects: Landmarks, query: SeenLandmarks, index: ConstellationIndex, evidence: PoseEvidence) -> Matches:
-    matched = _matched(query, evidence)
+    matched = _matched(query, evidence, index.settings)
     seen = evidence.pose.on_map(query.points[matched])
     residuals = np.abs(seen - index.points[evidence.objects])
     seen = seen + index.origin
@@ -362,7 +319,7 @@ def _matches(objects: Landmarks, query: SeenLandmarks, index: ConstellationIndex
 def _covariance(index: ConstellationIndex, query: SeenLandmarks, evidence: PoseEvidence) -> Optional[PoseCovariance]:
     if len(evidence.matched) < 3:
         return None
-    points = query.points[_matched(query, evidence)]
+    points = query.points[_matched(query, evidence, index.settings)]
     on_map, pose = index.points[evidence.objects], evidence.pose
     if not pose.is_level:
         return tilted_covariance(points, on_map, evidence.deviations, pose, query.diagonal)
@@ -371,11 +328,12 @@ def _covariance(index: ConstellationIndex, query: SeenLandmarks, evidence: PoseE
 
 def objects_needed(index: ConstellationIndex) -> int:
     """Objects that an image needs for a fix in this catalogue, if all are on the map and noise is small."""
+    settings = index.settings
     if not len(index):
-        return MINIMUM_OBJECTS
+        return settings.minimum_objects
     deviation = 0.1 * np.exp(np.median(index.log_areas) / 2)
     each = np.log(0.6 / (2 * np.pi * deviation**2 * np.median(index.densities)))
-    return 3 + int(np.ceil(MINIMUM_LOG_ODDS / max(float(each), 1.0)))
+    return 3 + int(np.ceil(settings.minimum_log_odds / max(float(each), 1.0)))
 
 
 def _too_few(count: int, index: ConstellationIndex, capped: bool) -> Localization:

@@ -7,10 +7,7 @@ from itertools import combinations
 import numpy as np
 
 from .neighbors import nearest_larger
-
-MINIMUM_SIDE_IN_SIZES = 5.0
-"""Longest side of a triangle over the size (√area) of its smallest object: a center is uncertain by a share of the
-size, so shorter triangles tell nothing. Measured on Liechtenstein 2021."""
+from .settings import ConstellationSettings
 
 DESCRIPTORS = 5
 """Numbers that describe a triangle besides its three labels."""
@@ -19,13 +16,15 @@ DESCRIPTORS = 5
 ORDERS = np.array([(0, 1, 2), (0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)], np.int64)
 
 
-def triples(points: np.ndarray, areas: np.ndarray, neighbor_count: int) -> tuple[np.ndarray, np.ndarray]:
+def triples(
+    points: np.ndarray, areas: np.ndarray, neighbor_count: int, settings: ConstellationSettings
+) -> tuple[np.ndarray, np.ndarray]:
     """Triples of an object and two of its nearest larger ones: (N, K) int32 neighbors, (N, P) bool which pairs exist.
 
     points: (N,) complex; areas: (N,) in the square of the same unit; P = K (K − 1) / 2 pairs, as ``neighbor_pairs``.
     """
     points_xy = np.column_stack([points.real, points.imag])
-    neighbors = nearest_larger(points_xy, areas, neighbor_count)
+    neighbors = nearest_larger(points_xy, areas, neighbor_count, settings)
     pairs = neighbor_pairs(neighbor_count)
     exists = neighbors >= 0
     return neighbors, exists[:, pairs[:, 0]] & exists[:, pairs[:, 1]]

@@ -10,56 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry.pose import Pose, fit_similarity, fit_tilted, huber
-from .hypotheses import CENTER_NOISE_IN_SIZES, CENTER_NOISE_PX, SeenLandmarks
+from .hypotheses import SeenLandmarks
 from .index import AREA_BIN, AREA_BINS, ConstellationIndex
-
-DISTRACTORS = 0.4
-"""Share of an image's objects expected to have nothing to do with the map, at the right place."""
-
-VISIBILITY = 0.5
-"""Share of the map's objects in view that is expected to be found in the image."""
-
-AREA_DEVIATION = 0.2
-SMALLER_IN_NOISE = 2.0
-"""An object of the map may look smaller than the smallest of the catalogue by so many deviations."""
-
-AREA_OUTLIERS = 0.15
-AREA_OUTLIER_DEVIATION = 1.0
-"""ln area in image against map: a normal distribution, and a wide one for objects that are merged or split."""
-
-ASSUMED_OBJECTS = 3
-"""Objects that make a hypothesis can't be evidence for it. Any three of those matched may have made it, so three times
-their mean is taken off."""
-
-GATE_IN_NOISE = 4.5
-"""A match farther off than this many σ is none. A nearer gate cuts off true matches of objects whose noise is larger
-than assumed, and residuals that were cut off make the ellipse too small. Set on Liechtenstein 2021, northern half."""
-
-NOISE_FACTORS = (0.5, 3.0)
-"""How much less or more noise than assumed an image may have; measured from its own residuals."""
-
-ASSUMED_MATCHES = 4
-"""So many matches with just the assumed noise count with those it is measured from: as many numbers as a pose has twice
-over, so that a handful of residuals can't make the noise vanish."""
-
-ASSUMED_OBJECTS_TILTED = 5
-"""A tilted camera's pose has four numbers more, as many as two objects bring."""
-
-MINIMUM_MATCHES = 4
-"""Matches without which a pose is not fitted again."""
-
-GROWING_GATE = 0.006
-GROWING_REACH = (0.15, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0, 1.0)
-"""For tilted cameras: how far off a match may be, and how far from where the pose holds, round by round; both as shares
-of the image's diagonal."""
-
-REFINEMENTS = 6
-ROBUST_REFINEMENTS = 4
-"""Rounds of match and fit for one pose. The first ones trust near matches more, to leave wrong ones; the last ones
-weigh by Huber's rule, whose uncertainty ``level_covariance`` knows."""
-
-LARGEST_OBJECTS = 250
-"""Objects of an image used as evidence, largest first. More change nothing but the time."""
+from .settings import ConstellationSettings
 
 MEDIAN_OF_RAYLEIGH = 1.1774
 """Median length of a residual whose two coordinates have a standard deviation of 1."""
@@ -94,26 +47,29 @@ class Verifier:
     minimum_area_px: float
 
 
-def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray) -> np.ndarray:
+def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray, settings: ConstellationSettings) -> np.ndarray:
     """Assumed σ of centers in map units, of objects with ln area in pixels."""
-    return pixel_size * np.hypot(CENTER_NOISE_PX, CENTER_NOISE_IN_SIZES * np.exp(log_areas_px / 2))
+    return pixel_size * np.hypot(settings.center_noise_px, settings.center_noise_in_sizes * np.exp(log_areas_px / 2))
 
 
 def match_terms(verifier: Verifier, query: SeenLandmarks, distances, objects, deviations, log_scale) -> np.ndarray:
     """(…, n) ln likelihood ratio of every object's nearest match against a random hit at the local density.
 
-    distances, objects, deviations: (…, n); log_scale: ln pixel size, broadcastable. ln DISTRACTORS without a match.
+    distances, objects, deviations: (…, n); log_scale: ln pixel size, broadcastable. Without a match it is
+    ln of the distractors' share.
     """
-    index = verifier.index
+    index, settings = verifier.index, verifier.index.settings
     found = np.maximum(objects, 0)
     position = -0.5 * (distances / deviations) ** 2 - np.log(2 * np.pi * deviations**2 * index.densities[found])
     area = query.log_areas + 2 * log_scale
     off = area - index.log_areas[found]
-    seen = (1 - AREA_OUTLIERS) * _normal(off, AREA_DEVIATION) + AREA_OUTLIERS * _normal(off, AREA_OUTLIER_DEVIATION)
+    outliers, distractors = settings.area_outliers, settings.distractors
+    seen = (1 - outliers) * _normal(off, settings.area_deviation)
+    seen += outliers * _normal(off, settings.area_outlier_deviation)
     bins = np.clip(((area - AREA_BINS[0]) / AREA_BIN).astype(np.int64), 0, len(AREA_BINS) - 1)
     ratio = np.exp(np.clip(position, -50, 30)) * seen / index.area_densities[query.ranks, bins]
-    ratio = np.where((objects >= 0) & (distances <= GATE_IN_NOISE * deviations), ratio, 0)
-    return np.log(DISTRACTORS + (1 - DISTRACTORS) * ratio)
+    ratio = np.where((objects >= 0) & (distances <= settings.gate_in_noise * deviations), ratio, 0)
+    return np.log(distractors + (1 - distractors) * ratio)
 
 
 def _normal(x: np.ndarray, deviation: float) -> np.ndarray:
@@ -125,13 +81,13 @@ def rough_scores(verifier: Verifier, query: SeenLandmarks, centers, turns, gates
 
     query: its most telling objects only, all of known class.
     """
-    index = verifier.index
+    index, settings = verifier.index, verifier.index.settings
     for gate in gates:
         size = np.abs(turns)[:, None]
         distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
         off = query.log_areas + 2 * np.log(size) - index.log_areas[np.maximum(objects, 0)]
         near = (distances <= gate * size) & (np.abs(off) < 1.5)
-        weights = near / center_noise(query.log_areas, size) ** 2
+        weights = near / center_noise(query.log_areas, size, settings) ** 2
         fitted = fit_similarity(query.points[None], index.points[np.maximum(objects, 0)], weights)
         enough = near.sum(axis=1) >= 4
         enough &= np.abs(np.log(np.maximum(np.abs(fitted[1]), 1e-12) / size[:, 0])) < 0.3
@@ -139,7 +95,7 @@ def rough_scores(verifier: Verifier, query: SeenLandmarks, centers, turns, gates
         turns = np.where(enough, fitted[1], turns)
     size = np.abs(turns)[:, None]
     distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
-    deviations = 1.5 * center_noise(query.log_areas, size)
+    deviations = 1.5 * center_noise(query.log_areas, size, settings)
     scores = match_terms(verifier, query, distances, objects, deviations, np.log(size)).sum(axis=1)
     return centers, turns, scores
 
@@ -157,13 +113,14 @@ def verify(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> PoseEvidence
 
 def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: complex) -> PoseEvidence:
     """The same for a camera that may be tilted; matches spread from ``focus``, where the pose holds, over the image."""
-    gate = GROWING_GATE * query.diagonal
-    for reach in GROWING_REACH:
+    settings = verifier.index.settings
+    gate = settings.growing_gate * query.diagonal
+    for reach in settings.growing_reach:
         distances, objects, deviations = _nearest(verifier, query, pose)
         near = (np.abs(query.points - focus) <= reach * query.diagonal) & _one_to_one(distances, objects)
-        ends = gate * abs(pose.turn) + GATE_IN_NOISE * deviations
+        ends = gate * abs(pose.turn) + settings.gate_in_noise * deviations
         kept = np.flatnonzero(near & (distances <= ends))
-        if len(kept) < MINIMUM_MATCHES:
+        if len(kept) < settings.minimum_matches:
             break
         loose = deviations[kept] / np.maximum(biweight(distances[kept], ends[kept]), 0.05) ** 0.5
         fitted = fit_tilted(query.points[kept], verifier.index.points[objects[kept]], loose, pose, query.diagonal)
@@ -175,14 +132,16 @@ def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: c
 
 def _refined(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float, tilted: bool = False) -> PoseEvidence:
     """Match and fit until both agree; then the evidence."""
-    for number in range(REFINEMENTS):
+    settings = verifier.index.settings
+    for number in range(settings.refinements):
         distances, objects, deviations = _nearest(verifier, query, pose)
-        kept = np.flatnonzero(_one_to_one(distances, objects) & (distances <= GATE_IN_NOISE * factor * deviations))
-        if len(kept) < MINIMUM_MATCHES:
+        ends = settings.gate_in_noise * factor * deviations
+        kept = np.flatnonzero(_one_to_one(distances, objects) & (distances <= ends))
+        if len(kept) < settings.minimum_matches:
             break
         image, on_map, weights = query.points[kept], verifier.index.points[objects[kept]], 1 / deviations[kept] ** 2
-        if number < ROBUST_REFINEMENTS:
-            weights *= np.maximum(biweight(distances[kept], GATE_IN_NOISE * factor * deviations[kept]), 1e-6)
+        if number < settings.robust_refinements:
+            weights *= np.maximum(biweight(distances[kept], ends[kept]), 1e-6)
         else:
             weights *= huber(distances[kept], factor * deviations[kept])
         if tilted:
@@ -192,11 +151,12 @@ def _refined(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float
         if not 0.7 < abs(fitted.turn / pose.turn) < 1.4:
             break
         pose = fitted
-        factor = noise_factor(np.abs(pose.on_map(image) - on_map) / deviations[kept], 8 if tilted else 4)
+        residuals = np.abs(pose.on_map(image) - on_map) / deviations[kept]
+        factor = noise_factor(residuals, 8 if tilted else 4, settings)
     return weigh(verifier, query, pose, factor)
 
 
-def noise_factor(residuals: np.ndarray, fitted: int) -> float:
+def noise_factor(residuals: np.ndarray, fitted: int, settings: ConstellationSettings) -> float:
     """σ of matches over the assumed one; residuals: (n,) lengths over the assumed σ; fitted: numbers of the pose.
 
     From the median, because some matches are wrong. A pose takes its numbers out of the residuals: the squares of n
@@ -204,34 +164,36 @@ def noise_factor(residuals: np.ndarray, fitted: int) -> float:
     """
     count = len(residuals)
     measured = (np.median(residuals) / MEDIAN_OF_RAYLEIGH) ** 2 * 2 * count / max(2 * count - fitted, 1)
-    factor = np.sqrt((count * measured + ASSUMED_MATCHES) / (count + ASSUMED_MATCHES))
-    return float(np.clip(factor, *NOISE_FACTORS))
+    assumed = settings.assumed_matches
+    factor = np.sqrt((count * measured + assumed) / (count + assumed))
+    return float(np.clip(factor, *settings.noise_factors))
 
 
 def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -> PoseEvidence:
     """The evidence for a pose as it is."""
-    index, log_sizes = verifier.index, np.log(pose.pixel_sizes(query.points))
+    index, settings = verifier.index, verifier.index.settings
+    log_sizes = np.log(pose.pixel_sizes(query.points))
     distances, objects, deviations = _nearest(verifier, query, pose)
     deviations = factor * deviations
     objects = np.where(_one_to_one(distances, objects), objects, -1)
     terms = match_terms(verifier, query, distances, objects, deviations, log_sizes)
     # Smaller than anything on the map, more than area noise explains: neither for nor against. Were those that match
     # for it, a pose at which hardly anything is large enough would have nothing against it.
-    smallest = np.log(max(index.minimum_area_m2, 1e-12)) - SMALLER_IN_NOISE * AREA_DEVIATION
+    smallest = np.log(max(index.minimum_area_m2, 1e-12)) - settings.smaller_in_noise * settings.area_deviation
     possible = query.log_areas + 2 * log_sizes >= smallest
-    matched = np.flatnonzero(possible & (objects >= 0) & (distances <= GATE_IN_NOISE * deviations))
+    matched = np.flatnonzero(possible & (objects >= 0) & (distances <= settings.gate_in_noise * deviations))
     terms = np.where(possible, terms, 0)
     missing = len(np.setdiff1d(expected_objects(verifier, query, pose), objects[matched]))
-    assumed = ASSUMED_OBJECTS if pose.is_level else ASSUMED_OBJECTS_TILTED
+    assumed = settings.assumed_objects if pose.is_level else settings.assumed_objects_tilted
     assumed *= max(float(terms[matched].mean()), 0) if len(matched) else 0
-    log_odds = float(terms.sum() - assumed + missing * np.log(1 - VISIBILITY))
+    log_odds = float(terms.sum() - assumed + missing * np.log(1 - settings.visibility))
     considered = int(possible.sum())
     return PoseEvidence(pose, log_odds, matched, objects[matched], deviations[matched], factor, missing, considered)
 
 
 def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np.ndarray:
     """(M,) objects of the map that an image with this pose should show whole, none smaller than those in ``query``."""
-    index = verifier.index
+    index, settings = verifier.index, verifier.index.settings
     half = complex(verifier.width_px, verifier.height_px) / 2
     corners = pose.on_map(np.array([half, -half, half.conjugate(), -half.conjugate()]))
     low = complex(corners.real.min(), corners.imag.min())
@@ -242,15 +204,17 @@ def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np
     edge = np.exp(log_areas_px / 2)
     seen = (np.abs(inside.real) < half.real - edge) & (np.abs(inside.imag) < half.imag - edge)
     smallest = np.log(max(verifier.minimum_area_px, 1e-12))
-    if len(query.points) >= LARGEST_OBJECTS:
+    if len(query.points) >= settings.largest_objects:
         smallest = max(smallest, float(query.log_areas.min()))
-    return found[seen & (log_areas_px > smallest + AREA_DEVIATION)]
+    return found[seen & (log_areas_px > smallest + settings.area_deviation)]
 
 
 def _nearest(verifier: Verifier, query: SeenLandmarks, pose: Pose):
     """Distances (n,), objects (n,), assumed deviations (n,) of the image's objects at a pose."""
-    distances, objects = verifier.index.matcher.match(pose.on_map(query.points)[None], query.ranks)
-    return distances[0].astype(np.float64), objects[0], center_noise(query.log_areas, abs(pose.turn))
+    index = verifier.index
+    distances, objects = index.matcher.match(pose.on_map(query.points)[None], query.ranks)
+    noise = center_noise(query.log_areas, abs(pose.turn), index.settings)
+    return distances[0].astype(np.float64), objects[0], noise
 
 
 def _one_to_one(distances: np.ndarray, objects: np.ndarray) -> np.ndarray:

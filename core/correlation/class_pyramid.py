@@ -19,14 +19,12 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from ..geometry.frame import MapFrame
 from ..labels.class_table import UNLABELED
+from .settings import CORRELATION, CorrelationSettings
 
 MAXIMUM_CHANNELS = 4
 """Evidence channels; OpenCV's samplers take four at once."""
-
-RARITY_EXPONENT = 0.5
-"""Weight of a class = (variance of its fraction on the map) ** (−exponent / 2): 0 treats every m² alike and lets forest
-drown the houses, 1 gives a class of which the map has three patches the same say as all others. Measured: 0.5."""
 
 FULL = 255
 """A fraction of 1 in the 8-bit fractions."""
@@ -76,8 +74,11 @@ def class_fractions(labels_hw: np.ndarray, values: Sequence[int], size_wh: tuple
     return fractions
 
 
-def class_space(fractions: np.ndarray, values: np.ndarray) -> ClassSpace:
-    """The class space of a map from its coarse fractions (h, w, K) uint8. No labeled pixel gives no channels."""
+def class_space(fractions: np.ndarray, values: np.ndarray, rarity_exponent: float) -> ClassSpace:
+    """The class space of a map from its coarse fractions (h, w, K) uint8. No labeled pixel gives no channels.
+
+    ``rarity_exponent``: as of CorrelationSettings.
+    """
     pixels = fractions.reshape(fractions.shape[0] * fractions.shape[1], len(values))
     pixels = pixels[pixels.any(axis=1)].astype(np.float64) / FULL
     if not len(pixels):
@@ -86,7 +87,7 @@ def class_space(fractions: np.ndarray, values: np.ndarray) -> ClassSpace:
     usual = pixels.sum(axis=0) / known.sum()
     surprise = pixels - known[:, None] * usual
     covariance = surprise.T @ surprise / len(surprise)
-    weights = np.maximum(np.diag(covariance), 1e-9) ** (-RARITY_EXPONENT / 2)
+    weights = np.maximum(np.diag(covariance), 1e-9) ** (-rarity_exponent / 2)
     strength, directions = np.linalg.eigh(covariance * weights[:, None] * weights)
     used = np.argsort(-strength, kind="stable")[:MAXIMUM_CHANNELS]
     used = used[strength[used] > 1e-9 * max(strength.max(), 1e-12)]
@@ -135,14 +136,21 @@ def mirrored_level(level: EvidenceLevel) -> EvidenceLevel:
 class MapPyramid:
     """A map's evidence at pixels of 1, 2, 4, … overview pixels; prepared once a database, used for every query.
 
-    ``overview_hw``: (H, W) uint8 labels; ``frame``: (x0, y0, pixel size): map coordinates of the upper left corner and
-    edge of an overview pixel. Levels from STORED_REDUCTION on are held in memory (C·4 bytes a pixel, a quarter fewer
-    pixels each); finer ones are computed for the crop that is asked for.
+    Levels from STORED_REDUCTION on are held in memory (C·4 bytes a pixel, a quarter fewer pixels each); finer ones are
+    computed for the crop that is asked for.
     """
 
-    def __init__(self, overview_hw: np.ndarray, frame: tuple[float, float, float]) -> None:
+    def __init__(self, overview_hw: np.ndarray, frame: MapFrame, settings: CorrelationSettings = CORRELATION) -> None:
+        """Prepares an overview.
+
+        Args:
+            overview_hw: (H, W) uint8 labels.
+            frame: Where its pixels lie.
+            settings: It is made with, and every search in it uses.
+        """
         self.labels = np.ascontiguousarray(overview_hw)
-        self.frame = tuple(float(number) for number in frame)
+        self.frame = frame
+        self.settings = settings
         values = np.unique(self.labels)
         values = values[values != UNLABELED]
         # Whole blocks only: the rest of the last one counts as unlabeled.
@@ -150,11 +158,11 @@ class MapPyramid:
         height, width = self.labels.shape
         padded = cv2.copyMakeBorder(self.labels, 0, -height % block, 0, -width % block, cv2.BORDER_CONSTANT, value=0)
         fractions = class_fractions(padded, values, (padded.shape[1] // block, padded.shape[0] // block))
-        self.space = class_space(_halved(_halved(fractions)), values)
+        self.space = class_space(_halved(_halved(fractions)), values, settings.rarity_exponent)
         self._stored = []
         while self.space.channels and min(fractions.shape[:2]) >= 1:
             evidence, known = evidence_of(fractions, self.space)
-            pixel = self.frame[2] * STORED_REDUCTION * 2 ** len(self._stored)
+            pixel = self.frame.pixel_size * STORED_REDUCTION * 2 ** len(self._stored)
             self._stored.append(EvidenceLevel(evidence, known, (pixel, pixel)))
             if min(fractions.shape[:2]) < 2:
                 break
@@ -170,9 +178,14 @@ class MapPyramid:
         return float((level.evidence[known] ** 2).sum(axis=1).mean()) if known.any() else 0.0
 
     @property
+    def quiet(self) -> float:
+        """Energy a pixel that is added to the map's own in a score."""
+        return self.settings.quiet_energy * self.energy
+
+    @property
     def size_m(self) -> tuple[float, float]:
         """Width and height of the map in map units."""
-        return self.labels.shape[1] * self.frame[2], self.labels.shape[0] * self.frame[2]
+        return self.labels.shape[1] * self.frame.pixel_size, self.labels.shape[0] * self.frame.pixel_size
 
     def crop(self, pixel_m: float, box_m: tuple[float, float, float, float]) -> tuple[EvidenceLevel, float, float]:
         """The level whose pixels are nearest to ``pixel_m`` from below (×0.71 to ×1.41), cut to a box.
@@ -180,11 +193,11 @@ class MapPyramid:
         ``box_m``: (left, top, right, bottom) in meters right and down from the map's upper left corner. Returns the
         level and the left and top edge of its first pixel. Never empty: a box beside the map gives one unknown pixel.
         """
-        level = max(0, int(round(np.log2(pixel_m / self.frame[2]))))
+        level = max(0, int(round(np.log2(pixel_m / self.frame.pixel_size))))
         stored = int(np.log2(STORED_REDUCTION))
         level = min(level, stored + len(self._stored) - 1)
         reduction = 2**level
-        pixel = self.frame[2] * reduction
+        pixel = self.frame.pixel_size * reduction
         height, width = (-(-edge // reduction) for edge in self.labels.shape)
         left, right = np.clip((np.floor(box_m[0] / pixel), np.ceil(box_m[2] / pixel)), 0, width).astype(int)
         top, bottom = np.clip((np.floor(box_m[1] / pixel), np.ceil(box_m[3] / pixel)), 0, height).astype(int)

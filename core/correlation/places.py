@@ -5,7 +5,7 @@ Told in docs/method.md#map-correlation.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import List, Optional, Tuple
 
 import numpy as np
@@ -16,46 +16,10 @@ from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, reduced_le
 from .refine import ScoredPose, pose_covariance, refine
 from .search import SearchSpace, search
 
-COARSE_EDGE = 32
-"""Edge of the image (root of its area) at the first look, in coarse pixels; 40 m pixels for 1,280 m."""
-
-DECISION_EDGE = 2 * COARSE_EDGE
-"""Edge of the image at which places are compared and decided about."""
-
-FINEST_EDGE = 512
-"""The last refinement uses no more pixels than this along an edge: bounds the time on large images."""
-
-TURN_STEP_DEG = 7.2
-"""Step of the headings: moves the middle of the image's edges by one coarse pixel either way."""
-
-SCALE_STEP = 1.12
-"""Ratio of neighboring pixel sizes in the first look."""
-
-LEAST_LABELED = 0.3
-"""Share of the image that has to be labeled with classes of the map."""
-
-LEAST_ENERGY = 0.02
-"""Evidence the image has to have about its mean, in units of the map's mean energy a pixel: one class everywhere, or
-nearly, fits every place of that class."""
-
-MOST_COMPARISONS = 4e9
-"""Places × turns × scales of the first look; 300 km² with images of 1,280 m take 6.5e7 and about a second."""
-
-
-@dataclass(frozen=True)
-class CorrelationSettings:
-    """candidates: places refined after the first look (fewer of the mirrored image); threads; tile_size: of the FFT."""
-
-    candidates: int = 32
-    decoys: int = 10
-    finalists: int = 8
-    threads: int = 2
-    tile_size: int = 256
-
 
 def image_evidence(labels_hw: np.ndarray, pyramid: MapPyramid) -> EvidenceLevel:
-    """The image's evidence at the finest pixels that are used: FINEST_EDGE along an edge, never more than it has."""
-    return evidence_level(labels_hw, pyramid.space, size_for(labels_hw.shape, FINEST_EDGE))
+    """The image's evidence at the finest pixels that are used: ``finest_edge`` of them along an edge or all it has."""
+    return evidence_level(labels_hw, pyramid.space, size_for(labels_hw.shape, pyramid.settings.finest_edge))
 
 
 def size_for(shape_hw: Tuple[int, int], edge: int) -> Tuple[int, int]:
@@ -72,31 +36,33 @@ def reduced_image(image: EvidenceLevel, edge: int) -> EvidenceLevel:
 
 def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Optional[Sentence]:
     """Why the image can't be found on any map; None when it may."""
+    settings = pyramid.settings
     labeled = float(coarse.known.mean())
-    if labeled < LEAST_LABELED:
-        return Sentence("localization.too_few_labels", labeled=labeled, least=LEAST_LABELED)
+    if labeled < settings.least_labeled:
+        return Sentence("localization.too_few_labels", labeled=labeled, least=settings.least_labeled)
     energy = float(coarse.evidence.var(axis=(0, 1)).sum()) / pyramid.energy
-    if energy < LEAST_ENERGY:
+    if energy < settings.least_energy:
         return Sentence("localization.hardly_one_class")
     return None
 
 
 def search_space(pyramid: MapPyramid, prior: Prior) -> SearchSpace:
     """All turns (or those of the prior), its pixel sizes in even ratios, and the part of the map to search."""
+    settings = pyramid.settings
     low, high = np.log(prior.pixel_size_range[0]), np.log(prior.pixel_size_range[1])
-    count = max(1, int(np.ceil((high - low) / np.log(SCALE_STEP) - 1e-9)))
+    count = max(1, int(np.ceil((high - low) / np.log(settings.scale_step) - 1e-9)))
     sizes = np.exp(low + (np.arange(count) + 0.5) * (high - low) / count)
     if prior.heading_deg is None or prior.heading_range_deg >= 180:
-        headings = np.arange(0.0, 360.0 - 1e-9, TURN_STEP_DEG)
+        headings = np.arange(0.0, 360.0 - 1e-9, settings.turn_step_deg)
     else:
         first = prior.heading_deg - prior.heading_range_deg
         span = (prior.heading_deg + prior.heading_range_deg - first) % 360.0
-        turns = max(1, int(np.ceil(span / TURN_STEP_DEG - 1e-9)))
+        turns = max(1, int(np.ceil(span / settings.turn_step_deg - 1e-9)))
         headings = (first + (np.arange(turns) + 0.5) * span / turns) % 360.0
     width, height = pyramid.size_m
     box = (0.0, 0.0, width, height)
     if prior.position is not None and prior.radius is not None:
-        x, y = prior.position[0] - pyramid.frame[0], pyramid.frame[1] - prior.position[1]
+        x, y = prior.position[0] - pyramid.frame.origin[0], pyramid.frame.origin[1] - prior.position[1]
         box = x - prior.radius, y - prior.radius, x + prior.radius, y + prior.radius
     return SearchSpace(headings, sizes, box)
 
@@ -119,20 +85,19 @@ def best_places(
     image: EvidenceLevel,
     pyramid: MapPyramid,
     space: SearchSpace,
-    settings: CorrelationSettings,
     count: int,
-    quiet: float,
     distance_m: float,
 ) -> List[ScoredPose]:
     """The best poses, refined at the decision's pixels, best first, no two at the same place."""
-    coarse = reduced_image(image, COARSE_EDGE)
-    peaks = search(coarse, pyramid, space, settings.tile_size, settings.threads)
+    settings, quiet = pyramid.settings, pyramid.quiet
+    coarse = reduced_image(image, settings.coarse_edge)
+    peaks = search(coarse, pyramid, space)
     # Neighboring peaks may lead to different optima: at first, places are told apart at half the distance.
     starts = [ScoredPose(x, y, heading, size, score) for score, x, y, heading, size in peaks]
     starts = distinct(starts, distance_m / 2, count)
     moved = [refine(coarse, pyramid, pose, quiet, 4) for pose in starts]
     moved = distinct(sorted(moved, key=lambda pose: -pose.score), distance_m / 2, settings.finalists)
-    finer = reduced_image(image, DECISION_EDGE)
+    finer = reduced_image(image, settings.decision_edge)
     finest = [refine(finer, pyramid, pose, quiet, 4) for pose in moved]
     return distinct(sorted(finest, key=lambda pose: -pose.score), distance_m, settings.finalists)
 
@@ -151,23 +116,21 @@ def distinct(poses: List[ScoredPose], distance_m: float, count: int) -> List[Sco
     return kept
 
 
-def finest_pose(
-    image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float
-) -> Tuple[ScoredPose, np.ndarray]:
+def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> Tuple[ScoredPose, np.ndarray]:
     """The pose refined at finer and finer pixels, to the map's overview pixel at most, and its covariance.
 
     That is taken at the decision's pixels: finer ones promise an accuracy that poor labels don't keep (measured with
     strong noise: 95 % of the errors are below 3.5 deviations at 64 pixels along an edge, below 7.9 at 128).
     """
     height, width = image.known.shape
-    decision = reduced_image(image, DECISION_EDGE)
-    edge = DECISION_EDGE
+    first, quiet = pyramid.settings.decision_edge, pyramid.quiet
+    edge, decision = first, reduced_image(image, first)
     ground_m = np.sqrt(height * width * image.pixel[0] * image.pixel[1]) * pose.pixel_size_m
-    last = min(np.sqrt(height * width), ground_m / pyramid.frame[2])
+    last = min(np.sqrt(height * width), ground_m / pyramid.frame.pixel_size)
     while True:
         moved = refine(reduced_image(image, edge), pyramid, pose, quiet, 4)
         if moved.score > 0:
             pose = replace(moved, score=pose.score)
-        if edge * 2 > max(last * 1.2, DECISION_EDGE):
+        if edge * 2 > max(last * 1.2, first):
             return pose, pose_covariance(decision, pyramid, pose, quiet)
         edge *= 2

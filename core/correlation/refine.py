@@ -16,23 +16,10 @@ import cv2
 import numpy as np
 
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .search import LEAST_KNOWN
-
-LARGEST_STEP = np.array([1.5, 1.5, 0.06, 0.06])
-"""Bound of one Gauss–Newton step: coarse pixels, radians, logarithm; beyond it the linearisation holds no more."""
+from .settings import CorrelationSettings
 
 NOT_COMPARABLE = -1.0
 """Score where the map has too few labels under the image, or either of them shows the same all over."""
-
-CONVERGED = 0.02
-"""A step is the last one when it moves nothing by more than this share of a coarse pixel."""
-
-DAMPING = 1e-4
-"""Added to the normal equations, as a share of their trace. What changes the image less than that is not told by it:
-the place along a straight shore that crosses it."""
-
-BLOCKS = 10
-"""Blocks along each edge of the image that are taken to err independently (covariance)."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +47,7 @@ def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> Tu
     to_map = axes(pose) * np.array(image.pixel)
     reach = np.abs(to_map) @ np.array([width, height]) / 2
     pixel = pose.pixel_size_m * float(np.sqrt(image.pixel[0] * image.pixel[1]))
-    spare = 2 * max(pixel, pyramid.frame[2])
+    spare = 2 * max(pixel, pyramid.frame.pixel_size)
     box = pose.x - reach[0] - spare, pose.y - reach[1] - spare, pose.x + reach[0] + spare, pose.y + reach[1] + spare
     level, left, top = pyramid.crop(pixel, box)
     to_level = to_map / level.pixel[0]
@@ -77,7 +64,7 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
 
     ``quiet``: energy a pixel added to the map's own in the score.
     """
-    best = pose
+    best, settings = pose, pyramid.settings
     for step in range(steps + 1):
         fit = _linearized(image, pyramid, pose, quiet)
         pose = replace(pose, score=fit.score)
@@ -85,8 +72,8 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
             best = pose
         if step == steps or fit.slopes is None or fit.score < best.score - 0.1:
             break
-        move = _move(fit, image)
-        if (np.abs(move) < CONVERGED * _units(image)).all():
+        move = _move(fit, image, settings)
+        if (np.abs(move) < settings.converged * _units(image)).all():
             break
         shift = axes(pose) @ move[:2]
         pose = ScoredPose(
@@ -110,10 +97,11 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
     if fit.slopes is None:
         return np.full((4, 4), np.inf)
     strengths = np.linalg.eigvalsh(_normal(fit))
-    if strengths[0] <= DAMPING * strengths.sum():
+    damping = pyramid.settings.damping
+    if strengths[0] <= damping * strengths.sum():
         return np.full((4, 4), np.inf)
-    inverse, units = _inverse(fit), _units(image)
-    pulls = _clustered(fit.slopes * fit.residual, (*image.known.shape, -1))
+    inverse, units = _inverse(fit, damping), _units(image)
+    pulls = _clustered(fit.slopes * fit.residual, (*image.known.shape, -1), pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
 
 
@@ -135,7 +123,7 @@ def _units(image: EvidenceLevel) -> np.ndarray:
 
 def _linearized(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> _Fit:
     patch, known = map_under(image, pyramid, pose)
-    if known.mean() < LEAST_KNOWN:
+    if known.mean() < pyramid.settings.least_known:
         return _Fit(NOT_COMPARABLE)
     seen = image.evidence - image.evidence.mean(axis=(0, 1))
     there = patch - patch.mean(axis=(0, 1))
@@ -166,28 +154,28 @@ def _normal(fit: _Fit) -> np.ndarray:
     return cv2.mulTransposed(fit.slopes, False, dtype=cv2.CV_64F)
 
 
-def _inverse(fit: _Fit) -> np.ndarray:
+def _inverse(fit: _Fit, damping: float) -> np.ndarray:
     """(4, 4) inverse of the normal equations, lightly damped."""
     normal = _normal(fit)
-    damping = DAMPING * max(float(np.trace(normal)), 1e-30)
-    return cv2.invert(normal + damping * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
+    damped = damping * max(float(np.trace(normal)), 1e-30)
+    return cv2.invert(normal + damped * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
 
 
-def _move(fit: _Fit, image: EvidenceLevel) -> np.ndarray:
+def _move(fit: _Fit, image: EvidenceLevel, settings: CorrelationSettings) -> np.ndarray:
     """(4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
     pull = np.einsum("ik,k->i", fit.slopes, fit.residual).astype(np.float64)
-    limit = LARGEST_STEP * np.array([*image.pixel, 1, 1])
-    return np.clip(-(_inverse(fit) @ pull) * _units(image), -limit, limit)
+    limit = np.array(settings.largest_step) * np.array([*image.pixel, 1, 1])
+    return np.clip(-(_inverse(fit, settings.damping) @ pull) * _units(image), -limit, limit)
 
 
-def _clustered(pulls: np.ndarray, shape) -> np.ndarray:
+def _clustered(pulls: np.ndarray, shape, blocks: int) -> np.ndarray:
     """(4, 4) covariance of the sum of all pixels' pulls (4, h·w·C), whose neighbors err together.
 
-    Pulls are summed in BLOCKS × BLOCKS blocks of the image, which are taken as independent (cluster-robust "sandwich"
+    Pulls are summed in blocks × blocks parts of the image, which are taken as independent (cluster-robust "sandwich"
     covariance, Liang & Zeger 1986): a patch of a wrong class counts as one error, not as a thousand.
     """
     height, width, _ = shape
-    rows, columns = (np.linspace(0, edge, min(BLOCKS, edge), endpoint=False).astype(int) for edge in (height, width))
+    rows, columns = (np.linspace(0, edge, min(blocks, edge), endpoint=False).astype(int) for edge in (height, width))
     sums = pulls.reshape(4, *shape).sum(axis=3)
     sums = np.add.reduceat(np.add.reduceat(sums, rows, axis=1), columns, axis=2).reshape(4, -1)
     sums = sums - sums.mean(axis=1, keepdims=True)

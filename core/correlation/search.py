@@ -19,18 +19,6 @@ import numpy as np
 
 from .class_pyramid import EvidenceLevel, MapPyramid
 
-TILE_SIZE = 256
-"""Edge of a tile in coarse pixels; a power of two is quickest, about four times the turned image is best."""
-
-QUIET_ENERGY = 0.15
-"""Share of the map's mean energy that is added to a footprint's own: where nothing varies, chance would score high."""
-
-LEAST_KNOWN = 0.5
-"""Share of the footprint that has to be labeled on the map."""
-
-PEAKS_PER_TILE = 60
-"""Best places of a tile and scale that are kept."""
-
 
 @dataclass(frozen=True)
 class SearchSpace:
@@ -75,17 +63,16 @@ def template_edge(image: EvidenceLevel) -> int:
     return int(np.ceil(np.hypot(height, width))) // 2 * 2 + 3
 
 
-def search(
-    image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace, tile_size: int = TILE_SIZE, threads: int = 2
-) -> np.ndarray:
+def search(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> np.ndarray:
     """(N, 5) float64: score, x, y (meters right and down of the map's corner), heading (°), pixel size (m); best first.
 
     ``image``: coarse evidence whose pixels are ``image.pixel`` image pixels wide. Peaks of one tile and scale; the same
     place can come up for several scales.
     """
+    settings, threads = pyramid.settings, pyramid.settings.threads
     edge = template_edge(image)
     pixel = float(np.sqrt(image.pixel[0] * image.pixel[1]))
-    tile_size = cv2.getOptimalDFTSize(max(tile_size, 2 * edge))
+    tile_size = cv2.getOptimalDFTSize(max(settings.tile_size, 2 * edge))
     extent = max(space.box_m[2] - space.box_m[0], space.box_m[3] - space.box_m[1])
     needed = int(np.ceil(extent / (pixel * float(space.pixel_sizes_m.min())))) + edge + 1
     tile_size = min(tile_size, cv2.getOptimalDFTSize(needed))
@@ -93,7 +80,7 @@ def search(
     spectra = [[_spectrum(one.evidence[..., c], tile_size) for c in range(one.evidence.shape[2])] for one in turned]
     mean_mask = np.mean([one.mask for one in turned], axis=0)
     mask_spectrum = _spectrum(mean_mask, tile_size)
-    quiet = QUIET_ENERGY * pyramid.energy * float(mean_mask.sum())
+    quiet = pyramid.quiet * float(mean_mask.sum())
 
     def one_tile(job) -> list[tuple[float, ...]]:
         size_m, (left, top, columns, rows) = job
@@ -111,7 +98,7 @@ def search(
                 float(space.headings_deg[turn[row, column]]),
                 float(size_m),
             )
-            for row, column in _peaks(best, max(1, edge // 20))
+            for row, column in _peaks(best, max(1, edge // 20), settings.peaks_per_tile)
         ]
 
     jobs = [
@@ -167,7 +154,7 @@ def _tile_scores(pyramid, pixel_m, corner_m, size, edge, spectra, mask_spectrum,
         energy -= _correlation([spectrum], [mask_spectrum], places) ** 2 / mask_sum
     share = _correlation([cv2.dft(known)], [mask_spectrum], places) / mask_sum
     weight = 1 / np.sqrt(np.maximum(energy, 0) + quiet)
-    weight[share < LEAST_KNOWN] = 0
+    weight[share < pyramid.settings.least_known] = 0
     best = np.full((places, places), -1.0, np.float32)
     turn = np.zeros((places, places), np.uint16)
     if not weight.any():
@@ -196,9 +183,9 @@ def _spectrum(plane: np.ndarray, size: int) -> np.ndarray:
     return cv2.dft(padded, nonzeroRows=plane.shape[0])
 
 
-def _peaks(score: np.ndarray, radius: int) -> np.ndarray:
-    """(M, 2) int rows and columns of the local maxima above 0, best first, at most PEAKS_PER_TILE."""
+def _peaks(score: np.ndarray, radius: int, count: int) -> np.ndarray:
+    """(M, 2) int rows and columns of the local maxima above 0, best first, at most ``count``."""
     kernel = np.ones((2 * radius + 1, 2 * radius + 1), np.uint8)
     at = np.argwhere((score >= cv2.dilate(score, kernel)) & (score > 0))
     order = np.argsort(-score[at[:, 0], at[:, 1]], kind="stable")
-    return at[order[:PEAKS_PER_TILE]]
+    return at[order[:count]]

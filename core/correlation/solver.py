@@ -22,10 +22,6 @@ from ..sentences import Sentence
 from .class_pyramid import MapPyramid, evidence_level, mirrored_level
 from .decision import confidence_of, decide, exact_enough, position_error_95
 from .places import (
-    COARSE_EDGE,
-    DECISION_EDGE,
-    MOST_COMPARISONS,
-    CorrelationSettings,
     apart_m,
     best_places,
     comparisons,
@@ -37,28 +33,15 @@ from .places import (
     size_for,
 )
 from .refine import NOT_COMPARABLE, ScoredPose, axes, score_at
-from .search import QUIET_ENERGY
-
-ALTERNATIVE_BAND = 0.1
-"""Other places are told when their score is at most this much below the best one's."""
-
-NOMINAL_RANGE = (0.7, 1.4)
-"""Pixel sizes looked for without a prior, in units of window size / image size of the database."""
 
 
-def localize(
-    labels_hw: np.ndarray,
-    pyramid: MapPyramid,
-    prior: Prior,
-    settings: CorrelationSettings = CorrelationSettings(),  # noqa: B008 - frozen
-) -> Localization:
+def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior) -> Localization:
     """Finds a label image on a map. Same input, same result.
 
     Args:
         labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
         pyramid: The map's overview, prepared once.
         prior: What is known beforehand, the range of pixel sizes at least.
-        settings: How to search.
 
     Returns:
         The best place is told also where it is no fix, if there is any.
@@ -68,25 +51,25 @@ def localize(
         ValueError: The range of pixel sizes is empty or not positive, or the radius is not.
     """
     _check(labels_hw, prior)
+    settings = pyramid.settings
     if not pyramid.space.channels:
         return _no_match(Sentence("localization.too_few_classes"))
     image = image_evidence(np.ascontiguousarray(labels_hw), pyramid)
-    coarse = reduced_image(image, COARSE_EDGE)
+    coarse = reduced_image(image, settings.coarse_edge)
     missing = missing_information(coarse, pyramid)
     if missing:
         return _no_match(missing)
     space = search_space(pyramid, prior)
-    if comparisons(space, coarse) > MOST_COMPARISONS:
+    if comparisons(space, coarse) > settings.most_comparisons:
         return _no_match(Sentence("localization.too_little_ground"))
-    quiet = QUIET_ENERGY * pyramid.energy
     distance = apart_m(coarse, prior.pixel_size_range)
-    poses = best_places(image, pyramid, space, settings, settings.candidates, quiet, distance)
+    poses = best_places(image, pyramid, space, settings.candidates, distance)
     if not poses:
         return _no_match(Sentence("localization.nothing_under_image"))
-    mirrored = best_places(mirrored_level(image), pyramid, space, settings, settings.decoys, quiet, distance)
+    mirrored = best_places(mirrored_level(image), pyramid, space, settings.decoys, distance)
     runner_up, mirror = (found[0].score if found else 0.0 for found in (poses[1:], mirrored))
     peaks = CorrelationPeaks(poses[0].score, runner_up, mirror)
-    pose, covariance = finest_pose(image, pyramid, poses[0], quiet)
+    pose, covariance = finest_pose(image, pyramid, poses[0])
     diagonal_m = float(np.hypot(*labels_hw.shape)) * pose.pixel_size_m
     return _result(pyramid, pose, covariance, peaks, poses[1:], diagonal_m)
 
@@ -105,12 +88,13 @@ def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> Op
     """
     if not pyramid.space.channels:
         return None
-    image = evidence_level(np.ascontiguousarray(labels_hw), pyramid.space, size_for(labels_hw.shape, DECISION_EDGE))
+    size = size_for(labels_hw.shape, pyramid.settings.decision_edge)
+    image = evidence_level(np.ascontiguousarray(labels_hw), pyramid.space, size)
     if missing_information(image, pyramid):
         return None
-    x, y = place.position[0] - pyramid.frame[0], pyramid.frame[1] - place.position[1]
+    x, y = place.position[0] - pyramid.frame.origin[0], pyramid.frame.origin[1] - place.position[1]
     pose = ScoredPose(x, y, place.heading_deg, place.pixel_size_m)
-    score = score_at(image, pyramid, pose, QUIET_ENERGY * pyramid.energy)
+    score = score_at(image, pyramid, pose, pyramid.quiet)
     return None if score == NOT_COMPARABLE else score
 
 
@@ -138,19 +122,20 @@ def _result(
     diagonal_m: float,
 ) -> Localization:
     """The verdict in map coordinates; ``covariance`` (4, 4) as ``refine`` gives it."""
+    settings = pyramid.settings
     known = _map_covariance(pose, covariance)
-    error_95 = position_error_95(np.array(known.position), peaks.score, pyramid.frame[2])
-    status, reason = decide(peaks)
+    error_95 = position_error_95(np.array(known.position), peaks.score, pyramid.frame.pixel_size, settings)
+    status, reason = decide(peaks, settings)
     if status is Status.FIX:
-        status, reason = exact_enough(error_95, diagonal_m)
+        status, reason = exact_enough(error_95, diagonal_m, settings)
     best = _place(pyramid, pose)
-    others = [_place(pyramid, other) for other in others if other.score >= peaks.score - ALTERNATIVE_BAND]
+    others = [_place(pyramid, other) for other in others if other.score >= peaks.score - settings.alternative_band]
     return Localization(
         status,
         Method.MAP_CORRELATION,
         reason=reason,
         best=best,
-        confidence=confidence_of(peaks) if status is Status.FIX else 0.0,
+        confidence=confidence_of(peaks, settings) if status is Status.FIX else 0.0,
         alternatives=(best, *others) if status is Status.AMBIGUOUS else (),
         error_95_m=error_95,
         covariance=known,
@@ -170,5 +155,6 @@ def _map_covariance(pose: ScoredPose, covariance: np.ndarray) -> PoseCovariance:
 
 
 def _place(pyramid: MapPyramid, pose: ScoredPose) -> Place:
-    position = float(pyramid.frame[0] + pose.x), float(pyramid.frame[1] - pose.y)
+    x0, y0 = pyramid.frame.origin
+    position = float(x0 + pose.x), float(y0 - pose.y)
     return Place(position, float(pose.heading_deg), float(pose.pixel_size_m), score=float(pose.score))

@@ -16,44 +16,38 @@ import numpy as np
 
 from ..localization import Localization, Prior, Status
 from ..sentences import Sentence
-
-LEAST_AGREEMENT = 0.25
-"""Correlation of class areas at a constellation's fix below which they speak against it. On the northern half of
-Liechtenstein right fixes had 0.60 at least, wrong places 0.20 at most."""
-
-NEAR_ERRORS, NEAR_SHARE = 1.25, 0.02
-NEAR_HEADING_DEG, NEAR_RATIO = 5.0, 1.05
-"""Poses of both roads are the same when they differ by no more than this: in position 1.25 times map correlation's
-95 % radius, or this share of the image's ground if that is more; in heading; in pixel size as a ratio."""
+from .settings import LOCALIZER, LocalizerSettings
 
 
-def checked_by_areas(fix: Localization, agreement: Optional[float]) -> Localization:
+def checked_by_areas(
+    fix: Localization, agreement: Optional[float], settings: LocalizerSettings = LOCALIZER
+) -> Localization:
     """A constellation's fix, or why it is none; ``agreement``: correlation of class areas there, None: can't tell.
 
     A fix that class areas speak against is an alternative.
     """
-    if agreement is None or agreement >= LEAST_AGREEMENT:
+    if agreement is None or agreement >= settings.least_agreement:
         return fix
     return Localization(
         Status.AMBIGUOUS,
         fix.method,
         fix.references,
-        Sentence("localization.areas_speak_against", agreement=agreement, least=LEAST_AGREEMENT),
+        Sentence("localization.areas_speak_against", agreement=agreement, least=settings.least_agreement),
         alternatives=(fix.best,),
         search_capped=fix.search_capped,
     )
 
 
-def near(fix: Localization, prior: Prior, shorter_edge_px: int) -> Prior:
+def near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER) -> Prior:
     """What the constellation looks for to confirm map correlation's fix: the same pose, as exactly as that is known."""
-    radius = max(NEAR_ERRORS * fix.error_95_m, NEAR_SHARE * shorter_edge_px * fix.pixel_size_m)
-    sizes = fix.pixel_size_m / NEAR_RATIO, fix.pixel_size_m * NEAR_RATIO
+    radius = max(settings.near_errors * fix.error_95_m, settings.near_share * shorter_edge_px * fix.pixel_size_m)
+    sizes = fix.pixel_size_m / settings.near_ratio, fix.pixel_size_m * settings.near_ratio
     return replace(
         prior,
         position=fix.position,
         radius=radius,
         heading_deg=fix.heading_deg,
-        heading_range_deg=NEAR_HEADING_DEG,
+        heading_range_deg=settings.near_heading_deg,
         pixel_size_range=sizes,
     )
 
@@ -82,7 +76,9 @@ def confirmed(areas: Localization, objects: Localization, radius: float) -> Opti
     )
 
 
-def neither(objects: Localization, areas: Localization, shorter_edge_px: int) -> Localization:
+def neither(
+    objects: Localization, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER
+) -> Localization:
     """No fix by the constellation (``objects``) nor by map correlation (``areas``): one result with both reasons.
 
     A place that both found is told once, as the constellation has it.
@@ -92,7 +88,7 @@ def neither(objects: Localization, areas: Localization, shorter_edge_px: int) ->
         place
         for place in areas.alternatives
         if all(
-            np.hypot(*np.subtract(place.position, other)) > NEAR_SHARE * shorter_edge_px * place.pixel_size_m
+            np.hypot(*np.subtract(place.position, other)) > settings.near_share * shorter_edge_px * place.pixel_size_m
             for other in known
         )
     )

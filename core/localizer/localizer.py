@@ -11,7 +11,7 @@ from ..constellation.index import ConstellationIndex, build_index
 from ..constellation.solver import localize as solve
 from ..constellation.solver import matches_at
 from ..correlation.class_pyramid import MapPyramid
-from ..correlation.solver import NOMINAL_RANGE, agreement_at
+from ..correlation.solver import agreement_at
 from ..correlation.solver import localize as correlate
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, LabelMapError
@@ -23,12 +23,7 @@ from ..windows.grid import centered_square
 from ..windows.matching import DISTANCE_THRESHOLD, vector_confidence, vector_distances
 from ..windows.topology_vector import MINIMUM_REFERENCES, topology_vector
 from .combined import checked_by_areas, confirmed, near, neither
-
-SCALES = (0.4, 2.5)
-"""Ground searched that an image may show without a prior, as multiples of a window's edge; the goal is 0.5 to 2."""
-
-SMALLEST_OBJECT_PX = 9.0
-"""Objects of an image below this contour area have neither a shape nor a center to speak of."""
+from .settings import LOCALIZER, LocalizerSettings
 
 
 def default_scales(method: Method) -> Tuple[float, float]:
@@ -36,7 +31,7 @@ def default_scales(method: Method) -> Tuple[float, float]:
 
     Automatic leaves each of its two methods its own.
     """
-    return NOMINAL_RANGE if method == Method.MAP_CORRELATION else SCALES
+    return (LOCALIZER.correlation if method == Method.MAP_CORRELATION else LOCALIZER.constellation).scales
 
 
 @dataclass(frozen=True)
@@ -74,7 +69,9 @@ def describe_image(
 class Localizer:
     """Localizes label images in one database."""
 
-    def __init__(self, database: ReferenceDatabase) -> None:
+    def __init__(self, database: ReferenceDatabase, settings: LocalizerSettings = LOCALIZER) -> None:
+        """``settings``: of the methods; other than the default only to calibrate them."""
+        self.settings = settings
         self._database = database
         windows = database.windows
         self._index: Optional[ConstellationIndex] = None
@@ -145,26 +142,31 @@ class Localizer:
     def index(self) -> ConstellationIndex:
         """The catalogue's triangles; built at the first use, seconds at 10⁵ objects."""
         if self._index is None:
-            self._index = build_index(self._database.references, self._database.parameters.pixel_size)
+            self._index = build_index(
+                self._database.references, self._database.parameters.pixel_size, self.settings.constellation
+            )
         return self._index
 
     def localize_by_constellation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
         """Landmarks as stars (docs/method.md#constellation); position, heading and pixel size of any image.
 
         ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size,
-        images are searched that show SCALES times a window's ground. Raises LabelMapError for an image without pixels.
+        images are searched that show 0.4 to 2.5 times a window's ground. Raises LabelMapError for an image without
+        pixels.
         """
         height, width = _shape(labels_hw)
         prior = prior or Prior()
         if not prior.pixel_size_range:
-            prior = replace(prior, pixel_size_range=self.pixel_sizes(labels_hw.shape, SCALES))
+            prior = replace(
+                prior, pixel_size_range=self.pixel_sizes(labels_hw.shape, self.settings.constellation.scales)
+            )
         objects, smallest = self._objects(labels_hw, prior.pixel_size_range[1])
         return solve(objects, width, height, self.index, prior, smallest)
 
     def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> Tuple[Landmarks, float]:
         """The image's landmarks, and the smallest contour area, px², that the map's may have in it."""
         parameters = self._database.parameters
-        smallest = max(parameters.minimum_area / largest_pixel_size**2, SMALLEST_OBJECT_PX)
+        smallest = max(parameters.minimum_area / largest_pixel_size**2, self.settings.constellation.smallest_object_px)
         return extract_landmarks(labels_hw, self._database.class_table.reference_values, smallest), smallest
 
     @property
@@ -174,8 +176,7 @@ class Localizer:
             database = self._database
             if database.overview is None:
                 raise DatabaseError("database.read_without_overview")
-            frame = database.parameters.overview_frame
-            self._pyramid = MapPyramid(database.overview, (*frame.origin, frame.pixel_size))
+            self._pyramid = MapPyramid(database.overview, database.parameters.overview_frame, self.settings.correlation)
         return self._pyramid
 
     def localize_by_map_correlation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
@@ -187,7 +188,7 @@ class Localizer:
         _shape(labels_hw)
         prior = prior or Prior()
         if not prior.pixel_size_range:
-            prior = replace(prior, pixel_size_range=self.pixel_sizes(labels_hw.shape, NOMINAL_RANGE))
+            prior = replace(prior, pixel_size_range=self.pixel_sizes(labels_hw.shape, self.settings.correlation.scales))
         return correlate(labels_hw, self.pyramid, prior)
 
     @property
@@ -206,12 +207,12 @@ class Localizer:
         if not self.has_overview:
             return objects
         if objects.is_fix:
-            return checked_by_areas(objects, agreement_at(labels_hw, self.pyramid, objects.best))
+            return checked_by_areas(objects, agreement_at(labels_hw, self.pyramid, objects.best), self.settings)
         areas = self.localize_by_map_correlation(labels_hw, prior)
         if not areas.is_fix:
-            return neither(objects, areas, min(labels_hw.shape))
+            return neither(objects, areas, min(labels_hw.shape), self.settings)
         areas = replace(areas, references=objects.references)
-        closer = near(areas, prior or Prior(), min(labels_hw.shape))
+        closer = near(areas, prior or Prior(), min(labels_hw.shape), self.settings)
         found = confirmed(areas, self.localize_by_constellation(labels_hw, closer), closer.radius)
         return found or areas
 

@@ -158,14 +158,15 @@ def spoil(area: QueryMap, case: Case, view, labels: np.ndarray, rng: np.random.G
 def _localize_objects(area: QueryMap, case: Case, view, labels, count: int, rng: np.random.Generator) -> Outcome:
     from semref.core.constellation.solver import localize
     from semref.core.localization import Prior
-    from semref.core.localizer.localizer import SCALES
     from semref.core.simulation.noise import LabelNoise, spoil_landmarks
 
     size = (view.width_px, view.height_px)
     noise = LabelNoise(*NOISES[case.noise], center=JITTER_PX, log_area=AREA_NOISE)
     population = replace(area.objects, areas_px=area.objects.areas_px / view.pixel_size**2)
     objects = spoil_landmarks(area.objects_of(labels, view.pixel_size), noise, rng, population, size)
-    prior = Prior(pixel_size_range=area.localizer.pixel_sizes(labels.shape, SCALES))
+    prior = Prior(
+        pixel_size_range=area.localizer.pixel_sizes(labels.shape, area.localizer.settings.constellation.scales)
+    )
     index = area.localizer.index
     started = time.process_time()
     found = localize(objects, *size, index, prior)

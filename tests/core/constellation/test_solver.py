@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from semref.core.constellation.index import build_index
+from semref.core.constellation.settings import CONSTELLATION
 from semref.core.constellation.solver import localize, make_query, matches_at
 from semref.core.constellation.verification import Verifier, noise_factor, weigh
 from semref.core.database.model import MapLandmarks
@@ -315,9 +316,9 @@ def test_noise_is_measured_without_bias_from_few_matches_or_many(count):
         image = scattered(rng, count)
         on_map = image + noise(rng, count, 1.0)
         center, turn = fit_similarity(image, on_map, np.ones(count))
-        factors.append(noise_factor(np.abs(center + turn * image - on_map), 4) ** 2)
+        factors.append(noise_factor(np.abs(center + turn * image - on_map), 4, CONSTELLATION) ** 2)
     assert np.mean(factors) == pytest.approx(1, abs=0.08)
 
 
 def test_a_few_exact_matches_do_not_make_the_noise_vanish():
-    assert noise_factor(np.zeros(4), 4) > 0.7 > noise_factor(np.zeros(40), 4)
+    assert noise_factor(np.zeros(4), 4, CONSTELLATION) > 0.7 > noise_factor(np.zeros(40), 4, CONSTELLATION)

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 
 from semref.core.correlation.class_pyramid import FULL, MapPyramid, class_fractions, class_space, evidence_of
+from semref.core.correlation.settings import CORRELATION
+from semref.core.geometry.frame import MapFrame
 
-FRAME = (1000.0, 2000.0, 4.0)
+FRAME = MapFrame.at((1000.0, 2000.0), 4.0)
 
 
 def test_a_map_without_labels_has_no_channels():
@@ -26,7 +28,9 @@ def test_fractions_count_the_pixels_of_each_class():
 def test_unlabeled_pixels_are_evidence_for_nothing():
     fractions = np.zeros((2, 2, 2), np.uint8)
     fractions[0] = [[FULL, 0], [0, FULL]]
-    evidence, known = evidence_of(fractions, class_space(fractions, np.array([1, 2], np.uint8)))
+    evidence, known = evidence_of(
+        fractions, class_space(fractions, np.array([1, 2], np.uint8), CORRELATION.rarity_exponent)
+    )
     assert known.tolist() == [[1, 1], [0, 0]]
     assert np.abs(evidence[1]).max() == 0
     assert np.abs(evidence[0]).min() > 0.1

@@ -7,15 +7,17 @@ import numpy as np
 import pytest
 
 from semref.core.correlation.class_pyramid import MapPyramid
-from semref.core.correlation.decision import LARGEST_ERROR, exact_enough, position_error_95
-from semref.core.correlation.places import CorrelationSettings
+from semref.core.correlation.decision import exact_enough, position_error_95
+from semref.core.correlation.settings import CORRELATION
 from semref.core.correlation.solver import agreement_at, localize
 from semref.core.errors import LabelMapError
+from semref.core.geometry.frame import MapFrame
 from semref.core.labels.overview import most_frequent_labels
 from semref.core.localization import Place, Prior
 from semref.core.simulation.noise import MODEST, STRONG, spoil_labels
 
 ORIGIN = 500_000.0, 5_200_000.0
+FRAME = MapFrame.at(ORIGIN, 4.0)
 PRIOR = Prior(pixel_size_range=(0.7, 1.4))
 
 
@@ -54,7 +56,7 @@ def labels():
 
 @pytest.fixture(scope="module")
 def pyramid(labels):
-    return MapPyramid(most_frequent_labels(labels), (*ORIGIN, 4.0))
+    return MapPyramid(most_frequent_labels(labels), FRAME)
 
 
 def error_m(place, center) -> float:
@@ -130,7 +132,7 @@ def test_an_image_of_a_few_meters_asks_for_a_prior_instead_of_taking_minutes(lab
 
 @pytest.mark.parametrize("value", [0, 3])
 def test_a_map_that_is_alike_everywhere_has_too_little_information(labels, value):
-    pyramid = MapPyramid(np.full((300, 300), value, np.uint8), (*ORIGIN, 4.0))
+    pyramid = MapPyramid(np.full((300, 300), value, np.uint8), FRAME)
     result = localize(view(labels, (1300, 1000), 40, 1.0), pyramid, PRIOR)
     assert result.status == "no_match"
     assert "map" in str(result.reason)
@@ -139,7 +141,7 @@ def test_a_map_that_is_alike_everywhere_has_too_little_information(labels, value
 def test_a_place_that_is_on_the_map_twice_is_ambiguous_with_the_other_place_told(labels):
     doubled = labels.copy()
     doubled[1100:1800, 1700:2500] = doubled[200:900, 300:1100]
-    pyramid = MapPyramid(most_frequent_labels(doubled), (*ORIGIN, 4.0))
+    pyramid = MapPyramid(most_frequent_labels(doubled), FRAME)
     result = localize(view(doubled, (700, 550), 15, 1.0, (480, 480)), pyramid, PRIOR)
     assert result.status == "ambiguous"
     places = [error_m(result.best, center) for center in ((700, 550), (2100, 1450))]
@@ -151,7 +153,7 @@ def test_a_place_that_is_on_the_map_twice_is_ambiguous_with_the_other_place_told
 def test_a_prior_tells_the_two_places_apart(labels):
     doubled = labels.copy()
     doubled[1100:1800, 1700:2500] = doubled[200:900, 300:1100]
-    pyramid = MapPyramid(most_frequent_labels(doubled), (*ORIGIN, 4.0))
+    pyramid = MapPyramid(most_frequent_labels(doubled), FRAME)
     prior = replace(PRIOR, position=(ORIGIN[0] + 2000, ORIGIN[1] - 1400), radius=300.0)
     result = localize(view(doubled, (2100, 1450), 15, 1.0, (480, 480)), pyramid, prior)
     assert result.status == "fix"
@@ -174,7 +176,8 @@ def test_a_heading_prior_may_wrap_around_north(labels, pyramid):
 def test_the_result_does_not_depend_on_tiles_or_threads(labels, pyramid):
     image = view(labels, (1500, 700), 123, 0.9)
     first = localize(image, pyramid, PRIOR)
-    other = localize(image, pyramid, PRIOR, settings=CorrelationSettings(tile_size=128, threads=1))
+    settings = replace(CORRELATION, tile_size=128, threads=1)
+    other = localize(image, MapPyramid(pyramid.labels, pyramid.frame, settings), PRIOR)
     assert np.hypot(*np.subtract(first.best.position, other.best.position)) < 0.1
     assert abs(first.peaks.score - other.peaks.score) < 0.001
     assert abs(first.peaks.mirror - other.peaks.mirror) < 0.03
@@ -209,7 +212,7 @@ def test_agreement_cannot_be_told_of_one_class_or_beside_the_map(labels, pyramid
     assert agreement_at(np.zeros((560, 560), np.uint8), pyramid, Place(here, 0.0, 1.0)) is None
     image = view(labels, (1500, 700), 123, 0.9)
     assert agreement_at(image, pyramid, Place((ORIGIN[0] - 5000, ORIGIN[1]), 123.0, 0.9)) is None
-    one_class = MapPyramid(np.full((300, 300), 3, np.uint8), (*ORIGIN, 4.0))
+    one_class = MapPyramid(np.full((300, 300), 3, np.uint8), FRAME)
     assert agreement_at(image, one_class, Place(here, 123.0, 0.9)) is None
 
 
@@ -224,7 +227,7 @@ def test_the_error_radius_grows_as_image_and_map_agree_less():
 def test_a_place_along_a_straight_shore_is_possible_but_no_fix():
     labels = np.full((1600, 1600), 2, np.uint8)
     labels[:, 800:] = 3
-    pyramid = MapPyramid(most_frequent_labels(labels), (*ORIGIN, 4.0))
+    pyramid = MapPyramid(most_frequent_labels(labels), FRAME)
     center = 805.0, 800.0
     here = Prior((ORIGIN[0] + center[0], ORIGIN[1] - center[1]), 30.0, 0.0, 10.0, (0.95, 1.05))
     result = localize(view(labels, center, 0, 1.0), pyramid, here)
@@ -233,7 +236,7 @@ def test_a_place_along_a_straight_shore_is_possible_but_no_fix():
 
 
 def test_a_fix_has_to_be_exact_for_the_ground_its_image_shows():
-    assert exact_enough(LARGEST_ERROR * 800, 800.0) == ("fix", None)
+    assert exact_enough(CORRELATION.largest_error * 800, 800.0) == ("fix", None)
     status, reason = exact_enough(21.26, 800.0)
     assert status == "ambiguous" and "within 21.3 m" in str(reason) and "needs 20 m" in str(reason)
     assert "in all directions" in str(exact_enough(float("inf"), 800.0)[1])

@@ -12,8 +12,9 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import Localization, Method, Place, Prior, Status
-from semref.core.localizer.combined import LEAST_AGREEMENT, checked_by_areas, confirmed, near, neither
+from semref.core.localizer.combined import checked_by_areas, confirmed, near, neither
 from semref.core.localizer.localizer import Localizer
+from semref.core.localizer.settings import LOCALIZER
 from semref.core.sentences import Sentence
 from semref.core.simulation.views import PIXELS, View, cut
 
@@ -211,7 +212,7 @@ AREAS = replace(
 
 @pytest.mark.parametrize(
     ("agreement", "status"),
-    [(None, Status.FIX), (0.9, Status.FIX), (LEAST_AGREEMENT, Status.FIX), (-0.1, Status.AMBIGUOUS)],
+    [(None, Status.FIX), (0.9, Status.FIX), (LOCALIZER.least_agreement, Status.FIX), (-0.1, Status.AMBIGUOUS)],
 )
 def test_a_fix_stands_where_class_areas_agree_or_cannot_tell(agreement, status):
     assert checked_by_areas(STARS, agreement).status == status

@@ -1,0 +1,110 @@
+"""What was chosen for map correlation: thresholds, counts, tolerances.
+
+In brackets: what a value was set on; the trials that set it or ran with it, by the name under which docs/calibration.md
+has their command.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class CorrelationSettings:
+    """Settings of map correlation (docs/method.md#map-correlation); a pyramid is made for one of these.
+
+    Attributes:
+        scales: Ground that an image may show without a prior, multiples of a window's edge [time; the false alarms of
+            more scales; correlation trials, north, and fit].
+        rarity_exponent: Weight of a class = (variance of its fraction on the map) ** (−exponent / 2): 0 treats every m²
+            alike and lets forest drown the houses, 1 gives a class of which the map has three patches the same say as
+            all others [by hand; correlation trials, north, and fit].
+        least_labeled: Share of the image that has to be labeled with classes of the map [reasoning].
+        least_energy: Evidence that the image has to have about its mean, in units of the map's mean energy a pixel: one
+            class everywhere, or nearly, fits every place of that class [reasoning].
+        most_comparisons: Places × turns × scales of the first look; 300 km² with images of 1,280 m take 6.5e7 and about
+            a second [by hand, for the time; correlation times].
+        coarse_edge: Edge of the image (root of its area) at the first look, coarse pixels: of 40 m for 1,280 m [by
+            hand; correlation trials, north, and fit].
+        turn_step_deg: Step of the headings, degrees: moves the middle of the image's edges by one coarse pixel either
+            way [geometry of ``coarse_edge``; correlation trials, north, and fit].
+        scale_step: Ratio of neighboring pixel sizes [geometry of ``coarse_edge``; correlation trials, north, and fit].
+        tile_size: Edge of a tile of the FFT, coarse pixels; a power of two is quickest, about four times the turned
+            image is best [by hand, for the time; correlation times].
+        threads: Tiles compared at a time; changes nothing but the time [by hand, for the time; correlation times].
+        quiet_energy: Share of the map's mean energy that is added to a footprint's own: where nothing varies, chance
+            would score high [by hand; correlation trials, north, and fit].
+        least_known: Share of the footprint that has to be labeled on the map [reasoning].
+        peaks_per_tile: Best places of a tile and scale that are kept [by hand, for the time; correlation trials, north,
+            and fit].
+        candidates: Places refined after the first look [by hand; correlation trials, north, and fit].
+        decoys: The same of the mirrored image [by hand; correlation trials, north, and fit].
+        finalists: Places that remain, refined at the decision's pixels [by hand; correlation trials, north, and fit].
+        decision_edge: Edge of the image at which places are compared and decided about, pixels; twice ``coarse_edge``
+            [by hand; correlation trials, north, and fit].
+        finest_edge: The last refinement uses no more pixels than this along an edge: bounds the time on large images
+            [by hand, for the time; correlation times].
+        largest_step: Bound of one Gauss–Newton step: coarse pixels right and down, radians, ln pixel size. Beyond it
+            the linearization does not hold [reasoning].
+        converged: A step is the last one when it moves nothing by more than this share of a coarse pixel [by hand, for
+            the time].
+        damping: Added to the normal equations, share of their trace. What changes the image less than that is not told
+            by it: the place along a straight shore that crosses it [reasoning; a shore, tests].
+        blocks: Blocks along each edge of the image that are taken to err independently (covariance) [Liechtenstein,
+            north; aerial; radius].
+        least_score: Correlation below which nothing is accepted, however lonely the peak [Liechtenstein, north;
+            correlation trials, north, and fit].
+        least_margin: How far the best place has to be above both opponents, in Fisher's z = artanh(correlation). Of 129
+            wrong places the highest leads were 0.09, 0.08 and 0.08, of 136 right ones the lowest 0.02 to 0.13
+            [Liechtenstein, north; correlation trials, north, and fit].
+        confidence_curve: Logistic curve of the margin: offset, slope a unit of z [Liechtenstein, north; correlation
+            trials, north, and fit].
+        alternative_band: Other places are told when their score is at most this much below the best one's [reasoning].
+        error_factor: 95 % radius in units of the larger axis' standard deviation, as the refinement gives it, times the
+            ratio of noise to signal that a correlation s tells, 1/s² − 1: the worse the labels, the farther their
+            errors reach, and the less they are independent. 95 % of the errors are below 2.9 of these units with modest
+            noise, below 4.1 with strong; photos of a town, poorly segmented: 2.1, of a shore whose annotation and
+            network disagree about where it runs: 6.0 [aerial; photos; radius].
+        least_noise: Least such ratio [aerial; radius].
+        largest_error: A fix must have a 95 % radius within this share of the image's diagonal. Of poses refined from
+            beside the right place it keeps 58 of 60 (modest noise) and 15 of 27 (strong) that are within 2 % of the
+            image's edge, and 3 of 9 that are not; on Liechtenstein it refuses none [aerial; Liechtenstein, north;
+            radius].
+        error_floor_px: Least 95 % radius, overview pixels: the most frequent class of a block says no more
+            [Liechtenstein, north; radius].
+    """
+
+    scales: tuple[float, float] = (0.7, 1.4)
+    rarity_exponent: float = 0.5
+    least_labeled: float = 0.3
+    least_energy: float = 0.02
+    most_comparisons: float = 4e9
+    coarse_edge: int = 32
+    turn_step_deg: float = 7.2
+    scale_step: float = 1.12
+    tile_size: int = 256
+    threads: int = 2
+    quiet_energy: float = 0.15
+    least_known: float = 0.5
+    peaks_per_tile: int = 60
+    candidates: int = 32
+    decoys: int = 10
+    finalists: int = 8
+    decision_edge: int = 64
+    finest_edge: int = 512
+    largest_step: tuple[float, float, float, float] = (1.5, 1.5, 0.06, 0.06)
+    converged: float = 0.02
+    damping: float = 1e-4
+    blocks: int = 10
+    least_score: float = 0.25
+    least_margin: float = 0.13
+    confidence_curve: tuple[float, float] = (-4.3, 46.0)
+    alternative_band: float = 0.1
+    error_factor: float = 4.0
+    least_noise: float = 0.4
+    largest_error: float = 0.025
+    error_floor_px: float = 0.15
+
+
+CORRELATION = CorrelationSettings()
+"""As calibrated; what every localization uses that is told nothing else."""

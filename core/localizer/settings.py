@@ -1,0 +1,42 @@
+"""What was chosen for the localizer: of each solver, and of the two together.
+
+In brackets: what a value was set on; the trials that set it or ran with it, by the name under which docs/calibration.md
+has their command.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..constellation.settings import ConstellationSettings
+from ..correlation.settings import CorrelationSettings
+
+
+@dataclass(frozen=True)
+class LocalizerSettings:
+    """Settings of a localizer; those beside the solvers' own are METHOD 0's (docs/method.md#automatic).
+
+    Attributes:
+        constellation: Of the constellation [the table above].
+        correlation: Of map correlation [the table above].
+        least_agreement: Correlation of class areas at a constellation's fix below which they speak against it. Right
+            fixes had 0.60 at least, wrong places 0.20 at most [Liechtenstein, north; automatic, north, with evidence].
+        near_errors: Poses of both roads are the same when they differ in position by at most this many times map
+            correlation's 95 % radius … [Liechtenstein, north; automatic, north, with evidence]
+        near_share: … or this share of the image's ground, if that is more [what counts as right; automatic, north, with
+            evidence].
+        near_heading_deg: The same of heading, degrees [Liechtenstein, north; automatic, north, with evidence].
+        near_ratio: The same of pixel size, as a ratio [Liechtenstein, north; automatic, north, with evidence].
+    """
+
+    constellation: ConstellationSettings = ConstellationSettings()
+    correlation: CorrelationSettings = CorrelationSettings()
+    least_agreement: float = 0.25
+    near_errors: float = 1.25
+    near_share: float = 0.02
+    near_heading_deg: float = 5.0
+    near_ratio: float = 1.05
+
+
+LOCALIZER = LocalizerSettings()
+"""As calibrated; what every localization uses that is told nothing else."""
