@@ -21,7 +21,7 @@ from ..core.labels.color_labels import decode_colors
 from ..core.labels.counts import count_labels
 from ..core.labels.image_files import MAXIMUM_IMAGE_PIXELS
 from ..core.labels.sources import ArrayLabels, LabelSource
-from .gdal_errors import gdal_failure
+from .gdal_errors import gdal_failure, gdal_failures
 from .label_map_file import CLASS_TABLE_ITEM
 
 HELD_PIXELS = 400_000_000
@@ -50,6 +50,26 @@ def open_raster(path: str) -> gdal.Dataset:
     if dataset is None or dataset.RasterCount == 0:
         raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure())
     return dataset
+
+
+def require_whole_raster(path: str, target: str) -> None:
+    """Opens a raster that was just written and reads its last pixels, which a full disk would lack.
+
+    Args:
+        path: Where it lies.
+        target: What it is called in what is said.
+
+    Raises:
+        LabelMapError: When it can't be read to its end.
+    """
+    with gdal_failures() as failures:
+        dataset = gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_READONLY)
+        if dataset is not None:
+            for number in range(1, dataset.RasterCount + 1):
+                dataset.GetRasterBand(number).ReadAsArray(dataset.RasterXSize - 1, dataset.RasterYSize - 1, 1, 1)
+    if dataset is None or failures:
+        reason = failures[-1].rstrip(".") if failures else gdal_failure()
+        raise LabelMapError("storage.not_whole", path=target, reason=reason)
 
 
 class GdalLabels:

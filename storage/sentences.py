@@ -72,6 +72,11 @@ SENTENCES = {
     "storage.no_folder": "The folder {folder} does not exist; create it or choose another place for {name}.",
     "storage.is_folder": "{path} is a folder; give a file name.",
     "storage.is_file": "{path} is a file; choose a folder.",
+    "storage.other_layers": (
+        "{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to "
+        "GeoPackage”."
+    ),
+    "storage.not_whole": "{path} could not be written whole: {reason}; see whether the disk is full.",
     "storage.folder_not_empty": (
         "The folder {path} holds other files, which are left alone; choose a new or empty one."
     ),

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 class UpdateDatabase(SemRefAlgorithm):
     ID = "updatedatabase"
+    MAY_REPLACE = {"OUTPUT": "DATABASE"}
     GROUP = REFERENCE_DATABASE
     TAGS = ("incremental", "correction", "label map", "landmarks", "geopackage")
 

@@ -19,16 +19,21 @@ _MOST_KEPT = 20
 """QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
 
 
-def style_output(destination: str, renderer: QgsFeatureRenderer, context: QgsProcessingContext) -> None:
-    """Gives an output its style: in a GeoPackage as its default, and to the layer that QGIS will load."""
+def style_in_file(destination: str, renderer: QgsFeatureRenderer) -> None:
+    """Gives a layer in a GeoPackage its style, as its default; other files can't hold one."""
     path = destination.split("|")[0]
-    if Path(path).suffix.lower() == ".gpkg" and Path(path).is_file():
-        layer = QgsVectorLayer(destination, "output", "ogr")
-        if layer.isValid():
-            layer.setRenderer(renderer.clone())
-            layer.saveStyleToDatabase("SemRef", "", True, "")
-        del layer
-        leave_wal(path)
+    if Path(path).suffix.lower() != ".gpkg" or not Path(path).is_file():
+        return
+    layer = QgsVectorLayer(destination, "output", "ogr")
+    if layer.isValid():
+        layer.setRenderer(renderer.clone())
+        layer.saveStyleToDatabase("SemRef", "", True, "")
+    del layer
+    leave_wal(path)
+
+
+def style_when_loaded(destination: str, renderer: QgsFeatureRenderer, context: QgsProcessingContext) -> None:
+    """Gives the layer that QGIS will load its style."""
     if context.willLoadLayerOnCompletion(destination):
         _KEPT.append(_Styler(renderer.clone()))
         del _KEPT[:-_MOST_KEPT]

@@ -6,7 +6,8 @@ import contextlib
 import errno
 from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
-from typing import Any, Callable, Dict, Generator, List, Optional, Tuple, TypeVar, Union
+from types import MappingProxyType
+from typing import Any, Callable, ClassVar, Dict, Generator, List, Mapping, Optional, Tuple, TypeVar, Union
 
 from qgis.core import QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
 from qgis.PyQt.QtGui import QIcon
@@ -16,6 +17,7 @@ from ..packages.components import OPENCV, Package, how_to_install, missing
 from ..translation import tr
 from ..version import algorithm_help_url
 from ..wording.sentences import worded
+from .apart import require_outputs_apart
 from .declarations import NumberResult, Parameter
 from .outputs import Outputs
 from .values import Values
@@ -43,6 +45,8 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     TAGS: Tuple[str, ...] = ()
     PACKAGES: Tuple[Package, ...] = (OPENCV,)
     """Python packages that it needs beside QGIS's own."""
+    MAY_REPLACE: ClassVar[Mapping[str, str]] = MappingProxyType({})
+    """Outputs that may be the file of an input, by key: it is read whole before, and replaced when all is done."""
 
     _refusal: Optional[SemRefError] = None
 
@@ -131,7 +135,9 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         if not possible:
             return False, reason
         try:
-            self.check(Values(self, parameters, context))
+            values = Values(self, parameters, context)
+            require_outputs_apart(self, values, self.MAY_REPLACE)
+            self.check(values)
         except SemRefError as error:
             return False, self.worded(error)
         return True, ""
@@ -141,7 +147,9 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     ) -> bool:
         self._refusal = None
         try:
-            self.read_layers(Values(self, parameters, context))
+            values = Values(self, parameters, context)
+            require_outputs_apart(self, values, self.MAY_REPLACE)
+            self.read_layers(values)
         except SemRefError as error:
             # Raised by processAlgorithm: of what prepareAlgorithm raises QGIS tells Python callers nothing.
             self._refusal = error
@@ -154,8 +162,9 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             if self._refusal is not None:
                 raise self._refusal
             values = Values(self, parameters, context)
-            outputs = Outputs(values)
-            numbers = self.work(values, outputs, feedback)
+            with Outputs(values) as outputs:
+                numbers = self.work(values, outputs, feedback)
+                outputs.commit()
             return {**outputs.results, **(numbers or {})}
         except SemRefError as error:
             raise QgsProcessingException(self.worded(error)) from error

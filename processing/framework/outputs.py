@@ -2,24 +2,32 @@
 
 from __future__ import annotations
 
+import os
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, Dict, Iterator, Optional, Sequence, Tuple, Union
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsFeature,
     QgsFeatureRenderer,
+    QgsFeatureRequest,
     QgsFeatureSink,
     QgsFields,
     QgsGeometry,
+    QgsProcessingContext,
+    QgsVectorLayer,
 )
 
 from ...core.errors import ParameterError
-from ...storage.files import folder_written_beside, written_beside
+from ...storage.files import Batch
+from ...storage.vector_files import copy_database, require_no_other_layers
 from ..compat import make_field
+from ..exchange.output_style import style_in_file, style_when_loaded
 
 if TYPE_CHECKING:
     from ...core.labels.class_table import ClassTable
+    from .destinations import Destination
     from .values import Values
 
 Schema = Union[Sequence[Tuple[str, str]], QgsFields]
@@ -32,35 +40,54 @@ _NEW_KEYS = QgsFeatureSink.RegeneratePrimaryKey
 class Outputs:
     """What one run of an algorithm writes.
 
-    Everything is written beside its place and moved there when the block that writes it ends well; layers are
-    QGIS's to write. An error or a cancel leaves nothing, and an older file untouched.
+    Everything is written beside its place, closed, opened again and counted; ``commit`` moves all of it to its place
+    when the algorithm is done. An error or a cancel leaves nothing, and older files untouched.
 
     Attributes:
-        results: Where each output lies, by key: what the algorithm returns.
+        results: Where each output will lie, by key: what the algorithm returns.
     """
 
     def __init__(self, values: Values) -> None:
         self._values = values
+        self._batch = Batch()
+        self._layers: List[_Layer] = []
+        self._copies: Dict[str, str] = {}
         self.results: Dict[str, Any] = {}
+
+    def __enter__(self) -> Outputs:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._batch.close()
+
+    def commit(self) -> None:
+        """Moves everything to its place and lets QGIS load it from there."""
+        self._batch.commit()
+        for layer in self._layers:
+            layer.announce(self._values.context)
 
     @contextmanager
     def raster(self, key: str, table: Optional[ClassTable] = None) -> Iterator[str]:
         """Gives a path to write a raster to; with ``table`` it gets the style of a label map."""
+        from ...storage.rasters import require_whole_raster
         from ..exchange.styles import write_label_map_style
 
         target = self._values.raster_target(key)
-        with written_beside(target) as temporary:
-            yield temporary
+        temporary = self._batch.file(target)
+        yield temporary
+        require_whole_raster(temporary, target)
         if table is not None:
-            write_label_map_style(target, table)
+            write_label_map_style(temporary, table)
         self.results[key] = target
 
     @contextmanager
     def file(self, key: str) -> Iterator[str]:
         """Gives a path to write a file to."""
         target = self._values.target(key)
-        with written_beside(target) as temporary:
-            yield temporary
+        temporary = self._batch.file(target)
+        yield temporary
+        if not os.path.isfile(temporary):
+            raise ParameterError("framework.not_written", name=target)
         self.results[key] = target
 
     def wants(self, key: str) -> bool:
@@ -82,8 +109,7 @@ class Outputs:
         if not target:
             yield ""
             return
-        with folder_written_beside(target, mark) as temporary:
-            yield temporary
+        yield self._batch.folder(target, mark)
         self.results[key] = target
 
     @contextmanager
@@ -105,21 +131,74 @@ class Outputs:
             renderer: The style that it comes with.
 
         Raises:
-            ParameterError: When the output can't be made or written.
+            ParameterError: When the output can't be made, or does not hold all that was given to it.
         """
-        from ..exchange.output_style import style_output
-
         fields = schema if isinstance(schema, QgsFields) else _fields(schema)
+        wanted = self._values.destination(key)
+        beside = self._beside(wanted)
         sink = Sink(key, fields)
-        destination = sink.open(*self._values.sink_target(key, fields, geometry, crs, _NEW_KEYS))
+        # The only reference to QGIS's sink is the one in ``sink``: when that goes, the file is closed.
+        written = sink.open(*self._values.sink(key, beside, fields, geometry, crs, _NEW_KEYS))
         if not sink.is_wanted and self._values.raw(key) is not None:
             raise sink.failure()
         yield sink
         sink.close()
-        if destination:
+        if not written:
+            return
+        if beside:
+            sink.require_all_in(written)
             if renderer is not None:
-                style_output(destination, renderer, self._values.context)
-            self.results[key] = destination
+                style_in_file(written, renderer)
+        final = _moved_back(written, wanted) if beside else written
+        self._layers.append(_Layer(written, final, renderer))
+        self.results[key] = final
+
+    def _beside(self, wanted: Destination) -> str:
+        """Where a layer is written until ``commit``, as QGIS states it; empty where it goes into no file."""
+        if not wanted.path:
+            return ""
+        if wanted.is_table:
+            return wanted.moved(self._database_beside(wanted.path))
+        require_no_other_layers(wanted.path)
+        return self._batch.file(wanted.path)
+
+    def _database_beside(self, path: str) -> str:
+        """A copy of a database to add layers to, one for all of a run."""
+        if path not in self._copies:
+            self._copies[path] = self._batch.file(path)
+            if os.path.exists(path):
+                copy_database(path, self._copies[path])
+        return self._copies[path]
+
+
+def _moved_back(written: str, wanted: Destination) -> str:
+    """Where a layer will lie, as QGIS knows it: “path” or “path|layername=…”."""
+    _, _, rest = written.partition("|")
+    return f"{wanted.path}|{rest}" if rest else wanted.path
+
+
+@dataclass(frozen=True)
+class _Layer:
+    """A layer that was written.
+
+    Attributes:
+        written: Where it was written, as QGIS knows it.
+        final: Where it lies after the move.
+        renderer: Its style.
+    """
+
+    written: str
+    final: str
+    renderer: Optional[QgsFeatureRenderer]
+
+    def announce(self, context: QgsProcessingContext) -> None:
+        """Lets QGIS load it from its final place."""
+        if self.written != self.final and context.willLoadLayerOnCompletion(self.written):
+            waiting = context.layersToLoadOnCompletion()
+            waiting[self.final] = waiting.pop(self.written)
+            context.setLayersToLoadOnCompletion(waiting)
+        if self.renderer is not None:
+            style_when_loaded(self.final, self.renderer, context)
 
 
 class Sink:
@@ -128,6 +207,7 @@ class Sink:
     def __init__(self, name: str, fields: QgsFields) -> None:
         self._name, self._fields = name, fields
         self._sink: Optional[QgsFeatureSink] = None
+        self._count = 0
 
     def open(self, sink: Optional[QgsFeatureSink], destination: str) -> str:
         """Takes the only reference to QGIS's sink, so that ``close`` closes its file; returns the destination."""
@@ -159,6 +239,14 @@ class Sink:
     def _add(self, feature: QgsFeature) -> None:
         if self._sink is not None and not self._sink.addFeature(feature, QgsFeatureSink.FastInsert):
             raise self.failure()
+        self._count += 1
+
+    def require_all_in(self, written: str) -> None:
+        """Opens what was written and counts it. Raises ParameterError where something is missing."""
+        layer = QgsVectorLayer(written, "written", "ogr")
+        # Formats without a count of their own answer after all features have been read.
+        if not layer.isValid() or sum(1 for _ in layer.getFeatures(QgsFeatureRequest())) != self._count:
+            raise self.failure()
 
     def close(self) -> None:
         """Lets go of the file."""
@@ -166,7 +254,7 @@ class Sink:
 
     def failure(self) -> ParameterError:
         """That it can't be written."""
-        return ParameterError(f"{self._name} can't be written; choose another place, or see whether the disk is full.")
+        return ParameterError("framework.not_written", name=self._name)
 
 
 def _fields(schema: Sequence[Tuple[str, str]]) -> QgsFields:

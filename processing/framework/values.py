@@ -21,6 +21,7 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...core.labels.class_table import split_list
+from .destinations import Destination, destination_of, with_destination
 
 if TYPE_CHECKING:
     from ...core.labels.class_table import ClassTable
@@ -180,8 +181,17 @@ class Values:
         """The path of a raster to write."""
         return self._read("OutputLayer", key)
 
-    def sink_target(
-        self, key: str, fields: QgsFields, geometry: Any, crs: QgsCoordinateReferenceSystem, flags: Any
+    def destination(self, key: str) -> Destination:
+        """Where a layer goes."""
+        return destination_of(self.raw(key), self.context)
+
+    def sink(
+        self, key: str, target: str, fields: QgsFields, geometry: Any, crs: QgsCoordinateReferenceSystem, flags: Any
     ) -> Tuple[Optional[QgsFeatureSink], str]:
-        """(a new sink, None for one that is not wanted or can't be made; where it writes to)."""
-        return self._read("Sink", key, fields, geometry, crs, flags)
+        """Opens a sink; ``target``: where it really writes, empty for where the user said.
+
+        Returns:
+            The sink, None for one that is not wanted or can't be made; where it writes to.
+        """
+        parameters = {**self._parameters, key: with_destination(self.raw(key), target)} if target else self._parameters
+        return self._algorithm.parameterAsSink(parameters, key, self.context, fields, geometry, crs, flags)

@@ -1,0 +1,64 @@
+"""Where a layer is to be written, as QGIS states it: a file, a table of a file, or something else."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Any
+
+from qgis.core import QgsProcessing, QgsProcessingContext, QgsProcessingOutputLayerDefinition, QgsProperty
+
+_OGR = re.compile(r"^ogr:(?=.*dbname=)", re.IGNORECASE)
+_DATABASE = re.compile(r"""dbname=(?:'([^']*)'|"([^"]*)"|(\S+))""")
+_PROVIDER = re.compile(r"^(memory|postgis|postgres|spatialite|mssql|oracle|hana|mysql|ogr):", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Destination:
+    """Where a layer goes.
+
+    Attributes:
+        text: As QGIS states it.
+        path: The file; empty where there is none, as in memory or in a database server.
+        is_table: Whether the file is a database that the layer is added to, with all else in it kept.
+    """
+
+    text: str
+    path: str = ""
+    is_table: bool = False
+
+    def moved(self, path: str) -> str:
+        """The same destination in another file."""
+        return self.text.replace(self.path, path, 1) if self.is_table else path
+
+
+def destination_of(value: Any, context: QgsProcessingContext) -> Destination:
+    """Reads the value of a layer output.
+
+    Args:
+        value: A path, an ``ogr:dbname='…' table="…"`` text, ``memory:``, ``TEMPORARY_OUTPUT``, or a definition that
+            holds one of these.
+        context: Whose expressions count.
+    """
+    if isinstance(value, QgsProcessingOutputLayerDefinition):
+        value = value.sink
+    if isinstance(value, QgsProperty):
+        value, _ = value.valueAsString(context.expressionContext(), "")
+    text = str(value or "")
+    if not text or text == QgsProcessing.TEMPORARY_OUTPUT:
+        return Destination(text)
+    if _OGR.match(text):
+        found = _DATABASE.search(text)
+        path = next((group for group in found.groups() if group), "") if found else ""
+        return Destination(text, path, bool(path))
+    return Destination(text) if _PROVIDER.match(text) else Destination(text, text)
+
+
+def with_destination(value: Any, text: str) -> QgsProcessingOutputLayerDefinition:
+    """The value of a layer output that goes elsewhere: the same project, name and options."""
+    if not isinstance(value, QgsProcessingOutputLayerDefinition):
+        return QgsProcessingOutputLayerDefinition(text)
+    made = QgsProcessingOutputLayerDefinition(text, value.destinationProject)
+    made.destinationName = value.destinationName
+    made.createOptions = value.createOptions
+    return made

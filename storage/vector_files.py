@@ -1,0 +1,49 @@
+"""Vector files that outputs are written to: what they hold already, and copies of them."""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+from pathlib import Path
+
+from osgeo import gdal
+
+from ..core.errors import ParameterError
+from .gdal_errors import gdal_failures
+
+_DATABASES = (".gpkg", ".sqlite", ".db")
+_OWN = {"layer_styles"}
+"""Tables that come with a layer."""
+
+
+def require_no_other_layers(path: str) -> None:
+    """Refuses a file as output of one layer when it holds others, which would be gone.
+
+    Raises:
+        ParameterError: When the file exists and has layers beside the one that an output of that name has.
+    """
+    file = Path(path)
+    if file.suffix.lower() not in _DATABASES or not file.is_file():
+        return
+    with gdal_failures():
+        dataset = gdal.OpenEx(path, gdal.OF_VECTOR | gdal.OF_RASTER | gdal.OF_READONLY, ["GPKG", "SQLite"])
+    if dataset is None:
+        return
+    names = {dataset.GetLayer(n).GetName() for n in range(dataset.GetLayerCount())}
+    others = sorted(names - _OWN - {file.stem})
+    if others and len(names - _OWN) > 1:
+        raise ParameterError("storage.other_layers", path=path, layers=", ".join(others[:5]))
+
+
+def copy_database(path: str, target: str) -> None:
+    """Copies a GeoPackage whole, with what others have committed to it, as SQLite sees it.
+
+    Raises:
+        ParameterError: When it can't be read.
+    """
+    try:
+        with contextlib.closing(sqlite3.connect(path, timeout=5)) as source:
+            with contextlib.closing(sqlite3.connect(target)) as copy:
+                source.backup(copy)
+    except sqlite3.Error as error:
+        raise ParameterError("storage.file_unwritable", path=path, reason=str(error)) from None
