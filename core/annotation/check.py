@@ -21,8 +21,13 @@ from .surface import Surface, laid_polygons
 
 @dataclass(frozen=True)
 class CheckSettings:
-    """minimum_area: smaller landmarks (m²) are none; maximum_gap: enclosed gaps up to this area (m²) are reported;
-    landmark_classes: class values that become landmarks."""
+    """What a check takes for a landmark and for a gap.
+
+    Attributes:
+        minimum_area: m²; smaller regions are no landmarks.
+        maximum_gap: m²; enclosed gaps up to this area are reported.
+        landmark_classes: Class values that become landmarks.
+    """
 
     minimum_area: float
     maximum_gap: float
@@ -31,8 +36,15 @@ class CheckSettings:
 
 @dataclass(frozen=True)
 class DrawnRegion:
-    """A landmark as drawn: WKB of a polygon in meters, its bounds (left, bottom, right, top), its class value, the id
-    of the feature that covers most of it, m²."""
+    """A landmark as drawn.
+
+    Attributes:
+        wkb: WKB of its polygon, coordinates in meters.
+        bounds: (left, bottom, right, top), meters.
+        class_value: Its class.
+        feature_id: Id of the feature that covers most of it.
+        area: m².
+    """
 
     wkb: bytes
     bounds: tuple[float, float, float, float]
@@ -42,9 +54,13 @@ class DrawnRegion:
 
 
 class AnnotationCheck:
-    """Iterate ``steps()`` to the end, then ``findings`` has all but what pixels do; ``landmarks`` are for those.
+    """Everything that is wrong with features, but for what pixels do to landmarks (``find_raster_losses``).
 
-    landmarks: drawn regions of the landmark classes with at least the minimum area
+    Iterate ``steps()`` to the end; then both lists are filled.
+
+    Attributes:
+        findings: What was found.
+        landmarks: Drawn regions of the landmark classes with at least the minimum area.
     """
 
     def __init__(self, features: Sequence[AnnotatedFeature], settings: CheckSettings) -> None:
@@ -54,7 +70,11 @@ class AnnotationCheck:
         self.landmarks: list[DrawnRegion] = []
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Yields (what is being done, share done 0…1)."""
+        """Checks step by step.
+
+        Yields:
+            What is being done, and the share that is done, 0…1.
+        """
         surface = yield from laid_polygons(self._features, AnnotatedPolygons.drawn_ranks, self.findings)
         if surface is None:
             return
@@ -81,14 +101,23 @@ class AnnotationCheck:
                 wkb = to_wkb(geometry)
                 self.findings.append(Finding(SMALL, INFORMATION, wkb, feature_id, None, value, area=area))
             else:
-                bounds = tuple(shapely.bounds(geometry).tolist())
+                left, bottom, right, top = shapely.bounds(geometry).tolist()
+                bounds = (left, bottom, right, top)
                 self.landmarks.append(DrawnRegion(to_wkb(geometry), bounds, value, feature_id, area))
 
 
 def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartition, maximum_gap: float) -> list[Finding]:
-    """What repairing would give to a neighbor: gaps between polygons, and thin pieces that are seen between them.
+    """Finds what repairing would give to a neighbor: gaps between polygons, and thin pieces seen between them.
 
     Overlaps without priority are taken as repaired.
+
+    Args:
+        polygons: The annotation.
+        partition: Its faces.
+        maximum_gap: m²; larger gaps are meant to be there.
+
+    Returns:
+        Warnings, one for each gap or thin piece.
     """
     top = partition.top_polygons(polygons.repair_ranks())
     _, merges = merge_gaps_and_slivers(partition, classes_of_faces(polygons, top), MergeSettings(maximum_gap))
@@ -104,10 +133,19 @@ def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartitio
 def find_raster_losses(
     landmarks: Sequence[DrawnRegion], runs: RegionRuns, minimum_area: float, pixel_size: float
 ) -> list[Finding]:
-    """What pixels of ``pixel_size`` m make of landmarks; ``runs`` has landmark n as region n + 1.
+    """Finds what a raster makes of landmarks.
 
-    Lost: no piece has a contour area of ``minimum_area`` m²; merged: pixels of two touch, so that they are one object;
-    split: the pixels fall into pieces.
+    A landmark is lost when none of its pieces has the minimum contour area, merged when its pixels touch those of
+    another of its class, and split when its pixels fall into pieces.
+
+    Args:
+        landmarks: As they were drawn.
+        runs: Their pixels; landmark n is region n + 1.
+        minimum_area: m², of a landmark.
+        pixel_size: Edge of a pixel, m.
+
+    Returns:
+        Warnings: those that are lost, then merged, then split.
     """
     count = len(landmarks) + 1
     classes = np.array([NOTHING, *(landmark.class_value for landmark in landmarks)])
@@ -129,7 +167,7 @@ def _landmark(kind: str, landmark: DrawnRegion, other: DrawnRegion | None = None
         WARNING,
         landmark.wkb,
         landmark.feature_id,
-        other and other.feature_id,
+        other.feature_id if other else None,
         landmark.class_value,
         landmark.class_value if other else NOTHING,
         landmark.area,

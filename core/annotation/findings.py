@@ -54,14 +54,21 @@ DISSOLVED = "dissolved"
 
 @dataclass(frozen=True)
 class Finding:
-    """One finding; ``wkb`` is a (multi)polygon in meters, None where there is none to show.
+    """One thing that is wrong with an annotation, or that a repair changed.
 
-    feature_id, other_id: ids of the features, None where no feature is concerned
-    class_value, other_class: their class values, NOTHING for none; area: m²
-    reason: why a geometry is invalid, or the value that is no class
-    number: what the kind measures or counts: meters of shared border, pieces, features
-    decided: whether a priority says which of two polygons lies on top
-    is_landmark: of neighbors, whether their class is one of landmarks
+    Attributes:
+        kind: One of CHECKED_KINDS, or DISSOLVED.
+        severity: One of SEVERITIES.
+        wkb: WKB of a (multi)polygon to show, coordinates in meters; None where there is none.
+        feature_id: Id of the feature; None where no feature is concerned.
+        other_id: Id of the other feature; None where no other is concerned.
+        class_value: Class of the feature; NOTHING for none.
+        other_class: Class of the other feature; NOTHING for none.
+        area: m²; None where it has none.
+        reason: Why a geometry is invalid, or the value that is no class.
+        number: What the kind measures or counts: meters of shared border, pieces, features.
+        decided: Whether a priority says which of two polygons lies on top.
+        is_landmark: Of neighbors, whether their class is one of landmarks.
     """
 
     kind: str

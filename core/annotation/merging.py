@@ -18,9 +18,11 @@ THIN_M = 0.25
 
 @dataclass(frozen=True)
 class MergeSettings:
-    """maximum_gap: enclosed gaps up to this area (m²) are filled; minimum_area: smaller pieces (m²) are merged.
+    """What goes to a neighbor. Thin gaps and pieces always do.
 
-    Thin gaps and pieces are always filled and merged.
+    Attributes:
+        maximum_gap: m²; enclosed gaps up to this area are filled.
+        minimum_area: m²; smaller pieces are merged.
     """
 
     maximum_gap: float = 1.0
@@ -29,7 +31,13 @@ class MergeSettings:
 
 @dataclass(frozen=True)
 class Merge:
-    """Faces (their numbers) of class ``from_class`` (NOTHING for a gap) that go to a neighbor's class."""
+    """Faces that go to a neighbor's class.
+
+    Attributes:
+        faces: (n,) int64 numbers of the faces.
+        from_class: Their class; NOTHING for a gap.
+        to_class: The neighbor's class.
+    """
 
     faces: np.ndarray
     from_class: int
@@ -39,11 +47,20 @@ class Merge:
 def merge_gaps_and_slivers(
     partition: PlanarPartition, face_classes: np.ndarray, settings: MergeSettings
 ) -> tuple[np.ndarray, list[Merge]]:
-    """(F,) class values after every gap and sliver went to the neighbor it shares the longest border with.
+    """Gives every gap and sliver to the neighbor it shares the longest border with.
 
-    ``face_classes``: (F,) class values as seen from above. Neighbors that are no slivers themselves come first.
+    Neighbors that are no slivers themselves come first.
+
+    Args:
+        partition: F faces.
+        face_classes: (F,) class values as seen from above.
+        settings: What counts as a gap and as a sliver.
+
+    Returns:
+        (F,) class values afterwards, and the merges in their order.
     """
-    classes, merges = face_classes.copy(), []
+    classes = face_classes.copy()
+    merges: list[Merge] = []
     while True:
         regions = find_regions(partition, classes)
         unwanted = _unwanted(regions, settings)
@@ -65,7 +82,18 @@ def merge_gaps_and_slivers(
 def merge_finding(
     merge: Merge, severity: str, polygons: AnnotatedPolygons, partition: PlanarPartition, top: np.ndarray
 ) -> Finding:
-    """A gap or sliver as a finding, with the feature seen on most of it; ``top``: (F,) polygon seen on each face."""
+    """A gap or sliver as a finding, with the feature that is seen on most of it.
+
+    Args:
+        merge: The gap or sliver.
+        severity: How bad it is.
+        polygons: N polygons.
+        partition: Their F faces.
+        top: (F,) int64 polygon seen on each face, −1 for none.
+
+    Returns:
+        The finding; its area in m².
+    """
     owner = top[merge.faces[np.argmax(partition.areas[merge.faces])]]
     return Finding(
         GAP if merge.from_class == NOTHING else SLIVER,
@@ -79,7 +107,7 @@ def merge_finding(
 
 
 def _unwanted(regions: Regions, settings: MergeSettings) -> np.ndarray:
-    """(R,) bool"""
+    """(R,) bool: which regions are gaps or slivers."""
     limits = np.where(regions.classes == NOTHING, settings.maximum_gap, settings.minimum_area)
     # A gap as large as the limit is filled, a piece as large as the limit stays.
     too_small = np.where(regions.classes == NOTHING, regions.areas <= limits, regions.areas < limits)
@@ -87,7 +115,7 @@ def _unwanted(regions: Regions, settings: MergeSettings) -> np.ndarray:
 
 
 def _longest_neighbors(regions: Regions, unwanted: np.ndarray, taking: np.ndarray) -> np.ndarray:
-    """(R,) int64 the neighbor that an unwanted region goes to, of those ``taking``, −1 for none."""
+    """(R,) int64: the neighbor, of those ``taking``, that each unwanted region goes to; −1 for none."""
     target = np.full(len(regions.classes), -1, np.int64)
     one, other = regions.neighbors.T
     possible = unwanted[one] & taking[other] & (regions.classes[other] != NOTHING)
@@ -99,6 +127,7 @@ def _longest_neighbors(regions: Regions, unwanted: np.ndarray, taking: np.ndarra
 
 
 def _smallest_only(regions: Regions, target: np.ndarray) -> np.ndarray:
+    """(R,) int64: the target of the smallest region that has one; −1 for all others."""
     merging = np.flatnonzero(target >= 0)
     only = np.full_like(target, -1)
     if len(merging):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -19,9 +20,16 @@ NARROWEST_M = 0.001
 
 
 def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> tuple[list[Finding], np.ndarray]:
-    """A finding for each polygon that covers what an earlier one covers, and (N,) bool which these are.
+    """Finds polygons that cover just what an earlier one covers.
 
     With different classes it is an error, unless a priority says which lies on top.
+
+    Args:
+        polygons: N polygons.
+        partition: Their faces.
+
+    Returns:
+        A finding for each such polygon, and (N,) bool which these are.
     """
     first_of: dict[bytes, int] = {}
     repeated, found = np.zeros(len(polygons), bool), []
@@ -35,17 +43,26 @@ def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> 
         repeated[n] = True
         decided = bool(polygons.priorities[first] != polygons.priorities[n])
         differs = polygons.classes[first] != polygons.classes[n]
-        found.append(_pair(DUPLICATE, ERROR if differs and not decided else WARNING, polygons, n, first, decided))
+        severity = ERROR if differs and not decided else WARNING
+        found.append(replace(_pair(DUPLICATE, severity, polygons, (n, first)), decided=decided))
     return found, repeated
 
 
 def find_overlaps(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, ignored: np.ndarray
 ) -> list[Finding]:
-    """A finding for each two polygons of different features and classes that share an area, the upper one first.
+    """Finds each two polygons of different features and classes that share an area.
 
-    Where priorities differ they say what lies on top: information. Else it is an error. ``ranks``: (N,) higher on
-    top; ``ignored``: (N,) bool polygons left out.
+    Where priorities differ they say what lies on top, and the finding is information; else it is an error.
+
+    Args:
+        polygons: N polygons.
+        partition: Their faces.
+        ranks: (N,) int64, higher lie on top.
+        ignored: (N,) bool, polygons left out.
+
+    Returns:
+        A finding for each pair, the upper polygon first.
     """
     faces_of: dict[tuple[int, int], list[int]] = defaultdict(list)
     starts = np.flatnonzero(np.diff(partition.cover_faces, prepend=-1))
@@ -67,9 +84,16 @@ def find_overlaps(
 def find_hidden(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, duplicates: list[Finding]
 ) -> list[Finding]:
-    """A finding for each polygon of which nothing is seen from above, with the polygon that covers most of it.
+    """Finds polygons of which nothing is seen from above.
 
-    Those that their own duplicate hides are left out: that is told already.
+    Args:
+        polygons: N polygons.
+        partition: Their faces.
+        ranks: (N,) int64, higher lie on top.
+        duplicates: Polygons that a duplicate hides; they are told already.
+
+    Returns:
+        A finding for each other hidden polygon, with the polygon that covers most of it.
     """
     top = partition.top_polygons(ranks)
     seen = np.zeros(len(polygons), bool)
@@ -78,7 +102,9 @@ def find_hidden(
     hidden = ~seen[partition.cover_polygons]
     for polygon, face in zip(partition.cover_polygons[hidden].tolist(), partition.cover_faces[hidden].tolist()):
         covered[polygon][int(top[face])] += partition.areas[face]
-    found = [_pair(HIDDEN, WARNING, polygons, n, max(over, key=over.get)) for n, over in sorted(covered.items())]
+    found = [
+        _pair(HIDDEN, WARNING, polygons, (n, max(over, key=over.__getitem__))) for n, over in sorted(covered.items())
+    ]
     told = {frozenset((duplicate.feature_id, duplicate.other_id)) for duplicate in duplicates}
     return [hidden for hidden in found if frozenset((hidden.feature_id, hidden.other_id)) not in told]
 
@@ -86,10 +112,18 @@ def find_hidden(
 def find_same_class_neighbors(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, landmark_classes: Sequence[int]
 ) -> list[Finding]:
-    """A finding for each two features of one class that touch as seen from above; ``number``: m of shared border.
+    """Finds each two features of one class that touch as seen from above.
 
-    Those of ``landmark_classes`` also where they touch in a point only (``number`` is 0): pixels that touch by a
-    corner belong to one object, too.
+    Landmarks are told also where they touch in a point only: pixels that touch by a corner belong to one object, too.
+
+    Args:
+        polygons: N polygons.
+        partition: Their faces.
+        ranks: (N,) int64, higher lie on top.
+        landmark_classes: Class values that become landmarks.
+
+    Returns:
+        A finding for each pair, the smaller polygon first; its number is the shared border in meters, 0 for a point.
     """
     top = partition.top_polygons(ranks)
     lengths: dict[tuple[int, int], float] = defaultdict(float)
@@ -105,10 +139,9 @@ def find_same_class_neighbors(
     found = []
     for pair, length in lengths.items():
         smaller, larger = sorted(pair, key=lambda n: (areas[n], n))
+        finding = _pair(SAME_CLASS_NEIGHBORS, INFORMATION, polygons, (smaller, larger))
         is_landmark = bool(polygons.classes[smaller] in landmark_classes)
-        found.append(
-            _pair(SAME_CLASS_NEIGHBORS, INFORMATION, polygons, smaller, larger, number=length, is_landmark=is_landmark)
-        )
+        found.append(replace(finding, number=length, is_landmark=is_landmark))
     return found
 
 
@@ -133,23 +166,24 @@ def _features(polygons: AnnotatedPolygons, pair: tuple[int, int]) -> frozenset[i
     return frozenset(polygons.features[list(pair)].tolist())
 
 
-def _overlap(polygons: AnnotatedPolygons, ranks: np.ndarray, pair: tuple[int, int], shared) -> Finding:
+def _overlap(
+    polygons: AnnotatedPolygons, ranks: np.ndarray, pair: tuple[int, int], shared: shapely.Geometry
+) -> Finding:
     upper, lower = sorted(pair, key=lambda n: -ranks[n])
     decided = bool(polygons.priorities[upper] != polygons.priorities[lower])
-    return _pair(OVERLAP, INFORMATION if decided else ERROR, polygons, upper, lower, decided, geometry=shared)
+    finding = _pair(OVERLAP, INFORMATION if decided else ERROR, polygons, (upper, lower), shared)
+    return replace(finding, decided=decided)
 
 
 def _pair(
     kind: str,
     severity: str,
     polygons: AnnotatedPolygons,
-    one: int,
-    other: int,
-    decided: bool = False,
-    number: float = 0.0,
-    geometry=None,
-    is_landmark: bool = False,
+    pair: tuple[int, int],
+    geometry: shapely.Geometry | None = None,
 ) -> Finding:
+    """A finding about two polygons, by their numbers; it shows ``geometry``, or the first polygon."""
+    one, other = pair
     shown = polygons.geometries[one] if geometry is None else geometry
     return Finding(
         kind,
@@ -160,7 +194,4 @@ def _pair(
         int(polygons.classes[one]),
         int(polygons.classes[other]),
         float(shapely.area(shown)),
-        number=number,
-        decided=decided,
-        is_landmark=is_landmark,
     )

@@ -19,11 +19,16 @@ GRID_M = 1e-6
 
 @dataclass(frozen=True)
 class PlanarPartition:
-    """F faces of N polygons.
+    """F faces of N polygons. Polygon ``cover_polygons[k]`` covers face ``cover_faces[k]``.
 
-    faces: (F,) shapely polygons; areas: (F,) m²; perimeters: (F,) m
-    cover_faces, cover_polygons: (K,) int64 each, polygon ``cover_polygons[k]`` covers face ``cover_faces[k]``; by face
-    neighbors: (E, 2) int64, faces that share a border, once each; border_lengths: (E,) m
+    Attributes:
+        faces: (F,) shapely polygons.
+        areas: (F,) m².
+        perimeters: (F,) m.
+        cover_faces: (K,) int64 numbers of faces, rising.
+        cover_polygons: (K,) int64 numbers of polygons.
+        neighbors: (E, 2) int64 faces that share a border, each pair once.
+        border_lengths: (E,) m.
     """
 
     faces: np.ndarray
@@ -38,7 +43,14 @@ class PlanarPartition:
         return len(self.faces)
 
     def top_polygons(self, ranks: np.ndarray) -> np.ndarray:
-        """(F,) int64 polygon seen from above on each face, −1 where there is none; (N,) ranks, higher lie on top."""
+        """The polygon that is seen from above on each face.
+
+        Args:
+            ranks: (N,) of the polygons, higher lie on top.
+
+        Returns:
+            (F,) int64 numbers of polygons, −1 where there is none.
+        """
         top = np.full(len(self.faces), -1, np.int64)
         order = np.argsort(ranks[self.cover_polygons], kind="stable")
         # Of several values for one place numpy keeps the last.
@@ -48,11 +60,15 @@ class PlanarPartition:
 
 @dataclass(frozen=True)
 class Regions:
-    """Connected faces of one class: what one landmark is made of.
+    """R regions of connected faces of one class: what one landmark is made of.
 
-    of_face: (F,) int64 region of each face
-    classes, areas, perimeters: (R,) class value (NOTHING for uncovered regions), m², m
-    neighbors: (E, 2) int64 regions that share a border, both ways round; border_lengths: (E,) m
+    Attributes:
+        of_face: (F,) int64 region of each face.
+        classes: (R,) class values; NOTHING for uncovered regions.
+        areas: (R,) m².
+        perimeters: (R,) m.
+        neighbors: (E, 2) int64 regions that share a border, both ways round.
+        border_lengths: (E,) m.
     """
 
     of_face: np.ndarray
@@ -69,7 +85,14 @@ class Regions:
 
 
 def partition_polygons(polygons: np.ndarray) -> PlanarPartition:
-    """(N,) valid shapely polygons in meters → their faces."""
+    """Cuts polygons into the faces they make together.
+
+    Args:
+        polygons: (N,) valid shapely polygons, meters.
+
+    Returns:
+        Their faces.
+    """
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(_node(shapely.boundary(polygons)))))
     points = shapely.STRtree(shapely.point_on_surface(faces))
     # Polygons are asked for points, not points for polygons: shapely prepares what it asks with.
@@ -88,7 +111,15 @@ def partition_polygons(polygons: np.ndarray) -> PlanarPartition:
 
 
 def find_regions(partition: PlanarPartition, face_classes: np.ndarray) -> Regions:
-    """The connected faces of one class each; ``face_classes``: (F,) class values."""
+    """Joins neighboring faces of one class.
+
+    Args:
+        partition: F faces.
+        face_classes: (F,) class values.
+
+    Returns:
+        The regions.
+    """
     first, second = partition.neighbors.T
     inside = face_classes[first] == face_classes[second]
     of_face = connected_components(len(partition), partition.neighbors[inside])
@@ -105,9 +136,15 @@ def find_regions(partition: PlanarPartition, face_classes: np.ndarray) -> Region
 
 
 def region_owners(regions: Regions, top: np.ndarray, face_areas: np.ndarray) -> np.ndarray:
-    """(R,) int64 polygon that covers most of each region as seen from above, the first of equals; −1 for none.
+    """The polygon that covers most of each region as seen from above, the first of equals.
 
-    ``top``: (F,) polygon seen on each face, −1 where the region's class is not this polygon's.
+    Args:
+        regions: R regions.
+        top: (F,) polygon seen on each face, −1 where the region's class is not this polygon's.
+        face_areas: (F,) m².
+
+    Returns:
+        (R,) int64 numbers of polygons, −1 for none.
     """
     owners = np.full(len(regions.classes), -1, np.int64)
     owned = top >= 0
@@ -120,8 +157,15 @@ def region_owners(regions: Regions, top: np.ndarray, face_areas: np.ndarray) -> 
 
 
 def corner_neighbors(partition: PlanarPartition, face_classes: np.ndarray) -> np.ndarray:
-    """(E, 2) int64 faces of one class that meet in a point and belong to regions that share no border, once a pair of
-    regions; ``face_classes``: (F,) class values, negative ones are left out."""
+    """Faces of one class that meet in a point though their regions share no border.
+
+    Args:
+        partition: F faces.
+        face_classes: (F,) class values; faces with a negative one are left out.
+
+    Returns:
+        (E, 2) int64 numbers of faces, one pair for each pair of regions.
+    """
     of_face = find_regions(partition, face_classes).of_face
     covered = np.flatnonzero(face_classes >= 0)
     coordinates, place = shapely.get_coordinates(partition.faces[covered], return_index=True)
@@ -137,7 +181,15 @@ def corner_neighbors(partition: PlanarPartition, face_classes: np.ndarray) -> np
 
 
 def dissolve(faces: np.ndarray, groups: np.ndarray) -> np.ndarray:
-    """(F,) faces and their group, counted from 0 without gaps → (G,) shapely geometries, normalized."""
+    """Joins the faces of each group.
+
+    Args:
+        faces: (F,) shapely polygons.
+        groups: (F,) group of each face, counted from 0 without gaps.
+
+    Returns:
+        (G,) shapely geometries, normalized.
+    """
     order = np.argsort(groups, kind="stable")
     bounds = np.searchsorted(groups[order], np.arange(groups.max(initial=-1) + 2))
     dissolved = np.empty(len(bounds) - 1, object)
@@ -147,7 +199,7 @@ def dissolve(faces: np.ndarray, groups: np.ndarray) -> np.ndarray:
     return shapely.normalize(dissolved)
 
 
-def _node(lines: np.ndarray):
+def _node(lines: np.ndarray) -> shapely.Geometry:
     """Lines cut where they meet, on the grid. Cutting moves lines by less than the grid: repeated until it is done."""
     noded = shapely.union_all(lines, grid_size=GRID_M)
     while True:
@@ -158,7 +210,7 @@ def _node(lines: np.ndarray):
             return noded
 
 
-def _count_segments(lines) -> int:
+def _count_segments(lines: shapely.Geometry) -> int:
     return int(shapely.get_num_coordinates(lines)) - int(shapely.get_num_geometries(lines))
 
 

@@ -18,9 +18,13 @@ _POLYGON = 3
 
 @dataclass(frozen=True)
 class AnnotatedFeature:
-    """A feature of an annotation layer: WKB of a (multi)polygon in meters, None without one; higher priority on top.
+    """A feature of an annotation layer.
 
-    ``class_value`` is NOTHING for a feature without a class that can be used.
+    Attributes:
+        feature_id: As the layer numbers it.
+        wkb: WKB of a (multi)polygon, coordinates in meters; None for a feature without one.
+        class_value: NOTHING for a feature without a class that can be used.
+        priority: Higher ones lie on top.
     """
 
     feature_id: int
@@ -33,8 +37,12 @@ class AnnotatedFeature:
 class AnnotatedPolygons:
     """N valid single polygons of features with a class, in the features' order.
 
-    geometries: (N,) shapely polygons; features: (N,) int64 place of the feature in its list
-    feature_ids: (N,) int64; classes: (N,) int64 class values; priorities: (N,) float64
+    Attributes:
+        geometries: (N,) shapely polygons, meters.
+        features: (N,) int64 place of the feature in its list.
+        feature_ids: (N,) int64.
+        classes: (N,) int64 class values.
+        priorities: (N,) float64, higher ones lie on top.
     """
 
     geometries: np.ndarray
@@ -58,7 +66,12 @@ class AnnotatedPolygons:
 
 @dataclass(frozen=True)
 class FeatureParts:
-    """The polygons of features as they are: (P,) shapely geometries, (P,) int64 place of their feature in the list."""
+    """The single parts of features as they were drawn.
+
+    Attributes:
+        geometries: (P,) shapely geometries, meters.
+        features: (P,) int64 place of their feature in its list.
+    """
 
     geometries: np.ndarray
     features: np.ndarray
@@ -109,6 +122,7 @@ def _made_valid(parts: FeatureParts) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _ranks(order: np.ndarray) -> np.ndarray:
+    """(N,) int64 place of each thing in ``order``, an order of their numbers."""
     ranks = np.empty(len(order), np.int64)
     ranks[order] = np.arange(len(order))
     return ranks

@@ -15,9 +15,13 @@ LARGEST_MASK_PX = 200_000_000
 
 @dataclass(frozen=True)
 class RegionRuns:
-    """Pixels of numbered regions as runs along rows, in reading order.
+    """Pixels of numbered regions as K runs along rows, in reading order.
 
-    rows, starts, stops, regions: (K,) int64, pixels ``starts`` … ``stops`` − 1 of a row belong to a region
+    Attributes:
+        rows: (K,) int64 row of each run.
+        starts: (K,) int64 first column of each run.
+        stops: (K,) int64 column after its last.
+        regions: (K,) int64 number of the region it belongs to.
     """
 
     rows: np.ndarray
@@ -30,7 +34,15 @@ class RegionRuns:
 
 
 def runs_of_strip(regions_hw: np.ndarray, first_row: int) -> RegionRuns:
-    """(H, W) region numbers of some rows of a raster, 0 for none → their runs."""
+    """The runs of some rows of a raster.
+
+    Args:
+        regions_hw: (H, W) numbers of regions, 0 for none.
+        first_row: Row of the raster that these rows begin in.
+
+    Returns:
+        The runs, their rows counted in the raster.
+    """
     height, width = regions_hw.shape
     begins = np.ones((height, width), bool)
     begins[:, 1:] = regions_hw[:, 1:] != regions_hw[:, :-1]
@@ -50,9 +62,14 @@ def join_runs(strips: list[RegionRuns]) -> RegionRuns:
 
 
 def merged_regions(runs: RegionRuns, region_classes: np.ndarray) -> np.ndarray:
-    """(P, 2) int64 regions of one class whose pixels touch (8-connected), each pair once; they become one object.
+    """Regions of one class whose pixels touch (8-connected), so that they become one object.
 
-    ``region_classes``: class values by region number.
+    Args:
+        runs: Their pixels.
+        region_classes: (R,) class values by number of region.
+
+    Returns:
+        (P, 2) int64 numbers of regions, each pair once.
     """
     beside = np.flatnonzero((runs.rows[1:] == runs.rows[:-1]) & (runs.starts[1:] == runs.stops[:-1]))
     links = np.concatenate([touching_runs(runs.rows, runs.starts, runs.stops), np.column_stack([beside, beside + 1])])

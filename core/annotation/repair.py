@@ -18,17 +18,26 @@ from .surface import Surface, laid_polygons
 
 @dataclass(frozen=True)
 class RepairedPolygon:
-    """WKB of a valid polygon in meters; its attributes are those of feature number ``feature`` of the list."""
+    """A polygon of a repaired annotation.
+
+    Attributes:
+        wkb: WKB of a valid polygon, coordinates in meters.
+        feature: Place in the list of the feature whose attributes it has.
+    """
 
     wkb: bytes
     feature: int
 
 
 class AnnotationRepair:
-    """Iterate ``steps()`` to the end, then ``polygons`` and ``changes`` are there.
+    """The repair of an annotation. Iterate ``steps()`` to the end; then both lists are filled.
 
     What lies on top where polygons overlap: the higher priority, else the smaller, else the lower class value. On its
     own output nothing changes: the polygons of a repaired annotation are the faces they are cut into.
+
+    Attributes:
+        polygons: The repaired annotation.
+        changes: What was changed.
     """
 
     def __init__(self, features: Sequence[AnnotatedFeature], settings: MergeSettings) -> None:
@@ -38,7 +47,11 @@ class AnnotationRepair:
         self.changes: list[Finding] = []
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Yields (what is being done, share done 0…1)."""
+        """Repairs step by step.
+
+        Yields:
+            What is being done, and the share that is done, 0…1.
+        """
         surface = yield from laid_polygons(self._features, AnnotatedPolygons.repair_ranks, self.changes)
         if surface is None:
             return

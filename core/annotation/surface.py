@@ -42,7 +42,7 @@ def laid_polygons(
     ranks_of: Callable[[AnnotatedPolygons], np.ndarray],
     findings: list[Finding],
 ) -> Generator[tuple[str, float], None, Surface | None]:
-    """Lays the features on each other step by step: ``surface = yield from laid_polygons(…)``.
+    """Lays features on each other, step by step; a generator calls it with ``yield from``.
 
     Args:
         features: As they were drawn.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -34,35 +35,35 @@ def find_invalid(features: Sequence[AnnotatedFeature], geometries: np.ndarray, p
 def find_unusable(
     features: Sequence[AnnotatedFeature], geometries: np.ndarray, polygons: AnnotatedPolygons
 ) -> list[Finding]:
-    """Features without geometry, with one that can't be read, and with one that has no area."""
+    """Finds features without geometry, with one that can't be read, and with one that has no area."""
     found = []
     with_area = set(polygons.features.tolist())
     areas = shapely.area(geometries)
     for n, (feature, geometry) in enumerate(zip(features, geometries)):
-        identity = {"feature_id": feature.feature_id, "class_value": feature.class_value}
         if feature.wkb is None:
-            found.append(Finding(NO_GEOMETRY, WARNING, **identity))
+            found.append(_finding(NO_GEOMETRY, WARNING, feature))
         elif geometry is None:
-            found.append(Finding(INVALID, ERROR, **identity, reason=UNREADABLE))
+            found.append(replace(_finding(INVALID, ERROR, feature), reason=UNREADABLE))
         elif geometry.is_empty:
-            found.append(Finding(NO_GEOMETRY, WARNING, **identity))
+            found.append(_finding(NO_GEOMETRY, WARNING, feature))
         elif n not in with_area and (feature.class_value != NOTHING or areas[n] == 0):
             x, y = shapely.get_coordinates(geometry)[0]
-            found.append(Finding(NO_AREA, WARNING, _mark_at(x, y), **identity, area=0.0))
+            found.append(replace(_finding(NO_AREA, WARNING, feature), wkb=_mark_at(x, y), area=0.0))
     return found
 
 
-def _invalid(feature: AnnotatedFeature, geometry) -> Finding:
+def _invalid(feature: AnnotatedFeature, geometry: shapely.Geometry) -> Finding:
     why, x, y = _reason(geometry)
-    return Finding(
-        INVALID,
-        ERROR,
-        _mark_at(x, y),
-        feature_id=feature.feature_id,
-        class_value=feature.class_value,
+    return replace(
+        _finding(INVALID, ERROR, feature),
+        wkb=_mark_at(x, y),
         area=float(shapely.area(geometry)),
         reason=f"{why} ({x:.2f}, {y:.2f})",
     )
+
+
+def _finding(kind: str, severity: str, feature: AnnotatedFeature) -> Finding:
+    return Finding(kind, severity, feature_id=feature.feature_id, class_value=feature.class_value)
 
 
 def _mark_at(x: float, y: float) -> bytes:
@@ -70,8 +71,8 @@ def _mark_at(x: float, y: float) -> bytes:
     return to_wkb(shapely.box(x - _MARK_M, y - _MARK_M, x + _MARK_M, y + _MARK_M))
 
 
-def _reason(geometry) -> tuple[str, float, float]:
-    """Why it is invalid and where; its first vertex where GEOS names no place."""
+def _reason(geometry: shapely.Geometry) -> tuple[str, float, float]:
+    """Why a geometry is invalid, and x and y of where; its first vertex where GEOS names no place."""
     text = str(shapely.is_valid_reason(geometry))
     match = _REASON.match(text)
     if match:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 
-import cv2
 import numpy as np
 import pytest
 import shapely
@@ -13,10 +12,8 @@ from made_annotation import KINDS, feature, moved, numbered, random_features, sq
 from semref.core.annotation import findings as kinds
 from semref.core.annotation.check import AnnotationCheck, CheckSettings, DrawnRegion, find_raster_losses
 from semref.core.annotation.findings import ERROR, INFORMATION, WARNING
-from semref.core.annotation.partition import partition_polygons
 from semref.core.annotation.polygons import AnnotatedFeature
-from semref.core.annotation.raster_losses import count_pieces, join_runs, lost_regions, merged_regions, runs_of_strip
-from semref.core.landmarks.joining import connected_components
+from semref.core.annotation.raster_losses import runs_of_strip
 
 LANDMARKS = (1, 2, 3, 4)
 BOWTIE = shapely.from_wkt("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))")
@@ -199,61 +196,7 @@ def test_invalid_features_are_those_that_shapely_calls_so(kind):
     assert sorted({f.feature_id for f in check(features).findings if f.kind == kinds.INVALID}) == expected
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_faces_cover_what_polygons_cover_once(kind):
-    shapes = shapely.make_valid(shapely.from_wkb([f.wkb for f in random_features(kind, 6)]))
-    polygons = shapely.get_parts(shapely.get_parts(shapes))
-    polygons = polygons[shapely.get_type_id(polygons) == 3]
-    partition = partition_polygons(polygons)
-    covered = np.unique(partition.cover_faces)
-    assert partition.areas[covered].sum() == pytest.approx(shapely.area(shapely.union_all(polygons)), abs=1e-3)
-    per_polygon = np.bincount(partition.cover_polygons, partition.areas[partition.cover_faces], len(polygons))
-    np.testing.assert_allclose(per_polygon, shapely.area(polygons), atol=1e-3)
-
-
-def test_components_are_numbered_in_order_of_their_first():
-    pairs = np.array([(5, 1), (4, 3), (1, 0)])
-    assert connected_components(6, pairs).tolist() == [0, 0, 1, 2, 2, 0]
-    assert connected_components(2, np.empty((0, 2), int)).tolist() == [0, 1]
-
-
-def test_a_long_chain_is_one_component():
-    order = np.random.default_rng(3).permutation(5000)
-    assert set(connected_components(5000, np.column_stack([order[1:], order[:-1]]))) == {0}
-
-
 # --- pixels ---
-
-
-def random_regions(seed: int):
-    """(40, 60) region numbers 0…12 in blobs, and the class of each number."""
-    random = np.random.default_rng(seed)
-    noise = cv2.GaussianBlur(random.normal(size=(40, 60, 13)), (0, 0), 2.0)
-    return noise.argmax(axis=2), np.array([-1, *random.integers(1, 3, 12)])
-
-
-def runs_in_strips(regions_hw, rows=7):
-    firsts = range(0, len(regions_hw), rows)
-    return join_runs([runs_of_strip(regions_hw[first : first + rows], first) for first in firsts])
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_pieces_losses_and_merges_are_those_of_opencv(seed):
-    regions, classes = random_regions(seed)
-    runs = runs_in_strips(regions)
-    pieces, lost = count_pieces(runs, 13), lost_regions(runs, 13, 30.0)
-    for number in range(1, 13):
-        mask = (regions == number).astype(np.uint8)
-        assert pieces[number] == cv2.connectedComponents(mask, connectivity=8)[0] - 1
-        contours = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)[0]
-        assert lost[number] == (max(map(cv2.contourArea, contours), default=0) < 30)
-    expected = set()
-    for one in range(1, 13):
-        around = cv2.dilate((regions == one).astype(np.uint8), np.ones((3, 3), np.uint8))
-        for other in np.unique(regions[around > 0]):
-            if other > one and classes[one] == classes[other]:
-                expected.add((one, int(other)))
-    assert {tuple(pair) for pair in merged_regions(runs, classes).tolist()} == expected
 
 
 def landmark(wkt_number: int, area: float, class_value: int = 1) -> DrawnRegion:
@@ -268,7 +211,7 @@ def test_what_pixels_do_to_landmarks_is_told():
     regions[3:8, 14] = 4
     regions[3:8, 16:20] = 4
     landmarks = [landmark(10, 36), landmark(11, 30), landmark(12, 20), landmark(13, 25)]
-    told = find_raster_losses(landmarks, runs_in_strips(regions), 10.0, 1.0)
+    told = find_raster_losses(landmarks, runs_of_strip(regions, 0), 10.0, 1.0)
     assert [(f.kind, f.feature_id, f.other_id, f.number) for f in told] == [
         (kinds.LOST, 12, None, 0),
         (kinds.MERGED, 11, 10, 0),
@@ -277,6 +220,6 @@ def test_what_pixels_do_to_landmarks_is_told():
 
 
 def test_a_landmark_without_a_pixel_is_lost():
-    assert [f.kind for f in find_raster_losses([landmark(1, 5)], runs_in_strips(np.zeros((3, 3), int)), 1.0, 9.0)] == [
-        kinds.LOST
-    ]
+    assert [
+        f.kind for f in find_raster_losses([landmark(1, 5)], runs_of_strip(np.zeros((3, 3), int), 0), 1.0, 9.0)
+    ] == [kinds.LOST]

@@ -31,3 +31,8 @@ def test_nothing_has_no_components():
 def test_components_are_numbered_in_order_of_their_first():
     assert connected_components(6, np.array([[5, 0], [4, 3], [1, 5]])).tolist() == [0, 0, 1, 2, 2, 0]
     assert connected_components(2, np.empty((0, 2), int)).tolist() == [0, 1]
+
+
+def test_a_long_chain_is_one_component():
+    order = np.random.default_rng(3).permutation(5000)
+    assert set(connected_components(5000, np.column_stack([order[1:], order[:-1]]))) == {0}

@@ -1,0 +1,81 @@
+"""Features become valid single polygons; what no polygon can be made of is left out."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+from made_annotation import feature, numbered, square
+
+from semref.core.annotation.findings import NOTHING
+from semref.core.annotation.polygons import (
+    FARTHEST_M,
+    AnnotatedFeature,
+    feature_geometries,
+    split_parts,
+    valid_polygons,
+)
+
+BOWTIE = shapely.from_wkt("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))")
+
+
+def polygons_of(*features):
+    features = numbered(features)
+    return valid_polygons(features, split_parts(feature_geometries(features)))
+
+
+def test_no_features_have_no_polygons():
+    assert len(polygons_of()) == 0
+
+
+def test_parts_keep_the_place_of_their_feature():
+    both = shapely.multipolygons([square(0, 0, 2), square(5, 0, 2)])
+    polygons = polygons_of(feature(square(9, 9, 1), 3), feature(both, 4, 2.0))
+    assert polygons.features.tolist() == polygons.feature_ids.tolist() == [0, 1, 1]
+    assert polygons.classes.tolist() == [3, 4, 4]
+    assert polygons.priorities.tolist() == [0.0, 2.0, 2.0]
+
+
+def test_a_bowtie_becomes_its_two_triangles():
+    polygons = polygons_of(feature(BOWTIE))
+    assert shapely.is_valid(polygons.geometries).all()
+    assert shapely.area(polygons.geometries) == pytest.approx([4, 4])
+
+
+@pytest.mark.parametrize(
+    "left_out",
+    [
+        feature(None),
+        feature(shapely.from_wkt("POLYGON EMPTY")),
+        feature(shapely.from_wkt("POLYGON ((0 0, 4 4, 0 0, 0 0))")),
+        feature(square(0, 0, 5), NOTHING),
+        feature(square(2 * FARTHEST_M, 0, 5)),
+        AnnotatedFeature(0, b"no geometry", 1),
+    ],
+    ids=["none", "empty", "no area", "no class", "beyond every map", "unreadable"],
+)
+def test_what_is_no_polygon_with_a_class_is_left_out(left_out):
+    assert polygons_of(left_out, feature(square(0, 0, 5))).features.tolist() == [1]
+
+
+def test_geometries_are_those_of_the_features_and_none_where_there_is_none():
+    geometries = feature_geometries([feature(square(0, 0, 3)), feature(None), AnnotatedFeature(0, b"\x00", 1)])
+    assert geometries[0].area == pytest.approx(9)
+    assert geometries[1] is None
+    assert geometries[2] is None
+
+
+def test_heights_are_dropped():
+    flat = feature_geometries([feature(shapely.force_3d(square(0, 0, 3), 400.0))])
+    assert not shapely.has_z(flat).any()
+
+
+def test_in_drawing_the_later_of_equal_priority_lies_on_top():
+    polygons = polygons_of(feature(square(0, 0, 1), 1, 5.0), feature(square(0, 0, 2)), feature(square(0, 0, 3)))
+    assert polygons.drawn_ranks().tolist() == [2, 0, 1]
+
+
+def test_in_repairing_the_smaller_then_the_lower_class_lies_on_top():
+    features = [feature(square(0, 0, 9), 1, 5.0), feature(square(0, 0, 3), 2), feature(square(0, 0, 2), 9)]
+    polygons = polygons_of(*features, feature(square(5, 5, 3), 1))
+    assert np.argsort(polygons.repair_ranks()).tolist() == [1, 3, 2, 0]

@@ -1,0 +1,59 @@
+"""What pixels make of regions: the same as OpenCV finds mask by mask."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.annotation.raster_losses import count_pieces, join_runs, lost_regions, merged_regions, runs_of_strip
+
+
+def random_regions(seed: int):
+    """(40, 60) region numbers 0…12 in blobs, and the class of each number."""
+    random = np.random.default_rng(seed)
+    noise = cv2.GaussianBlur(random.normal(size=(40, 60, 13)), (0, 0), 2.0)
+    return noise.argmax(axis=2), np.array([-1, *random.integers(1, 3, 12)])
+
+
+def runs_in_strips(regions_hw, rows=7):
+    firsts = range(0, len(regions_hw), rows)
+    return join_runs([runs_of_strip(regions_hw[first : first + rows], first) for first in firsts])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_pieces_losses_and_merges_are_those_of_opencv(seed):
+    regions, classes = random_regions(seed)
+    runs = runs_in_strips(regions)
+    pieces, lost = count_pieces(runs, 13), lost_regions(runs, 13, 30.0)
+    for number in range(1, 13):
+        mask = (regions == number).astype(np.uint8)
+        assert pieces[number] == cv2.connectedComponents(mask, connectivity=8)[0] - 1
+        contours = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)[0]
+        assert lost[number] == (max(map(cv2.contourArea, contours), default=0) < 30)
+    expected = set()
+    for one in range(1, 13):
+        around = cv2.dilate((regions == one).astype(np.uint8), np.ones((3, 3), np.uint8))
+        for other in np.unique(regions[around > 0]):
+            if other > one and classes[one] == classes[other]:
+                expected.add((one, int(other)))
+    assert {tuple(pair) for pair in merged_regions(runs, classes).tolist()} == expected
+
+
+def test_strips_joined_are_the_runs_of_the_whole():
+    regions, _ = random_regions(9)
+    whole, joined = runs_of_strip(regions, 0), runs_in_strips(regions)
+    for name in ("rows", "starts", "stops", "regions"):
+        np.testing.assert_array_equal(getattr(joined, name), getattr(whole, name))
+
+
+def test_a_raster_without_regions_has_no_runs():
+    runs = join_runs([runs_of_strip(np.zeros((4, 5), int), 0)])
+    assert len(runs) == 0
+    assert count_pieces(runs, 3).tolist() == [0, 0, 0]
+    assert merged_regions(runs, np.array([-1, 1, 1])).shape == (0, 2)
+
+
+def test_runs_say_where_they_begin_and_end_in_the_raster():
+    runs = runs_of_strip(np.array([[0, 7, 7, 2], [2, 0, 0, 0]]), 10)
+    assert list(zip(runs.rows, runs.starts, runs.stops, runs.regions)) == [(10, 1, 3, 7), (10, 3, 4, 2), (11, 0, 1, 2)]
