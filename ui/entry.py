@@ -12,6 +12,7 @@ from ..processing.framework.base import ICON_PATH
 from ..processing.packages.components import OPENCV, SHAPELY, how_to_install, missing
 from ..processing.translation import tr
 from ..processing.version import guide_url
+from ..processing.wording.sentences import worded
 from .dock.dock import SemRefDock
 from .dock.preload import Preload
 from .options import OptionsFactory
@@ -67,7 +68,7 @@ class DockEntry:
     def _open_sample(self) -> None:
         lacking = missing((OPENCV, SHAPELY))
         if lacking:
-            Messages(self._iface.messageBar()).error(how_to_install(lacking))
+            Messages(self._iface.messageBar()).error(worded(how_to_install(lacking)))
             return
         self._sample_project().ask()
 

@@ -125,7 +125,7 @@ class AssessDatabase(AssessAlgorithm):
         spacing = values.optional_number(self.SPACING, min(footprints) / 2)
         cells = cancelable(ground_cells, database, spacing, feedback=feedback)
         if not len(cells):
-            raise ParameterError(f"{database.source} has neither labels nor landmarks; build it again.")
+            raise ParameterError("algorithms.nothing_to_assess", path=database.source)
         localizer = self.indexed(database, feedback)
         results = []
         for n, footprint in enumerate(footprints):

@@ -171,9 +171,7 @@ class AssessRoute(AssessAlgorithm):
         try:
             source = values.source(self.ROUTE)
         except ParameterError as error:
-            raise ParameterError(
-                f"ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file."
-            ) from error
+            raise ParameterError("algorithms.no_route_layer", value=value) from error
         self._route = route_of_source(source)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, float]:
@@ -187,7 +185,7 @@ class AssessRoute(AssessAlgorithm):
         points = route_points(lines_in(self._route, crs, values.transform_context), spacing)
         inside = _inside(database.parameters.extent, points.places)
         if not inside.any():
-            raise ParameterError("ROUTE lies outside the database’s map; choose another route or database.")
+            raise ParameterError("algorithms.route_outside_map")
         assessment = self.assessment(values, database, self.indexed(database, feedback), footprint, feedback)
         count = values.integer(self.TRIALS)
         estimates = self._estimated(assessment, points.places, min(spacing, footprint / 10), count, feedback, (5, 65))

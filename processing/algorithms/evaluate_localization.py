@@ -270,7 +270,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
         chosen = values.choices(self.METHODS)
         if not chosen:
-            raise ParameterError("METHODS is empty; choose at least one method.")
+            raise ParameterError("algorithms.no_methods")
         titles = _method_titles()
         # Automatic, constellation, map correlation; the published method is what they are compared with.
         return {Method.of_number(n): titles[n] for n in (0, 2, 3, 1) if n in chosen}
@@ -308,15 +308,20 @@ class EvaluateLocalization(SemRefAlgorithm):
 
         if self._layer.crs != crs:
             raise LabelMapError(
-                f"{self._layer.path} is in {describe_crs(self._layer.crs)} and the database in {describe_crs(crs)}; "
-                "warp the label map to the database’s CRS."
+                "algorithms.map_in_other_crs",
+                path=self._layer.path,
+                crs=describe_crs(self._layer.crs),
+                database_crs=describe_crs(crs),
             )
         for found in stored_class_table(labels.dataset, self._layer.path) or named_classes(labels.dataset):
             known = database.class_table.by_value(found.value)
             if known is not None and known.name != found.name:
                 raise LabelMapError(
-                    f"{self._layer.path} calls the class {found.value} “{found.name}” and the database “{known.name}”; "
-                    "rasterize the map with the database’s class table."
+                    "algorithms.class_called_otherwise",
+                    path=self._layer.path,
+                    value=found.value,
+                    name=found.name,
+                    known=known.name,
                 )
 
     def _try(self, evaluation: Evaluation, jobs: Sequence[Job], feedback: QgsProcessingFeedback) -> List[Trial]:

@@ -128,7 +128,7 @@ class ExportOnboard(SemRefAlgorithm):
         if not os.path.isfile(output):
             return
         if not is_onboard_file(output):
-            raise ParameterError(f"{output} exists and is no onboard file; remove it or choose another name.")
+            raise ParameterError("algorithms.not_replaced", output=output)
         feedback.pushWarning(tr("{output} is replaced.").format(output=output))
 
     def _clipped(

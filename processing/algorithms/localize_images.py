@@ -329,7 +329,7 @@ class LocalizeImages(SemRefAlgorithm):
 
         paths = image_files(values.files(self.IMAGES))
         if not paths:
-            raise ParameterError("IMAGES is empty; choose at least one image or a folder with images.")
+            raise ParameterError("algorithms.no_images")
         cameras = cancelable(read_cameras, paths, values.file(self.ATTITUDE), feedback=feedback)
         if method == Method.TOPOLOGY_VECTOR:
             # The published method, exactly: images as they are.

@@ -139,5 +139,5 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             (feedback.pushWarning if warns else feedback.pushInfo)(sentence)
         require_known_classes(counts, source, lookup.table)
         if not polygons:
-            raise ParameterError(f"“{source.name}” has no polygon with area and class; there is nothing to rasterize.")
+            raise ParameterError("algorithms.nothing_to_rasterize", source=source.name)
         return polygons, lookup.table

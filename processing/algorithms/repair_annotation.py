@@ -97,9 +97,7 @@ class RepairAnnotation(AnnotationAlgorithm):
         repair = AnnotationRepair(reading.features, settings)
         follow(interruptible(repair.steps(), feedback), feedback, READ, REPAIRED)
         if not repair.polygons:
-            raise ParameterError(
-                f"“{self._source.name}” has no polygon with area and class; there is nothing to repair."
-            )
+            raise ParameterError("algorithms.nothing_to_repair", source=self._source.name)
         # Outputs are made last: a cancel before leaves nothing behind.
         check_canceled(feedback)
         with outputs.layer(self.OUTPUT, fields_of(self._source), POLYGON, crs) as sink:

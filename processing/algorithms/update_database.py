@@ -113,8 +113,7 @@ class UpdateDatabase(SemRefAlgorithm):
         crs = QgsCoordinateReferenceSystem.fromWkt(stored)
         if wkt_for_gdal(self._layer.crs) != stored and self._layer.crs != crs:
             raise LabelMapError(
-                f"The label map is in {describe_crs(self._layer.crs)}, the database in {describe_crs(crs)}; rasterize "
-                "to the database's CRS or build a new database."
+                "algorithms.labels_in_other_crs", crs=describe_crs(self._layer.crs), database_crs=describe_crs(crs)
             )
 
     def _check_classes(self, table: ClassTable, labels: GdalLabels) -> None:
@@ -124,10 +123,7 @@ class UpdateDatabase(SemRefAlgorithm):
         found = stored_class_table(labels.dataset, self._layer.path) or named_classes(labels.dataset)
         differing = {(c.value, c.name) for c in found} ^ {(c.value, c.name) for c in table}
         for value, name in sorted(differing if found else ()):
-            raise ClassTableError(
-                f"The label map and the database don't have the same classes ({value} {name} is in one of them "
-                "only); rasterize with the database's class table or build a new database."
-            )
+            raise ClassTableError("algorithms.other_classes", value=value, name=name)
 
     def _areas(
         self, frame: MapFrame, values: Values, feedback: QgsProcessingFeedback
@@ -144,12 +140,11 @@ class UpdateDatabase(SemRefAlgorithm):
                     box = transform.transformBoundingBox(part.boundingBox())
                 except QgsCsException:
                     raise ParameterError(
-                        f"{self.CHANGED}: the area of feature {feature.id()} can't be brought to the label map's CRS; "
-                        "check the layer's CRS."
+                        "algorithms.changed_area_crs", key=self.CHANGED, feature=feature.id()
                     ) from None
                 areas.append(_pixels_around(box, frame))
         if not areas:
-            raise ParameterError(f"{self.CHANGED} has no polygon; leave it out to find the changes by comparing.")
+            raise ParameterError("algorithms.changed_without_polygon", key=self.CHANGED)
         return areas
 
     def _say_result(

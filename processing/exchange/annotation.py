@@ -110,15 +110,15 @@ def annotation_source(
     ``definition``: the parameter's value; "selected features only" and a filter expression in it are heeded.
     """
     if layer is None or not layer.isValid():
-        raise AnnotationError("INPUT is not a vector layer that can be read; choose a polygon layer.")
+        raise AnnotationError("exchange.no_vector_layer")
     if layer.geometryType() != POLYGON_GEOMETRY:
         kind = QgsWkbTypes.displayString(layer.wkbType())
-        raise AnnotationError(f"“{layer.name()}” holds {kind} geometry; an annotation layer holds polygons.")
+        raise AnnotationError("exchange.no_polygons", layer=layer.name(), kind=kind)
     fields = layer.fields()
     class_index = _field_index(layer, class_field, "CLASS_FIELD")
     priority_index = _field_index(layer, priority_field, "PRIORITY_FIELD") if priority_field else -1
     if priority_index >= 0 and not fields.at(priority_index).isNumeric():
-        raise AnnotationError(f"The priority field “{priority_field}” does not hold numbers; choose one that does.")
+        raise AnnotationError("exchange.priority_not_numbers", priority_field=priority_field)
     request = QgsFeatureRequest()
     request.setSubsetOfAttributes([i for i in (class_index, priority_index) if i >= 0])
     count, extent = layer.featureCount(), layer.extent()
@@ -147,8 +147,8 @@ def annotation_source(
 def _field_index(layer: QgsVectorLayer, name: str, key: str) -> int:
     index = layer.fields().lookupField(name)
     if index < 0:
-        names = ", ".join(f.name() for f in layer.fields())
-        raise AnnotationError(f"{key}: “{layer.name()}” has no field “{name}”; its fields are {names}.")
+        names = [field.name() for field in layer.fields()]
+        raise AnnotationError("exchange.no_field", key=key, layer=layer.name(), name=name, names=names)
     return index
 
 
@@ -201,7 +201,7 @@ def class_lookup(source: AnnotationSource, given: Optional[ClassTable], canceled
         return ClassLookup(given)
     found = source.styled or [((value,), str(value), "") for value in _distinct_values(source, canceled)]
     if not found and not canceled():
-        raise AnnotationError(f"“{source.name}” has no feature with a class; fill its class field first.")
+        raise AnnotationError("exchange.no_class_filled", source=source.name)
     texts = [raw_text(values[0]) for values, _, _ in found]
     as_values = source.class_is_number and all(t.isdigit() and 1 <= int(t) <= 255 for t in texts)
     labels = [label for _, label, _ in found]

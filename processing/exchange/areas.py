@@ -57,16 +57,13 @@ def area_rings(
         try:
             geometry.transform(to_map)
         except QgsCsException:
-            raise ParameterError(f"CLIP does not fit its CRS {describe_crs(area.crs)}; correct the CRS.") from None
+            raise ParameterError("exchange.clip_crs", crs=describe_crs(area.crs)) from None
         # Repaired first, as a crossing outline would be buffered wrongly.
         moved.append(geometry.makeValid().buffer(distance, _SEGMENTS))
     whole = QgsGeometry.unaryUnion(moved).intersection(QgsGeometry.fromRect(QgsRectangle(*extent)))
     rings = [ring for polygon in _polygons(whole) for ring in polygon]
     if not rings:
-        raise ParameterError(
-            "The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and "
-            f"points a larger DISTANCE than {distance:g}."
-        )
+        raise ParameterError("exchange.clip_outside", distance=distance)
     return [np.array([(point.x(), point.y()) for point in ring]) for ring in rings]
 
 

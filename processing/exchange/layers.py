@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Dict, Optional, Tuple, Type
+from typing import Dict, Optional, Tuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsPalettedRasterRenderer, QgsRasterLayer
 
@@ -31,19 +31,19 @@ class RasterLayer:
 
 def label_map_layer(layer: Optional[QgsRasterLayer], name: str) -> RasterLayer:
     """Takes what is needed out of a layer. Raises LabelMapError."""
-    return _taken(layer, LabelMapError, f"{name} is not a raster that can be read; choose a label map.")
+    return _taken(layer, LabelMapError("exchange.no_label_map", key=name))
 
 
 def image_layer(layer: Optional[QgsRasterLayer], name: str) -> RasterLayer:
     """Takes what is needed out of a layer. Raises ImageError."""
-    return _taken(layer, ImageError, f"{name} is not a raster that can be read; choose a photo or an orthophoto.")
+    return _taken(layer, ImageError("exchange.no_image", key=name))
 
 
-def _taken(layer: Optional[QgsRasterLayer], failure: Type[SemRefError], sentence: str) -> RasterLayer:
+def _taken(layer: Optional[QgsRasterLayer], unreadable: SemRefError) -> RasterLayer:
     if layer is None or not layer.isValid():
-        raise failure(sentence)
+        raise unreadable
     if layer.providerType() != "gdal":
-        raise failure(f"“{layer.name()}” comes from {layer.providerType()}; save it as GeoTIFF first.")
+        raise type(unreadable)("exchange.not_a_file", layer=layer.name(), provider=layer.providerType())
     return RasterLayer(layer.source(), layer.crs(), _styled_classes(layer))
 
 
@@ -65,28 +65,22 @@ def require_one_crs(reference: RasterLayer, predicted: RasterLayer) -> None:
     """Raises LabelMapError for two maps in different CRS; a map without one is taken to have the other's."""
     if reference.crs.isValid() and predicted.crs.isValid() and reference.crs != predicted.crs:
         raise LabelMapError(
-            f"REFERENCE is in {describe_crs(reference.crs)}, but PREDICTED is in {describe_crs(predicted.crs)}; "
-            "warp one of them to the other's CRS."
+            "exchange.two_crs", crs=describe_crs(reference.crs), predicted_crs=describe_crs(predicted.crs)
         )
 
 
 def map_frame(labels: GdalLabels, layer: RasterLayer) -> MapFrame:
     """CRS and geotransform of a label map; raises LabelMapError unless metric, north up, with square pixels."""
     if not layer.crs.isValid():
-        raise LabelMapError(f"{layer.path} has no coordinate reference system; assign a metric one to the layer.")
+        raise LabelMapError("exchange.no_crs", path=layer.path)
     if not is_metric(layer.crs):
-        raise LabelMapError(
-            f"{layer.path} is in {describe_crs(layer.crs)}, which does not measure in meters; "
-            "rasterize or warp it to a projected CRS in meters."
-        )
+        raise LabelMapError("exchange.not_in_meters", path=layer.path, crs=describe_crs(layer.crs))
     transform = labels.dataset.GetGeoTransform(can_return_null=True)
     if transform is None:
-        raise LabelMapError(f"{layer.path} has no georeference, so its windows would have no place on the map.")
+        raise LabelMapError("exchange.no_georeference", path=layer.path)
     _, pixel_x, turn_x, _, turn_y, pixel_y = transform
     if turn_x or turn_y or pixel_y >= 0 or pixel_x <= 0:
-        raise LabelMapError(f"{layer.path} is rotated or mirrored; warp it to a north-up grid first.")
+        raise LabelMapError("exchange.rotated", path=layer.path)
     if abs(pixel_x + pixel_y) > 1e-6 * pixel_x:
-        raise LabelMapError(
-            f"{layer.path} has pixels of {pixel_x:g} × {-pixel_y:g}; resample it to square pixels first."
-        )
+        raise LabelMapError("exchange.not_square", path=layer.path, pixel_x=pixel_x, pixel_y=-pixel_y)
     return MapFrame(wkt_for_gdal(layer.crs), tuple(transform), labels.shape_hw)

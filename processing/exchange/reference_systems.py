@@ -34,7 +34,7 @@ def database_crs(database: ReferenceDatabase) -> QgsCoordinateReferenceSystem:
     """The CRS that a database is in. Raises DatabaseError for one that can't be read."""
     crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
     if not crs.isValid():
-        raise DatabaseError(f"{database.source} has no readable parameter crs; build it again.")
+        raise DatabaseError("exchange.no_readable_crs", path=database.source)
     return crs
 
 
@@ -49,14 +49,10 @@ def metric_crs(
     Raises ParameterError when ``target`` is not metric or ``source`` is unknown.
     """
     if not source.isValid():
-        raise ParameterError(
-            "The annotation layer has no coordinate reference system; set one in the layer's properties."
-        )
+        raise ParameterError("exchange.annotation_without_crs")
     if target.isValid():
         if not is_metric(target):
-            raise ParameterError(
-                f"{describe_crs(target)} does not measure in meters; choose a projected CRS in meters as TARGET_CRS."
-            )
+            raise ParameterError("exchange.target_not_in_meters", crs=describe_crs(target))
         return target
     return source if is_metric(source) else utm_zone(source, extent, transform_context)
 
@@ -73,9 +69,7 @@ def utm_zone(
     except QgsCsException:
         fits = False
     if not fits:
-        raise ParameterError(
-            f"The layer's extent does not fit its CRS {describe_crs(crs)}; correct the CRS or choose TARGET_CRS."
-        )
+        raise ParameterError("exchange.extent_outside_crs", crs=describe_crs(crs))
     if latitude > 84:
         code = _UPS_NORTH
     elif latitude < -80:

@@ -24,7 +24,7 @@ def write_results(path: str, layers: Tuple[Optional[QgsVectorLayer], ...]) -> No
             context = QgsCoordinateTransformContext()
             code, reason, *_ = QgsVectorFileWriter.writeAsVectorFormatV3(layer, temporary, context, options)
             if code != QgsVectorFileWriter.NoError:
-                raise ParameterError(f"{path} can't be written: {reason.rstrip('.')}.")
+                raise ParameterError("storage.unwritable", path=path, reason=reason.rstrip("."))
             action = QgsVectorFileWriter.CreateOrOverwriteLayer
 
 
@@ -33,5 +33,5 @@ def open_results(path: str) -> Tuple[Optional[QgsVectorLayer], ...]:
     layers = [QgsVectorLayer(f"{path}|layername={table}", table, "ogr") for table in TABLES]
     found = tuple(layer if layer.isValid() else None for layer in layers)
     if found[0] is None or found[0].fields().lookupField("status") < 0:
-        raise ParameterError(f"{path} holds no results of “Localize images”; localize the images again.")
+        raise ParameterError("exchange.no_results", path=path)
     return found

@@ -51,7 +51,7 @@ def lines_in(
 ) -> List[np.ndarray]:
     """The route's lines in another CRS. Raises ParameterError when they can't be there."""
     if not route.crs.isValid():
-        raise ParameterError("ROUTE has no CRS; set its layer's CRS.")
+        raise ParameterError("exchange.route_without_crs")
     transform = QgsCoordinateTransform(route.crs, crs, transform_context)
     moved = []
     try:
@@ -59,14 +59,14 @@ def lines_in(
             points = [transform.transform(QgsPointXY(x, y)) for x, y in line.tolist()]
             moved.append(np.array([(point.x(), point.y()) for point in points]))
     except QgsCsException:
-        raise ParameterError(f"ROUTE does not fit its CRS {describe_crs(route.crs)}; correct the CRS.") from None
+        raise ParameterError("exchange.route_outside_crs", crs=describe_crs(route.crs)) from None
     if not all(np.isfinite(line).all() for line in moved):
-        raise ParameterError(f"ROUTE does not fit its CRS {describe_crs(route.crs)}; correct the CRS.")
+        raise ParameterError("exchange.route_outside_crs", crs=describe_crs(route.crs))
     return moved
 
 
 def _checked(route: Route, name: str) -> Route:
     lines = tuple(line for line in route.lines if len(line) > 1)
     if not lines:
-        raise ParameterError(f"{name} has no route: no line, and fewer than two waypoints; choose another one.")
+        raise ParameterError("exchange.no_route", name=name)
     return Route(lines, route.crs)

@@ -119,16 +119,14 @@ def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
     Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
     """
     if not pixel_size > 0 or not math.isfinite(pixel_size):
-        raise ParameterError(f"The pixel size is {pixel_size:g} m; it must be more than 0.")
+        raise ParameterError("algorithms.pixel_size", pixel_size=pixel_size)
     # A bound that is a multiple but for rounding must not add a row of pixels.
     slack = 1e-6
     left, bottom = (math.floor(v / pixel_size + slack) for v in bounds[:2])
     right, top = (math.ceil(v / pixel_size - slack) for v in bounds[2:])
     width, height = max(right - left, 1), max(top - bottom, 1)
     if width * height > MAXIMUM_PIXELS or max(width, height) > 2**31 - 1:
-        raise ParameterError(
-            f"The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT."
-        )
+        raise ParameterError("algorithms.too_many_pixels", width=width, height=height)
     return MapFrame.at((left * pixel_size, top * pixel_size), pixel_size, (height, width), crs_wkt)
 
 

@@ -190,7 +190,7 @@ def footprint_sizes(text: str, default: float) -> List[float]:
             except ValueError:
                 sizes.append(math.nan)
     if not all(0 < size < math.inf for size in sizes):
-        raise ParameterError(f"FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.")
+        raise ParameterError("algorithms.footprints", text=text)
     return list(dict.fromkeys(sizes)) or [default]
 
 

@@ -127,7 +127,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     def canExecute(self) -> Tuple[bool, str]:
         lacking = missing(self.PACKAGES)
         if lacking:
-            return False, how_to_install(lacking)
+            return False, worded(how_to_install(lacking))
         return True, ""
 
     def checkParameterValues(self, parameters: Dict[str, Any], context: QgsProcessingContext) -> Tuple[bool, str]:

@@ -46,8 +46,11 @@ class PhotoLabels:
         height, width = photo.shape_hw
         if height * width > MAXIMUM_IMAGE_PIXELS:
             raise ImageError(
-                f"{path} has {width} × {height} pixels, more than a query image may have "
-                f"({MAXIMUM_IMAGE_PIXELS // 1_000_000} million); cut it to what one photo shows."
+                "labels.image_too_large",
+                path=path,
+                width=width,
+                height=height,
+                most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
             )
         labels = Labels(self._model, photo, self._values, pixel_size_m(photo, stated_crs(path)))
         if not self._is_described:

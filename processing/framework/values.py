@@ -100,7 +100,7 @@ class Values:
         try:
             return [float(part.replace(",", ".")) for part in self.parts(key)]
         except ValueError:
-            raise ParameterError(f"{key}: “{self.text(key)}” is not a list of numbers such as 1;2.") from None
+            raise ParameterError("algorithms.no_list_of_numbers", key=key, text=self.text(key)) from None
 
     # --- places ---
 

@@ -19,6 +19,7 @@ import numpy as np
 from qgis.core import QgsApplication
 
 from ...core.errors import ComponentError
+from ...core.sentences import Sentence
 from ..translation import tr
 
 
@@ -151,11 +152,7 @@ def remove_components() -> None:
     try:
         shutil.rmtree(root)
     except OSError as error:
-        raise ComponentError(
-            tr("{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.").format(
-                name=error.filename or root
-            )
-        ) from error
+        raise ComponentError("packages.not_removed", name=error.filename or root) from error
     sys.path[:] = [entry for entry in sys.path if not entry.startswith(str(root))]
     importlib.invalidate_caches()
 
@@ -163,13 +160,11 @@ def remove_components() -> None:
 # --- what to type ---
 
 
-def how_to_install(packages: List[Package]) -> str:
+def how_to_install(packages: List[Package]) -> Sentence:
     """What algorithms say that lack packages."""
     commands = dict.fromkeys([install_command(packages), _pip_install(packages)])
-    return tr(
-        "SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing "
-        "{commands}."
-    ).format(
+    return Sentence(
+        "packages.needed",
         packages=", ".join(package.pip_name for package in packages),
         commands=" / ".join(f"“{command}”" for command in commands),
     )

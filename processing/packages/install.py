@@ -21,6 +21,7 @@ from qgis.PyQt.QtCore import QUrl
 from qgis.PyQt.QtNetwork import QNetworkProxy
 
 from ...core.errors import ComponentError
+from ...core.sentences import Sentence
 from ...storage.files import folder_written_beside
 from ..translation import tr
 from .components import Package, components_folder, how_to_get_pip, install_command, is_too_old
@@ -62,9 +63,7 @@ def installing(packages: List[Package], wheels: str = "") -> Commands:
                 yield from _install(python, package, folder, wheels)
         except OSError as error:
             raise ComponentError(
-                tr("{package} can’t be installed: {reason}: {name}.").format(
-                    package=package.pip_name, reason=error.strerror, name=error.filename or final
-                )
+                "packages.not_installed", package=package.pip_name, reason=error.strerror, name=error.filename or final
             ) from error
 
 
@@ -87,14 +86,13 @@ def _find_python(packages: List[Package]) -> Generator[Command, Answer, str]:
             without_pip = without_pip or path
     if without_pip:
         raise ComponentError(
-            tr("{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.").format(
-                python=without_pip, how_to_get_pip=how_to_get_pip(), command=install_command(packages)
-            )
+            "packages.no_pip", python=without_pip, how_to_get_pip=how_to_get_pip(), command=install_command(packages)
         )
     raise ComponentError(
-        tr("No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead.").format(
-            version=f"{version[0]}.{version[1]}", paths=", ".join(candidates), command=install_command(packages)
-        )
+        "packages.no_python",
+        version=f"{version[0]}.{version[1]}",
+        paths=", ".join(candidates),
+        command=install_command(packages),
     )
 
 
@@ -115,11 +113,7 @@ def python_candidates(executable: str, prefix: str, version: tuple, windows: boo
 def _refuse_older_one(package: Package) -> None:
     """An older package elsewhere comes before SemRef's on Python's path."""
     if is_too_old(package):
-        raise ComponentError(
-            tr("{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.").format(
-                path=importlib.util.find_spec(package.module).origin
-            )
-        )
+        raise ComponentError("packages.older_one", path=importlib.util.find_spec(package.module).origin)
 
 
 _CHECK = """
@@ -152,9 +146,7 @@ def _install(python: str, package: Package, folder: str, wheels: str) -> Command
     check = yield Command(title, python, arguments, str(temporary), {"PYTHONDONTWRITEBYTECODE": "1"})
     if check.status != 0:
         raise ComponentError(
-            tr("{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.").format(
-                package=requirement, numpy=np.__version__, reason=_last_line(check.output)
-            )
+            "packages.unusable", package=requirement, numpy=np.__version__, reason=_last_line(check.output)
         )
 
 
@@ -195,36 +187,26 @@ def proxy_url(proxy: QNetworkProxy) -> str:
 _NETWORK_TROUBLE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|Retrying \\(Retry")
 
 
-def why_pip_failed(requirement: str, output: str, wheels: str) -> str:
+def why_pip_failed(requirement: str, output: str, wheels: str) -> Sentence:
     """One sentence for the user from what pip printed."""
     python = f"{sys.version_info[0]}.{sys.version_info[1]}"
     if "SOCKS support" in output:
-        return tr("pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.")
+        return Sentence("packages.socks_proxy")
     if "ProxyError" in output or "Proxy Authentication Required" in output:
-        return tr("The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.")
+        return Sentence("packages.proxy")
     if "CERTIFICATE_VERIFY_FAILED" in output:
-        return tr(
-            "The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, "
-            "or install from a folder of wheels."
-        )
+        return Sentence("packages.certificate")
     if "No space left" in output or "Errno 28" in output:
-        return tr("The disk is full: {folder} needs about 500 MB.").format(folder=components_folder())
+        return Sentence("packages.disk_full", folder=components_folder())
     if _NETWORK_TROUBLE.search(output):
-        return tr(
-            "The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from "
-            "a folder of wheels."
-        )
+        return Sentence("packages.no_network")
     if "No matching distribution" in output and wheels:
-        return tr("{folder} has no wheel of {package} for Python {python} on this system.").format(
-            folder=wheels, package=requirement, python=python
-        )
+        return Sentence("packages.no_wheel", folder=wheels, package=requirement, python=python)
     if "No matching distribution" in output:
-        return tr("The package index has no {package} for Python {python} on this system.").format(
-            package=requirement, python=python
-        )
+        return Sentence("packages.not_in_index", package=requirement, python=python)
     errors = "\n".join(line for line in output.splitlines() if line.startswith("ERROR:"))
     reason = _last_line(errors or output).replace("ERROR: ", "")
-    return tr("pip could not install {package}: {reason}.").format(package=requirement, reason=reason)
+    return Sentence("packages.pip_failed", package=requirement, reason=reason)
 
 
 def _last_line(output: str) -> str:

@@ -1,7 +1,7 @@
-"""What codes of the core mean, in the user's language."""
+"""What codes mean in the user's language; the sentences of processing and ui."""
 
 from ...core.sentences import add
-from . import exchange, framework
+from . import algorithms, exchange, framework, packages
 
-for _room in (exchange, framework):
+for _room in (algorithms, exchange, framework, packages):
     add(_room.SENTENCES)

@@ -5,4 +5,47 @@ SENTENCES = {
         "“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or "
         "leave those features out."
     ),
+    "exchange.clip_crs": "CLIP does not fit its CRS {crs}; correct the CRS.",
+    "exchange.clip_outside": (
+        "The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and points "
+        "a larger DISTANCE than {distance:g}."
+    ),
+    "exchange.not_a_file": "“{layer}” comes from {provider}; save it as GeoTIFF first.",
+    "exchange.two_crs": (
+        "REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS."
+    ),
+    "exchange.no_crs": "{path} has no coordinate reference system; assign a metric one to the layer.",
+    "exchange.not_in_meters": (
+        "{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters."
+    ),
+    "exchange.no_georeference": "{path} has no georeference, so its windows would have no place on the map.",
+    "exchange.rotated": "{path} is rotated or mirrored; warp it to a north-up grid first.",
+    "exchange.not_square": "{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.",
+    "exchange.no_readable_crs": "{path} has no readable parameter crs; build it again.",
+    "exchange.annotation_without_crs": (
+        "The annotation layer has no coordinate reference system; set one in the layer's properties."
+    ),
+    "exchange.target_not_in_meters": (
+        "{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS."
+    ),
+    "exchange.extent_outside_crs": (
+        "The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS."
+    ),
+    "exchange.route_without_crs": "ROUTE has no CRS; set its layer's CRS.",
+    "exchange.route_outside_crs": "ROUTE does not fit its CRS {crs}; correct the CRS.",
+    "exchange.no_route": "{name} has no route: no line, and fewer than two waypoints; choose another one.",
+    "exchange.no_vector_layer": "INPUT is not a vector layer that can be read; choose a polygon layer.",
+    "exchange.no_polygons": "“{layer}” holds {kind} geometry; an annotation layer holds polygons.",
+    "exchange.priority_not_numbers": (
+        "The priority field “{priority_field}” does not hold numbers; choose one that does."
+    ),
+    "exchange.no_field": "{key}: “{layer}” has no field “{name}”; its fields are {names}.",
+    "exchange.no_class_filled": "“{source}” has no feature with a class; fill its class field first.",
+    "exchange.no_results": "{path} holds no results of “Localize images”; localize the images again.",
+    "exchange.no_database_layers": (
+        "{path} is not a SemRef reference database; choose one made by “Build reference database”."
+    ),
+    "exchange.not_shown": "{image} can’t be shown on the map.",
+    "exchange.no_label_map": "{key} is not a raster that can be read; choose a label map.",
+    "exchange.no_image": "{key} is not a raster that can be read; choose a photo or an orthophoto.",
 }

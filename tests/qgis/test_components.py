@@ -262,7 +262,7 @@ def test_the_proxy_is_that_of_qgis(proxy, url):
     ],
 )
 def test_every_failure_of_pip_is_one_sentence(qgis_app, output, words):
-    sentence = component_install.why_pip_failed("a<2", output, "")
+    sentence = str(component_install.why_pip_failed("a<2", output, ""))
     assert words in sentence and sentence.endswith(".") and "\n" not in sentence
 
 

@@ -16,18 +16,14 @@ def add_database_to_map(path: str, project: QgsProject) -> QgsLayerTreeGroup:
     Raises DatabaseError and adds nothing.
     """
     if not Path(path).is_file():
-        raise DatabaseError(tr("There is no database {path}; choose another file.").format(path=path))
+        raise DatabaseError("storage.no_database", path=path)
     layers = [
         QgsVectorLayer(f"{path}|layername=references", tr("Landmarks"), "ogr"),
         QgsVectorLayer(f"{path}|layername=windows", tr("Windows"), "ogr"),
         QgsRasterLayer(f"GPKG:{path}:overview", tr("Overview"), "gdal"),
     ]
     if not all(layer.isValid() for layer in layers):
-        raise DatabaseError(
-            tr("{path} is not a SemRef reference database; choose one made by “Build reference database”.").format(
-                path=path
-            )
-        )
+        raise DatabaseError("exchange.no_database_layers", path=path)
     # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
     from ...processing.exchange.styles import apply_overview_style
 

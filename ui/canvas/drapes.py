@@ -5,7 +5,6 @@ from __future__ import annotations
 from qgis.core import QgsProcessingUtils, QgsProject, QgsRasterLayer
 
 from ...core.errors import LabelMapError
-from ...processing.translation import tr
 
 OPACITY = 0.6
 
@@ -39,7 +38,7 @@ def add_placed(placed: str, name: str, database: str, project: QgsProject) -> Qg
     """
     layer = QgsRasterLayer(placed, name, "gdal")
     if not layer.isValid():
-        raise LabelMapError(tr("{image} can’t be shown on the map.").format(image=name))
+        raise LabelMapError("exchange.not_shown", image=name)
     if layer.bandCount() == 1:
         # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
         from ...processing.exchange.styles import apply_overview_style

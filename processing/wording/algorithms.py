@@ -1,0 +1,46 @@
+"""What is wrong with the parameters of algorithms."""
+
+SENTENCES = {
+    "algorithms.no_list_of_numbers": "{key}: “{text}” is not a list of numbers such as 1;2.",
+    "algorithms.footprints": "FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.",
+    "algorithms.pixel_size": "The pixel size is {pixel_size:g} m; it must be more than 0.",
+    "algorithms.too_many_pixels": (
+        "The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT."
+    ),
+    "algorithms.nothing_to_assess": "{path} has neither labels nor landmarks; build it again.",
+    "algorithms.no_images": "IMAGES is empty; choose at least one image or a folder with images.",
+    "algorithms.no_route_layer": (
+        "ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file."
+    ),
+    "algorithms.route_outside_map": "ROUTE lies outside the database’s map; choose another route or database.",
+    "algorithms.nothing_to_rasterize": (
+        "“{source}” has no polygon with area and class; there is nothing to rasterize."
+    ),
+    "algorithms.not_replaced": "{output} exists and is no onboard file; remove it or choose another name.",
+    "algorithms.labels_in_other_crs": (
+        "The label map is in {crs}, the database in {database_crs}; rasterize to the database's CRS or build a new "
+        "database."
+    ),
+    "algorithms.other_classes": (
+        "The label map and the database don't have the same classes ({value} {name} is in one of them only); "
+        "rasterize with the database's class table or build a new database."
+    ),
+    "algorithms.changed_area_crs": (
+        "{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS."
+    ),
+    "algorithms.changed_without_polygon": "{key} has no polygon; leave it out to find the changes by comparing.",
+    "algorithms.nothing_to_repair": "“{source}” has no polygon with area and class; there is nothing to repair.",
+    "algorithms.no_class_table": "Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.",
+    "algorithms.no_methods": "METHODS is empty; choose at least one method.",
+    "algorithms.map_in_other_crs": (
+        "{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS."
+    ),
+    "algorithms.class_called_otherwise": (
+        "{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s "
+        "class table."
+    ),
+    "algorithms.stride_above_size": (
+        "The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be "
+        "missed; make the stride at most the window size."
+    ),
+}

@@ -1,0 +1,36 @@
+"""What is wrong with installing Python packages."""
+
+SENTENCES = {
+    "packages.pip_failed": "pip could not install {package}: {reason}.",
+    "packages.socks_proxy": (
+        "pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none."
+    ),
+    "packages.proxy": ("The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels."),
+    "packages.certificate": (
+        "The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, "
+        "or install from a folder of wheels."
+    ),
+    "packages.disk_full": "The disk is full: {folder} needs about 500 MB.",
+    "packages.no_network": (
+        "The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a "
+        "folder of wheels."
+    ),
+    "packages.no_wheel": "{folder} has no wheel of {package} for Python {python} on this system.",
+    "packages.not_in_index": "The package index has no {package} for Python {python} on this system.",
+    "packages.no_python": ("No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead."),
+    "packages.no_pip": "{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.",
+    "packages.older_one": (
+        "{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it."
+    ),
+    "packages.unusable": (
+        "{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again."
+    ),
+    "packages.not_installed": "{package} can’t be installed: {reason}: {name}.",
+    "packages.needed": (
+        "SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing "
+        "{commands}."
+    ),
+    "packages.not_removed": (
+        "{name} can’t be removed, probably because it is in use; restart QGIS and remove it again."
+    ),
+}
