@@ -8,6 +8,10 @@
    <translation>%v von %m erledigt</translation>
   </message>
   <message>
+   <source>--threads is {threads}; it must be at least 1.</source>
+   <translation>--threads ist {threads}; es muss mindestens 1 sein.</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>2 % der Geländekante</translation>
   </message>
@@ -20,6 +24,10 @@
    <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage.</translation>
   </message>
   <message>
+   <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
+   <translation>Eine Kamera mit {name} = {value:g}° blickt nicht auf den Boden; 0° ist senkrecht nach unten.</translation>
+  </message>
+  <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
    <translation>Ein Fix ist richtig, wenn er höchstens so weit daneben liegt, wie unter „Einstellungen“ steht; beim Topologievektor, der nur Fenster kennt, wenn er das Fenster nennt, das der Bildmitte am nächsten liegt. Falsch angenommen sind gespiegelte Bilder der Karte, die einen Fix bekamen: Sie können nie richtig sein. CEP50 und CEP95: Die Hälfte und 95 % der richtigen Fixe liegen höchstens so weit daneben. Ausrichtung und Maßstab: mediane Fehler der richtigen Fixe.</translation>
   </message>
@@ -30,6 +38,14 @@
   <message>
    <source>A gap of {area:.2f} m² was given to {other_name}.</source>
    <translation>Eine Lücke von {area:.2f} m² ging an {other_name}.</translation>
+  </message>
+  <message>
+   <source>A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.</source>
+   <translation>Eine Gimbal-Neigung von {pitch_deg:g}° blickt nicht auf den Boden; −90° ist senkrecht nach unten.</translation>
+  </message>
+  <message>
+   <source>A landmark has no area; build the database again.</source>
+   <translation>Eine Landmarke hat keine Fläche; die Datenbank neu erstellen.</translation>
   </message>
   <message>
    <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
@@ -74,6 +90,10 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>Ein Splitter von {name} mit {area:.2f} m² liegt neben {other_name} (Objekt {id}).</translation>
+  </message>
+  <message>
+   <source>A vector of {count} references is too short; use at least {least}.</source>
+   <translation>Ein Vektor aus {count} Landmarken ist zu kurz; mindestens {least} verwenden.</translation>
   </message>
   <message>
    <source>Add a folder of images</source>
@@ -134,6 +154,10 @@
   <message>
    <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
    <translation>Ein Fehler in SemRef hat die Arbeit abgebrochen; bitte melden, was das Protokoll unter „SemRef“ zeigt.</translation>
+  </message>
+  <message>
+   <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
+   <translation>Ein Bild von {width} × {height} Pixeln zeigt zu wenig, um segmentiert zu werden; es braucht bei der Auflösung des Modells {least} Pixel in jeder Richtung.</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -216,6 +240,14 @@
    <translation>Angenommen: waagerechte Kamera; beliebige Richtung; {missed} der Landmarken übersehen, {invented} erfunden, {misnamed} falsch benannt; Kanten um {ragged:g} Karteneinheiten verschoben (Standardabweichung); keine ungefähre Position; das Gelände wie in der Datenbank. Ein Fix gilt als richtig innerhalb von 2 % der Bodenabdeckung. Verfahren: {method}.</translation>
   </message>
   <message>
+   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.</source>
+   <translation>Bei {resolution_cm:g} cm pro Pixel bleibt vom Bild nichts übrig; eine feinere Auflösung wählen.</translation>
+  </message>
+  <message>
+   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; give another RESOLUTION.</source>
+   <translation>Bei {resolution_cm:g} cm pro Pixel bleibt vom Bild nichts übrig; eine andere RESOLUTION angeben.</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>Automatisch</translation>
   </message>
@@ -266,6 +298,14 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>By footprint</source>
    <translation>Nach Bodenabdeckung</translation>
+  </message>
+  <message>
+   <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
+   <translation>In CLASS_TABLE fehlt die Klasse {missing} von {source}; sie ergänzen oder CLASS_TABLE leer lassen.</translation>
+  </message>
+  <message>
+   <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>CLIP passt nicht zu seinem KBS {crs}; das KBS berichtigen.</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -374,6 +414,26 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Class table</source>
    <translation>Klassentabelle</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has only one of hsv_min and hsv_max; give both or none.</source>
+   <translation>Die Klasse „{name}“ hat nur eines von hsv_min und hsv_max; beide angeben oder keines.</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the color “{color}”; write it as #rrggbb.</source>
+   <translation>Die Klasse „{name}“ hat die Farbe „{color}“; als #rrggbb schreiben.</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the role “{role}”; it must be “{reference}” or “{background}”.</source>
+   <translation>Die Klasse „{name}“ hat die Rolle „{role}“; sie muss „{reference}“ oder „{background}“ sein.</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the value 0, which means unlabeled; it can't be a reference.</source>
+   <translation>Die Klasse „{name}“ hat den Wert 0, der „ohne Klasse“ bedeutet; sie kann keine Referenz sein.</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the value {value}; class values go from 0 to {most}.</source>
+   <translation>Die Klasse „{name}“ hat den Wert {value}; Klassenwerte gehen von 0 bis {most}.</translation>
   </message>
   <message>
    <source>Classes</source>
@@ -640,6 +700,14 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Ausdehnung</translation>
   </message>
   <message>
+   <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
+   <translation>FOOTPRINT ist {footprint:g}; die Kantenlänge des Geländes angeben, das ein Bild zeigt.</translation>
+  </message>
+  <message>
+   <source>FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.</source>
+   <translation>FOOTPRINT ist {text}; Kantenlängen des Geländes in Karteneinheiten angeben, getrennt durch „;“.</translation>
+  </message>
+  <message>
    <source>False accept rate</source>
    <translation>Anteil falsch angenommener Bilder</translation>
   </message>
@@ -856,6 +924,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>GeoTIFF, 8 Bit je Pixel, mit den Klassen des Modells; Pixel ohne Daten sind 0.</translation>
   </message>
   <message>
+   <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
+   <translation>DATABASE oder CLASS_TABLE angeben: Das Klassenbild bringt keine eigene Klassentabelle mit.</translation>
+  </message>
+  <message>
    <source>Good enough from (%)</source>
    <translation>Gut genug ab (%)</translation>
   </message>
@@ -912,6 +984,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Wie viele der Landmarken, die der Mitte am nächsten liegen, ein Vektor enthält.</translation>
   </message>
   <message>
+   <source>IMAGES is empty; choose at least one image or a folder with images.</source>
+   <translation>IMAGES ist leer; mindestens ein Bild oder einen Ordner mit Bildern wählen.</translation>
+  </message>
+  <message>
+   <source>INPUT is not a vector layer that can be read; choose a polygon layer.</source>
+   <translation>INPUT ist kein lesbarer Vektorlayer; einen Polygonlayer wählen.</translation>
+  </message>
+  <message>
    <source>If left out: that of the model’s metadata, else 20. More takes longer and hides seams better.</source>
    <translation>Ohne Angabe: die aus den Metadaten des Modells, sonst 20. Mehr dauert länger und verbirgt Nähte besser.</translation>
   </message>
@@ -926,6 +1006,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
    <translation>Bild mit mindestens drei Kanälen (Rot, Grün, Blau) zu je 8 Bit.</translation>
+  </message>
+  <message>
+   <source>Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.</source>
+   <translation>Das Bild {path} ist nicht lesbar: Es ist beschädigt, abgeschnitten oder von einer Art, die OpenCV nicht kennt.</translation>
+  </message>
+  <message>
+   <source>Image {path} can't be read: {reason}.</source>
+   <translation>Das Bild {path} ist nicht lesbar: {reason}.</translation>
   </message>
   <message>
    <source>Images</source>
@@ -976,6 +1064,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Befunde</translation>
   </message>
   <message>
+   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
+   <translation>Mit {speed:g} Karteneinheiten pro Sekunde ist er von den Standorten davor und danach nicht zu erreichen.</translation>
+  </message>
+  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Es darf die Datenbank selbst sein; sie wird dann ersetzt, wenn die neue vollständig ist.</translation>
   </message>
@@ -994,6 +1086,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Kind</source>
    <translation>Art</translation>
+  </message>
+  <message>
+   <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
+   <translation>LEVELS müssen positive Vielfache der Fenstergröße sein, zum Beispiel 1;2.</translation>
   </message>
   <message>
    <source>Label image</source>
@@ -1022,6 +1118,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Landmarks</source>
    <translation>Landmarken</translation>
+  </message>
+  <message>
+   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed.</source>
+   <translation>Die Landmarken stimmen mit einem Ort überein, die Klassenflächen dort aber nur mit {agreement:.2f}; nötig sind mindestens {least:.2f}.</translation>
   </message>
   <message>
    <source>Landmarks in the window</source>
@@ -1184,6 +1284,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Sieht aus wie</translation>
   </message>
   <message>
+   <source>METHODS is empty; choose at least one method.</source>
+   <translation>METHODS ist leer; mindestens ein Verfahren wählen.</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>Beispielgebiet erzeugen</translation>
   </message>
@@ -1328,8 +1432,40 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Kein Python {version} wie das von QGIS gefunden (gesucht: {paths}); verwenden Sie stattdessen „{command}“.</translation>
   </message>
   <message>
+   <source>No class has hsv_min and hsv_max; add them to the class table or decode by nearest color.</source>
+   <translation>Keine Klasse hat hsv_min und hsv_max; sie in der Klassentabelle ergänzen oder nach der nächsten Farbe dekodieren.</translation>
+  </message>
+  <message>
+   <source>No class is a reference class; choose at least one of {classes} as one, or give it the role “reference” in the class table.</source>
+   <translation>Keine Klasse ist eine Referenzklasse; mindestens eine von {classes} dazu wählen oder ihr in der Klassentabelle die Rolle „reference“ geben.</translation>
+  </message>
+  <message>
+   <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
+   <translation>Keine Klasse ist eine Referenzklasse; mindestens eine von {classes} in REFERENCE_CLASSES nennen oder ihr in der Klassentabelle die Rolle „reference“ geben.</translation>
+  </message>
+  <message>
+   <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
+   <translation>Im Gebiet von CLIP liegt keine Landmarke; ein anderes Gebiet oder eine größere DISTANCE wählen.</translation>
+  </message>
+  <message>
+   <source>No landmark lies in the area; choose another area or a larger distance around it.</source>
+   <translation>Im Gebiet liegt keine Landmarke; ein anderes Gebiet oder einen größeren Abstand darum wählen.</translation>
+  </message>
+  <message>
    <source>No match</source>
    <translation>Kein Treffer</translation>
+  </message>
+  <message>
+   <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
+   <translation>Kein Pixel des Bildes hat eine Klasse; prüfen, ob Bild und Klassen dasselbe Gelände zeigen.</translation>
+  </message>
+  <message>
+   <source>No place of the map has labels under at least half of the image.</source>
+   <translation>Kein Ort der Karte hat unter mindestens der Hälfte des Bildes Klassen.</translation>
+  </message>
+  <message>
+   <source>No place on the map has triangles like the image's.</source>
+   <translation>Kein Ort der Karte hat Dreiecke wie die des Bildes.</translation>
   </message>
   <message>
    <source>No place to look at.</source>
@@ -1340,8 +1476,24 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>In der Ausdehnung liegt kein Polygon: Die Klassenkarte ist leer.</translation>
   </message>
   <message>
+   <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
+   <translation>Kein Fenster der Datenbank hat die {least} Landmarken, die ein Topologievektor braucht; sie mit größeren Fenstern, kleinerer Mindestfläche oder mehr Referenzklassen erstellen.</translation>
+  </message>
+  <message>
+   <source>No window of the database lies on LABELS and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller MINIMUM_REFERENCES.</source>
+   <translation>Kein Fenster der Datenbank liegt auf LABELS und hat mindestens {minimum_references} Landmarken; die Klassenkarte desselben Geländes oder kleinere MINIMUM_REFERENCES wählen.</translation>
+  </message>
+  <message>
+   <source>No window of the database lies on the label map and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller number of landmarks.</source>
+   <translation>Kein Fenster der Datenbank liegt auf der Klassenkarte und hat mindestens {minimum_references} Landmarken; die Klassenkarte desselben Geländes oder eine kleinere Anzahl von Landmarken wählen.</translation>
+  </message>
+  <message>
    <source>No window of the database lies there.</source>
    <translation>Dort liegt kein Fenster der Datenbank.</translation>
+  </message>
+  <message>
+   <source>Noise: {name} is {value:g}; give a number from 0 to {most:g}.</source>
+   <translation>Störungen: {name} ist {value:g}; eine Zahl von 0 bis {most:g} angeben.</translation>
   </message>
   <message>
    <source>None: a fix is expected everywhere.</source>
@@ -1440,6 +1592,18 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Ein Objekt je Befund, im Koordinatenbezugssystem der Klassenkarte.</translation>
   </message>
   <message>
+   <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
+   <translation>Eine der Karten ist gegen die andere gedreht; zuerst beide auf ein nach Norden ausgerichtetes Raster umrechnen.</translation>
+  </message>
+  <message>
+   <source>One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs {needed_m:.3g} m.</source>
+   <translation>Ein Ort stimmt überein, aber seine Lage ist nur auf {error_95_m:.3g} m bekannt; ein Bild dieser Größe braucht {needed_m:.3g} m.</translation>
+  </message>
+  <message>
+   <source>One place agrees, but the image doesn't tell its position in all directions.</source>
+   <translation>Ein Ort stimmt überein, aber das Bild sagt seine Lage nicht in allen Richtungen.</translation>
+  </message>
+  <message>
    <source>One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the image has it, where the fix puts it, and how far that is off.</source>
    <translation>Ein Punkt für jede Landmarke der Karte, die mit einer eines Bildes übereinstimmt, bei Fixes mit Kurs: wo das Bild sie hat, wohin der Fix sie legt und wie weit das daneben liegt.</translation>
   </message>
@@ -1470,6 +1634,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Only with an approximate position: places farther away are not searched.</source>
    <translation>Nur mit einer ungefähren Position: weiter entfernte Orte werden nicht durchsucht.</translation>
+  </message>
+  <message>
+   <source>Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed.</source>
+   <translation>Nur {labeled:.0%} des Bildes haben Klassen der Karte; nötig sind mindestens {least:.0%}.</translation>
   </message>
   <message>
    <source>Opacity of the labels</source>
@@ -1614,6 +1782,38 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
    <translation>QGIS bringt diese Python-Pakete nicht überall mit. SemRef kann sie für dieses QGIS in einen eigenen Ordner installieren; was QGIS hat, vor allem numpy, bleibt, wie es ist.</translation>
+  </message>
+  <message>
+   <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
+   <translation>REFERENCE und PREDICTED überschneiden sich nicht; Karten desselben Geländes wählen.</translation>
+  </message>
+  <message>
+   <source>REFERENCE has {width} × {height} pixels and PREDICTED {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
+   <translation>REFERENCE hat {width} × {height} Pixel und PREDICTED {other_width} × {other_height}, und nicht beide sind georeferenziert; Bilder gleicher Größe oder zwei georeferenzierte Karten vergleichen.</translation>
+  </message>
+  <message>
+   <source>REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.</source>
+   <translation>REFERENCE hat das KBS {crs}, PREDICTED aber {predicted_crs}; eines davon in das KBS des anderen umrechnen.</translation>
+  </message>
+  <message>
+   <source>ROUTE does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>ROUTE passt nicht zu ihrem KBS {crs}; das KBS berichtigen.</translation>
+  </message>
+  <message>
+   <source>ROUTE has no CRS; set its layer's CRS.</source>
+   <translation>ROUTE hat kein KBS; das KBS des Layers setzen.</translation>
+  </message>
+  <message>
+   <source>ROUTE has no line with a length; draw one through two points at least.</source>
+   <translation>ROUTE hat keine Linie mit einer Länge; eine durch mindestens zwei Punkte zeichnen.</translation>
+  </message>
+  <message>
+   <source>ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.</source>
+   <translation>ROUTE ist {value}, weder ein Linienlayer noch eine Datei vom Typ GPX, KML, .plan oder .waypoints.</translation>
+  </message>
+  <message>
+   <source>ROUTE lies outside the database’s map; choose another route or database.</source>
+   <translation>ROUTE liegt außerhalb der Karte der Datenbank; eine andere Route oder Datenbank wählen.</translation>
   </message>
   <message>
    <source>Radius around it (map units)</source>
@@ -1764,6 +1964,22 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Route {number}</translation>
   </message>
   <message>
+   <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
+   <translation>SPACING ist {size:g}, das ergibt {count} Quadrate auf der Karte; mindestens {least:.3g} angeben.</translation>
+  </message>
+  <message>
+   <source>SPACING is {size:g}; give the edge of a square in map units.</source>
+   <translation>SPACING ist {size:g}; die Kantenlänge eines Quadrats in Karteneinheiten angeben.</translation>
+  </message>
+  <message>
+   <source>SPACING is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
+   <translation>SPACING ist {spacing:g}, das ergibt {count} Punkte; mindestens {least:.3g} angeben.</translation>
+  </message>
+  <message>
+   <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
+   <translation>SPACING ist {spacing:g}; den Abstand der Punkte in Karteneinheiten angeben.</translation>
+  </message>
+  <message>
    <source>Save results</source>
    <translation>Ergebnisse speichern</translation>
   </message>
@@ -1802,6 +2018,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Segment image</source>
    <translation>Bild segmentieren</translation>
+  </message>
+  <message>
+   <source>Segmentation needs the Python package onnxruntime ({reason}); install it for QGIS's Python, for example with “python3 -m pip install onnxruntime”.</source>
+   <translation>Zum Segmentieren fehlt das Python-Paket onnxruntime ({reason}); es für das Python von QGIS installieren, zum Beispiel mit „python3 -m pip install onnxruntime“.</translation>
   </message>
   <message>
    <source>Segmenting</source>
@@ -2044,12 +2264,88 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Verarbeitungsanbieter SemRef ist ausgeschaltet; er lässt sich in den Optionen einschalten.</translation>
   </message>
   <message>
+   <source>The annotation layer has no coordinate reference system; set one in the layer's properties.</source>
+   <translation>Der Annotationslayer hat kein Koordinatenbezugssystem; eines in den Eigenschaften des Layers setzen.</translation>
+  </message>
+  <message>
+   <source>The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and points a larger DISTANCE than {distance:g}.</source>
+   <translation>Das Gebiet von CLIP ist leer oder liegt außerhalb der Karte der Datenbank; ein anderes wählen oder bei Linien und Punkten eine größere DISTANCE als {distance:g}.</translation>
+  </message>
+  <message>
+   <source>The best place ({score:.2f}) agrees hardly better than the mirrored image does by chance ({mirror:.2f}).</source>
+   <translation>Der beste Ort ({score:.2f}) stimmt kaum besser überein, als es das gespiegelte Bild durch Zufall tut ({mirror:.2f}).</translation>
+  </message>
+  <message>
+   <source>The best place agrees with the image only by {score:.2f}; at least {least:.2f} is needed.</source>
+   <translation>Der beste Ort stimmt mit dem Bild nur mit {score:.2f} überein; nötig sind mindestens {least:.2f}.</translation>
+  </message>
+  <message>
+   <source>The best place has log odds of {log_odds:.1f}; {needed} are needed.</source>
+   <translation>Der beste Ort hat logarithmische Chancen von {log_odds:.1f}; nötig sind {needed}.</translation>
+  </message>
+  <message>
+   <source>The camera table {path} can't be read: {reason}.</source>
+   <translation>Die Kameratabelle {path} ist nicht lesbar: {reason}.</translation>
+  </message>
+  <message>
+   <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
+   <translation>Die Kameratabelle {path} ist kein Text in UTF-8; als CSV in UTF-8 speichern.</translation>
+  </message>
+  <message>
+   <source>The class table has the {column} {repeated} more than once.</source>
+   <translation>Die Klassentabelle hat in {column} mehr als einmal {repeated}.</translation>
+  </message>
+  <message>
+   <source>The class table lacks the class {missing} of {source}; add it, or give no class table.</source>
+   <translation>In der Klassentabelle fehlt die Klasse {missing} von {source}; sie ergänzen oder keine Klassentabelle angeben.</translation>
+  </message>
+  <message>
+   <source>The class table of {source} was changed after it was built; build it again.</source>
+   <translation>Die Klassentabelle von {source} wurde nach dem Erstellen geändert; die Datenbank neu erstellen.</translation>
+  </message>
+  <message>
+   <source>The class table {path} can't be read: {reason}.</source>
+   <translation>Die Klassentabelle {path} ist nicht lesbar: {reason}.</translation>
+  </message>
+  <message>
+   <source>The class with value {value} has no name; give it one.</source>
+   <translation>Die Klasse mit dem Wert {value} hat keinen Namen; ihr einen geben.</translation>
+  </message>
+  <message>
+   <source>The corrected map shows no landmark any more; choose another label map.</source>
+   <translation>Die korrigierte Karte zeigt keine Landmarke mehr; eine andere Klassenkarte wählen.</translation>
+  </message>
+  <message>
+   <source>The database can't be written: {reason}.</source>
+   <translation>Die Datenbank lässt sich nicht schreiben: {reason}.</translation>
+  </message>
+  <message>
    <source>The database has no overview; where its ground ends is taken from its extent.</source>
    <translation>Die Datenbank hat keine Übersicht; wo ihr Gelände endet, wird ihrer Ausdehnung entnommen.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
    <translation>Die Datenbank hat kein Fenster „{name}“.</translation>
+  </message>
+  <message>
+   <source>The database has {count} windows of level {level} where its grid has {known}; build it again.</source>
+   <translation>Die Datenbank hat {count} Fenster der Stufe {level}, ihr Raster aber {known}; sie neu erstellen.</translation>
+  </message>
+  <message>
+   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once with “Build reference database”.</source>
+   <translation>Die Datenbank wurde mit SemRef {plugin_version} erstellt, das keine Blockprüfsummen und Grenzen der Landmarken speicherte; was sich geändert hat, ist daher nicht festzustellen: sie einmal mit „Referenzdatenbank erstellen“ neu erstellen.</translation>
+  </message>
+  <message>
+   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once.</source>
+   <translation>Die Datenbank wurde mit SemRef {plugin_version} erstellt, das keine Blockprüfsummen und Grenzen der Landmarken speicherte; was sich geändert hat, ist daher nicht festzustellen: sie einmal neu erstellen.</translation>
+  </message>
+  <message>
+   <source>The database was read without its overview, which map correlation searches.</source>
+   <translation>Die Datenbank wurde ohne ihre Übersicht gelesen, die die Kartenkorrelation durchsucht.</translation>
+  </message>
+  <message>
+   <source>The disagreements can't be made into polygons: {reason}.</source>
+   <translation>Aus den Abweichungen lassen sich keine Polygone machen: {reason}.</translation>
   </message>
   <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
@@ -2060,8 +2356,52 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Datenträger ist voll: {folder} braucht etwa 500 MB.</translation>
   </message>
   <message>
+   <source>The distance between points is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
+   <translation>Der Abstand der Punkte ist {spacing:g}, das ergibt {count} Punkte; mindestens {least:.3g} angeben.</translation>
+  </message>
+  <message>
+   <source>The distance between points is {spacing:g}; give it in map units.</source>
+   <translation>Der Abstand der Punkte ist {spacing:g}; ihn in Karteneinheiten angeben.</translation>
+  </message>
+  <message>
+   <source>The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
+   <translation>Die Kantenlänge eines Quadrats ist {size:g}, das ergibt {count} Quadrate auf der Karte; mindestens {least:.3g} angeben.</translation>
+  </message>
+  <message>
+   <source>The edge of a square is {size:g}; give it in map units.</source>
+   <translation>Die Kantenlänge eines Quadrats ist {size:g}; sie in Karteneinheiten angeben.</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>Die Datei kann Länge und Breite nicht angeben: Die Karte ist dafür zu groß, oder ein Pol liegt darin.</translation>
+  </message>
+  <message>
+   <source>The focal length is {focal_length_px:g} pixels; it must be above 0.</source>
+   <translation>Die Brennweite ist {focal_length_px:g} Pixel; sie muss größer als 0 sein.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} can't be written to; choose another place for {name}.</source>
+   <translation>In den Ordner {folder} lässt sich nicht schreiben; einen anderen Ort für {name} wählen.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
+   <translation>Den Ordner {folder} gibt es nicht; ihn anlegen oder einen anderen Ort für {name} wählen.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} is gone; start again when it is back.</source>
+   <translation>Der Ordner {folder} ist verschwunden; neu starten, wenn er wieder da ist.</translation>
+  </message>
+  <message>
+   <source>The folder {path} holds no image ({endings}).</source>
+   <translation>Der Ordner {path} enthält kein Bild ({endings}).</translation>
+  </message>
+  <message>
+   <source>The folder {path} holds other files, which are left alone; choose a new or empty one.</source>
+   <translation>Der Ordner {path} enthält andere Dateien, die nicht angetastet werden; einen neuen oder leeren wählen.</translation>
+  </message>
+  <message>
+   <source>The footprint is {footprint:g}; give the edge of the ground that an image shows.</source>
+   <translation>Die Bodenabdeckung ist {footprint:g}; die Kantenlänge des Geländes angeben, das ein Bild zeigt.</translation>
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
@@ -2072,6 +2412,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Geometrie von Objekt {id} wurde gültig gemacht: {reason}.</translation>
   </message>
   <message>
+   <source>The header would have {size} bytes, more than {most}.</source>
+   <translation>Der Dateikopf hätte {size} Byte, mehr als {most}.</translation>
+  </message>
+  <message>
    <source>The heights (Z) of feature {id} were left out.</source>
    <translation>Die Höhen (Z) von Objekt {id} wurden weggelassen.</translation>
   </message>
@@ -2080,44 +2424,176 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Treffer liegt außerhalb des Gültigkeitsbereichs des Projekt-KBS; ein anderes KBS wählen, um ihn zu sehen.</translation>
   </message>
   <message>
+   <source>The image has no pixels.</source>
+   <translation>Das Bild hat keine Pixel.</translation>
+  </message>
+  <message>
+   <source>The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may have {most} at most; reduce it first.</source>
+   <translation>Das Bild hat {width} × {height} Pixel und entzerrt {level_width} × {level_height}, eine Kante darf aber höchstens {most} haben; es zuerst verkleinern.</translation>
+  </message>
+  <message>
+   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; choose a smaller tile.</source>
+   <translation>Das Bild hat {width} × {height} Pixel, weniger als eine Kachel von {tile_size} Pixeln; eine kleinere Kachel wählen.</translation>
+  </message>
+  <message>
    <source>The image is described as this database’s windows are; the settings below are then not used.</source>
    <translation>Das Bild wird wie die Fenster dieser Datenbank beschrieben; die Einstellungen darunter gelten dann nicht.</translation>
+  </message>
+  <message>
+   <source>The image shows hardly more than one class; a larger footprint with several classes is needed.</source>
+   <translation>Das Bild zeigt kaum mehr als eine Klasse; nötig ist eine größere Bodenabdeckung mit mehreren Klassen.</translation>
+  </message>
+  <message>
+   <source>The image shows too little ground to search this whole map for it; give a prior position.</source>
+   <translation>Das Bild zeigt zu wenig Gelände, um es auf der ganzen Karte zu suchen; eine ungefähre Position angeben.</translation>
+  </message>
+  <message>
+   <source>The image shows {count} landmark</source>
+   <translation>Das Bild zeigt {count} Landmarke</translation>
+  </message>
+  <message>
+   <source>The image shows {count} landmarks</source>
+   <translation>Das Bild zeigt {count} Landmarken</translation>
+  </message>
+  <message>
+   <source>The image shows {count} whole landmark</source>
+   <translation>Das Bild zeigt {count} ganze Landmarke</translation>
+  </message>
+  <message>
+   <source>The image shows {count} whole landmarks</source>
+   <translation>Das Bild zeigt {count} ganze Landmarken</translation>
+  </message>
+  <message>
+   <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
+   <translation>Klassenkarte und Datenbank haben nicht dieselben Klassen ({value} {name} ist nur in einer von beiden); mit der Klassentabelle der Datenbank rastern oder eine neue Datenbank erstellen.</translation>
   </message>
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>Die Klassenkarte enthält keine Klassennamen; ihre Klassen werden nach ihren Werten benannt.</translation>
   </message>
   <message>
+   <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
+   <translation>Die Klassenkarte hat Pixel von {pixel_size:g} m, die Datenbank wurde mit {pixel:g} m erstellt; mit der Pixelgröße der Datenbank rastern oder eine neue Datenbank erstellen.</translation>
+  </message>
+  <message>
+   <source>The label map has the value {value}, which the database's classes lack; correct it or build a new database.</source>
+   <translation>Die Klassenkarte hat den Wert {value}, der den Klassen der Datenbank fehlt; ihn berichtigen oder eine neue Datenbank erstellen.</translation>
+  </message>
+  <message>
+   <source>The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, the database's had {known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}; rasterize with the extent of the old label map or build a new database.</source>
+   <translation>Die Klassenkarte hat {width} × {height} Pixel ab {x:.10g}, {y:.10g}, die der Datenbank hatte {known_width} × {known_height} ab {known_x:.10g}, {known_y:.10g}; mit der Ausdehnung der alten Klassenkarte rastern oder eine neue Datenbank erstellen.</translation>
+  </message>
+  <message>
+   <source>The label map is in {crs}, the database in {database_crs}; rasterize to the database's CRS or build a new database.</source>
+   <translation>Die Klassenkarte hat das KBS {crs}, die Datenbank {database_crs}; in das KBS der Datenbank rastern oder eine neue Datenbank erstellen.</translation>
+  </message>
+  <message>
    <source>The label map that the reference database was built from.</source>
    <translation>Die Klassenkarte, aus der die Referenzdatenbank erstellt wurde.</translation>
+  </message>
+  <message>
+   <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
+   <translation>Die Klassenkarte hätte {width} × {height} Pixel; eine größere PIXEL_SIZE oder eine kleinere EXTENT wählen.</translation>
+  </message>
+  <message>
+   <source>The labels can’t be brought onto the image: {reason}.</source>
+   <translation>Die Klassen lassen sich nicht auf das Bild bringen: {reason}.</translation>
+  </message>
+  <message>
+   <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
+   <translation>Die Klassen haben den Wert {found}; eine Klassenkarte enthält Klassenwerte von 0 bis 255.</translation>
+  </message>
+  <message>
+   <source>The labels have the value {unknown}, which the class table lacks; its classes are {classes}.</source>
+   <translation>Die Klassen haben den Wert {unknown}, der der Klassentabelle fehlt; ihre Klassen sind {classes}.</translation>
+  </message>
+  <message>
+   <source>The labels leave {training} tiles for training and {validation} for validation; choose smaller tiles than {tile_size} pixels, a smaller stride, or another validation fraction.</source>
+   <translation>Die Klassen lassen {training} Kacheln zum Trainieren und {validation} zum Validieren übrig; kleinere Kacheln als {tile_size} Pixel, eine kleinere Schrittweite oder einen anderen Validierungsanteil wählen.</translation>
+  </message>
+  <message>
+   <source>The landscape can’t be rasterized: {reason}.</source>
+   <translation>Die Landschaft lässt sich nicht rastern: {reason}.</translation>
   </message>
   <message>
    <source>The largest of each kind</source>
    <translation>Die größten jeder Art</translation>
   </message>
   <message>
+   <source>The layer {layer} can’t be created: {reason}.</source>
+   <translation>Der Layer {layer} lässt sich nicht anlegen: {reason}.</translation>
+  </message>
+  <message>
+   <source>The layer {name} can't be written: {reason}.</source>
+   <translation>Der Layer {name} lässt sich nicht schreiben: {reason}.</translation>
+  </message>
+  <message>
+   <source>The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.</source>
+   <translation>Die Ausdehnung des Layers passt nicht zu seinem KBS {crs}; das KBS berichtigen oder TARGET_CRS wählen.</translation>
+  </message>
+  <message>
+   <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
+   <translation>Die Stufen müssen positive Vielfache der Fenstergröße sein, zum Beispiel 1;2.</translation>
+  </message>
+  <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>Die Linien von der Mitte zu den Landmarken des Topologievektors</translation>
+  </message>
+  <message>
+   <source>The map has fewer than two classes, so that no place differs from another.</source>
+   <translation>Die Karte hat weniger als zwei Klassen, sodass sich kein Ort von einem anderen unterscheidet.</translation>
+  </message>
+  <message>
+   <source>The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
+   <translation>Die Karte zeigt keine Landmarke von {references} mit mindestens {minimum_area:g} m²; andere Referenzklassen oder eine kleinere Mindestfläche wählen.</translation>
   </message>
   <message>
    <source>The map that images are cut from: the database’s own or another of the same ground, in the database’s CRS and with its classes; the pixel size may differ.</source>
    <translation>Die Karte, aus der Bilder geschnitten werden: die der Datenbank oder eine andere desselben Geländes, im KBS der Datenbank und mit ihren Klassen; die Pixelgröße darf eine andere sein.</translation>
   </message>
   <message>
+   <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
+   <translation>Die Karten haben kein Pixel gemeinsam, das in REFERENCE eine Klasse hat; Karten desselben Geländes wählen.</translation>
+  </message>
+  <message>
+   <source>The maps have no pixel in common that the reference labels; choose maps of the same ground.</source>
+   <translation>Die Karten haben kein Pixel gemeinsam, das in der Referenz eine Klasse hat; Karten desselben Geländes wählen.</translation>
+  </message>
+  <message>
    <source>The maps share no class names: classes are matched by their values.</source>
    <translation>Die Karten haben keine gemeinsamen Klassennamen: Klassen werden nach ihren Werten zugeordnet.</translation>
+  </message>
+  <message>
+   <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
+   <translation>Die Mindestfläche ist {minimum_area:g} m²; sie muss größer als 0 sein.</translation>
+  </message>
+  <message>
+   <source>The mirrored image fits almost as well, so the pattern is too regular.</source>
+   <translation>Das gespiegelte Bild passt fast ebenso gut; das Muster ist also zu regelmäßig.</translation>
   </message>
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>Das Modell nennt seine Auflösung nicht: Das Bild wird genommen, wie es ist.</translation>
   </message>
   <message>
+   <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
+   <translation>Das nächste Fenster hat den Abstand {distance:.3f}, mehr als {threshold:g}.</translation>
+  </message>
+  <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>Das Netz, das aus Fotos Klassen macht; bei Klassenbildern leer lassen</translation>
   </message>
   <message>
+   <source>The objects that agree with the map don't fix the position closely enough.</source>
+   <translation>Die Landmarken, die mit der Karte übereinstimmen, legen die Position nicht genau genug fest.</translation>
+  </message>
+  <message>
    <source>The one that the old label map was made with.</source>
    <translation>Die, mit der die alte Klassenkarte gemacht wurde.</translation>
+  </message>
+  <message>
+   <source>The overview can't be written: {reason}.</source>
+   <translation>Die Übersicht lässt sich nicht schreiben: {reason}.</translation>
   </message>
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
@@ -2132,12 +2608,28 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Dem Zertifikat des Paketindex wird nicht vertraut; fragen Sie Ihre Netzverwaltung, wie pip hier eingerichtet wird, oder installieren Sie aus einem Ordner mit Wheels.</translation>
   </message>
   <message>
+   <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
+   <translation>Die Pixelgröße ist {pixel_size:g} m; sie muss größer als 0 sein.</translation>
+  </message>
+  <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>Die Pixelgröße, mit der der Layer gerastert werden soll: Landmarken, die solche Pixel verlieren, verschmelzen oder zerteilen würden, werden ebenfalls gemeldet. Ohne Angabe wird nicht danach gesehen.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
+  </message>
+  <message>
+   <source>The precision is {precision:g}; it must be more than 0 map units.</source>
+   <translation>Die Genauigkeit ist {precision:g}; sie muss größer als 0 Karteneinheiten sein.</translation>
+  </message>
+  <message>
+   <source>The precision of {precision:g} map units is too fine for the map; choose a larger one.</source>
+   <translation>Die Genauigkeit von {precision:g} Karteneinheiten ist für die Karte zu fein; eine gröbere wählen.</translation>
+  </message>
+  <message>
+   <source>The priority field “{priority_field}” does not hold numbers; choose one that does.</source>
+   <translation>Das Prioritätsfeld „{priority_field}“ enthält keine Zahlen; eines mit Zahlen wählen.</translation>
   </message>
   <message>
    <source>The project has no raster layer of a file.</source>
@@ -2148,12 +2640,28 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Proxy ist nicht nutzbar; prüfen Sie ihn unter Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus Wheels.</translation>
   </message>
   <message>
+   <source>The radius of --near is {radius:g}; it must be more than 0 map units.</source>
+   <translation>Der Radius von --near ist {radius:g}; er muss größer als 0 Karteneinheiten sein.</translation>
+  </message>
+  <message>
    <source>The reduced label map, which map correlation searches; without it the file is several times smaller.</source>
    <translation>Die verkleinerte Klassenkarte, die die Kartenkorrelation durchsucht; ohne sie ist die Datei mehrfach kleiner.</translation>
   </message>
   <message>
+   <source>The reference and the prediction don't overlap; choose maps of the same ground.</source>
+   <translation>Referenz und Vorhersage überschneiden sich nicht; Karten desselben Geländes wählen.</translation>
+  </message>
+  <message>
+   <source>The reference has {width} × {height} pixels and the prediction {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
+   <translation>Die Referenz hat {width} × {height} Pixel und die Vorhersage {other_width} × {other_height}, und nicht beide sind georeferenziert; Bilder gleicher Größe oder zwei georeferenzierte Karten vergleichen.</translation>
+  </message>
+  <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
    <translation>Das Ergebnis von „Annotation prüfen“ oder „Klassenkarten vergleichen“</translation>
+  </message>
+  <message>
+   <source>The route has no line with a length; draw one through two points at least.</source>
+   <translation>Die Route hat keine Linie mit einer Länge; eine durch mindestens zwei Punkte zeichnen.</translation>
   </message>
   <message>
    <source>The same number gives the same area; another one makes up another.</source>
@@ -2192,12 +2700,52 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Schrittweite ({stride:g}) ist größer als das Fenster ({size:g}), sodass Boden zwischen den Fenstern fehlen würde; die Schrittweite darf höchstens so groß sein wie das Fenster.</translation>
   </message>
   <message>
+   <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
+   <translation>Die Schrittweite ({stride} px) ist größer als das Fenster ({size} px), sodass Gelände zwischen den Fenstern fehlen würde; die Schrittweite höchstens so groß wie das Fenster wählen.</translation>
+  </message>
+  <message>
    <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
    <translation>Das ganze Gebiet, gerastert mit Pixelgröße und Ausdehnung der alten Klassenkarte.</translation>
   </message>
   <message>
-   <source>There is no database {path}; choose another file.</source>
-   <translation>Es gibt keine Datenbank {path}; eine andere Datei wählen.</translation>
+   <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
+   <translation>Das Fenster ({size} px) ist größer als die Karte ({width} × {height} px); ein kleineres Fenster oder eine größere Karte wählen.</translation>
+  </message>
+  <message>
+   <source>The windows' sizes are not those of their levels; build the database again.</source>
+   <translation>Die Größen der Fenster sind nicht die ihrer Stufen; die Datenbank neu erstellen.</translation>
+  </message>
+  <message>
+   <source>There are {count} classes, but a label map holds {most}; choose another class field, or merge classes with a class table.</source>
+   <translation>Es gibt {count} Klassen, eine Klassenkarte fasst aber {most}; ein anderes Klassenfeld wählen oder Klassen mit einer Klassentabelle zusammenfassen.</translation>
+  </message>
+  <message>
+   <source>There is no class “{text}”; the classes are {classes}.</source>
+   <translation>Es gibt keine Klasse „{text}“; die Klassen sind {classes}.</translation>
+  </message>
+  <message>
+   <source>There is no database {path}; build one or choose another file.</source>
+   <translation>Es gibt keine Datenbank {path}; eine erstellen oder eine andere Datei wählen.</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; choose another route.</source>
+   <translation>Es gibt keine Datei {path}; eine andere Route wählen.</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; export one or choose another.</source>
+   <translation>Es gibt keine Datei {path}; eine exportieren oder eine andere wählen.</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; export one with “Export for onboard use” or choose another.</source>
+   <translation>Es gibt keine Datei {path}; eine mit „Für den Bordrechner exportieren“ exportieren oder eine andere wählen.</translation>
+  </message>
+  <message>
+   <source>There is no folder {folder}; create it or watch another one.</source>
+   <translation>Es gibt keinen Ordner {folder}; ihn anlegen oder einen anderen überwachen.</translation>
+  </message>
+  <message>
+   <source>There is no landmark to export; choose another database or a larger area.</source>
+   <translation>Es gibt keine Landmarke zu exportieren; eine andere Datenbank oder ein größeres Gebiet wählen.</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
@@ -2214,6 +2762,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Topology vector</source>
    <translation>Topologievektor</translation>
+  </message>
+  <message>
+   <source>Topology vector (He &amp; Wu 2025)</source>
+   <translation>Topologievektor (He &amp; Wu 2025)</translation>
   </message>
   <message>
    <source>Topology vector (published)</source>
@@ -2254,6 +2806,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>Macht aus einem Bild, das Klassen als Farben zeigt, eine Klassenkarte: mit den HSV-Bereichen der Klassentabelle wie veröffentlicht oder mit der nächstliegenden Klassenfarbe.
 
 Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegenden Farbe bleibt Schwarz ohne Klasse, außer eine Klasse ist schwarz.</translation>
+  </message>
+  <message>
+   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}); a prior position could tell them apart.</source>
+   <translation>Zwei Orte stimmen fast gleich gut überein ({score:.2f} und {runner_up:.2f}); eine ungefähre Position könnte sie unterscheiden.</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -2392,6 +2948,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Fenstergröße (Karteneinheiten)</translation>
   </message>
   <message>
+   <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them.</source>
+   <translation>Fenstergröße ({size} px) und Schrittweite ({stride} px) müssen mindestens ein Pixel sein; sie vergrößern.</translation>
+  </message>
+  <message>
    <source>Windows</source>
    <translation>Fenster</translation>
   </message>
@@ -2410,6 +2970,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>With map correlation (slow)</source>
    <translation>Mit Kartenkorrelation (langsam)</translation>
+  </message>
+  <message>
+   <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.</source>
+   <translation>Mit Rollwinkel {roll_deg:g}° und Nickwinkel {pitch_deg:g}° blickt eine Ecke des Bildes {steepest:.0f}° von der Senkrechten weg, mehr als {most_deg:g}° und zu nah am Horizont; Bilder verwenden, die steiler nach unten blicken.</translation>
   </message>
   <message>
    <source>With the overview</source>
@@ -2490,6 +3054,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>as at places alike; none nearby failed</source>
    <translation>wie an ähnlichen Stellen; in der Nähe schlug keine fehl</translation>
+  </message>
+  <message>
+   <source>at least {count} more are needed</source>
+   <translation>mindestens {count} weitere sind nötig</translation>
+  </message>
+  <message>
+   <source>at least {count} more is needed</source>
+   <translation>mindestens {count} weitere ist nötig</translation>
   </message>
   <message>
    <source>class</source>
@@ -2780,8 +3352,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>manchmal</translation>
   </message>
   <message>
+   <source>the database</source>
+   <translation>die Datenbank</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>Ausgabe</translation>
+  </message>
+  <message>
+   <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are used.</source>
+   <translation>tile_size in den Metadaten des Modells ist {stated}, das Netz nimmt aber {width} × {height} Pixel: diese werden verwendet.</translation>
   </message>
   <message>
    <source>to (m)</source>
@@ -2794,6 +3374,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>too little evidence</source>
    <translation>zu wenig Belege</translation>
+  </message>
+  <message>
+   <source>unknown format</source>
+   <translation>unbekanntes Format</translation>
+  </message>
+  <message>
+   <source>unknown reason</source>
+   <translation>unbekannter Grund</translation>
   </message>
   <message>
    <source>very reliably</source>
@@ -2844,6 +3432,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{bytes} Byte. Gerundet: Positionen um höchstens {position:g} Karteneinheiten, Flächen um {area:.3%}, Vektoren um {vector:.4f} je Element.</translation>
   </message>
   <message>
+   <source>{constellation} Map correlation has no fix either: {correlation:clause}</source>
+   <translation>{constellation} Auch die Kartenkorrelation hat keinen Standort: {correlation:clause}</translation>
+  </message>
+  <message>
    <source>{count} images simulated in {seconds:.0f} s.</source>
    <translation>{count} Bilder in {seconds:.0f} s simuliert.</translation>
   </message>
@@ -2860,6 +3452,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{count} Landmarken, Mitte {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} other place fits almost as well as the best one.</source>
+   <translation>{count} anderer Ort passt fast so gut wie der beste.</translation>
+  </message>
+  <message>
+   <source>{count} other places fit almost as well as the best one.</source>
+   <translation>{count} andere Orte passen fast so gut wie der beste.</translation>
+  </message>
+  <message>
    <source>{count} photos in {folder}</source>
    <translation>{count} Fotos in {folder}</translation>
   </message>
@@ -2874,6 +3474,18 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
    <translation>{count} Punkte; {share:.0%} davon mit einem erwarteten Erfolg von {threshold:.0%} oder mehr.</translation>
+  </message>
+  <message>
+   <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
+   <translation>{crs} misst nicht in Metern; ein projiziertes KBS in Metern als TARGET_CRS wählen.</translation>
+  </message>
+  <message>
+   <source>{database} can't tell longitude and latitude, which GGA sentences need.</source>
+   <translation>{database} kann Länge und Breite nicht angeben, die GGA-Sätze brauchen.</translation>
+  </message>
+  <message>
+   <source>{database} has no overview, which map correlation searches; export it with one.</source>
+   <translation>{database} hat keine Übersicht, die die Kartenkorrelation durchsucht; sie mit Übersicht exportieren.</translation>
   </message>
   <message>
    <source>{database}, images cut from {labels}</source>
@@ -2914,6 +3526,30 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.</source>
    <translation>{kept} von {landmarks} Landmarken und {windows} von {all_windows} Fenstern liegen im Gebiet.</translation>
+  </message>
+  <message>
+   <source>{key} has no polygon; leave it out to find the changes by comparing.</source>
+   <translation>{key} hat kein Polygon; weglassen, um die Änderungen durch Vergleichen zu finden.</translation>
+  </message>
+  <message>
+   <source>{key} is not a raster that can be read; choose a label map.</source>
+   <translation>{key} ist kein lesbares Raster; eine Klassenkarte wählen.</translation>
+  </message>
+  <message>
+   <source>{key} is not a raster that can be read; choose a photo or an orthophoto.</source>
+   <translation>{key} ist kein lesbares Raster; ein Foto oder Orthofoto wählen.</translation>
+  </message>
+  <message>
+   <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
+   <translation>{key}: Das Gebiet von Objekt {feature} lässt sich nicht in das KBS der Klassenkarte bringen; das KBS des Layers prüfen.</translation>
+  </message>
+  <message>
+   <source>{key}: “{layer}” has no field “{name}”; its fields are {names}.</source>
+   <translation>{key}: „{layer}“ hat kein Feld „{name}“; seine Felder sind {names}.</translation>
+  </message>
+  <message>
+   <source>{key}: “{text}” is not a list of numbers such as 1;2.</source>
+   <translation>{key}: „{text}“ ist keine Liste von Zahlen wie 1;2.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
@@ -2964,6 +3600,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{name} (Objekte {id} und {other}): ihre Pixel berühren sich, sie werden also eine Landmarke.</translation>
   </message>
   <message>
+   <source>{name} can't be written; choose another place, or see whether the disk is full.</source>
+   <translation>{name} lässt sich nicht schreiben; einen anderen Ort wählen oder prüfen, ob der Datenträger voll ist.</translation>
+  </message>
+  <message>
    <source>{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.</source>
    <translation>{name} kann nicht entfernt werden, vermutlich weil es in Gebrauch ist; starten Sie QGIS neu und entfernen Sie es noch einmal.</translation>
   </message>
@@ -2972,12 +3612,20 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{name} lässt sich nicht schreiben; einen Ort mit Schreibrecht wählen.</translation>
   </message>
   <message>
+   <source>{name} has no route: no line, and fewer than two waypoints; choose another one.</source>
+   <translation>{name} hat keine Route: keine Linie und weniger als zwei Wegpunkte; eine andere wählen.</translation>
+  </message>
+  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}: IoU {iou:.1%}, {pixels} Pixel annotiert</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} Objekte von {name}, die sich berühren, sind ein Polygon mit den Attributen von Objekt {id}.</translation>
+  </message>
+  <message>
+   <source>{output} exists and is no onboard file; remove it or choose another name.</source>
+   <translation>{output} gibt es schon und ist keine Borddatei; sie entfernen oder einen anderen Namen wählen.</translation>
   </message>
   <message>
    <source>{output} is replaced.</source>
@@ -3000,12 +3648,336 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{package} wurde installiert, ist aber mit numpy {numpy} nicht nutzbar: {reason}; es wurde wieder entfernt.</translation>
   </message>
   <message>
+   <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
+   <translation>{path} nennt die Klasse {value} „{name}“ und die Datenbank „{known}“; die Karte mit der Klassentabelle der Datenbank rastern.</translation>
+  </message>
+  <message>
+   <source>{path} can't be read as a route ({reason}).</source>
+   <translation>{path} ist nicht als Route lesbar ({reason}).</translation>
+  </message>
+  <message>
+   <source>{path} can't be read: {reason}.</source>
+   <translation>{path} ist nicht lesbar: {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
+   <translation>{path} lässt sich nicht ersetzen, vielleicht weil es in diesem oder einem anderen Programm geöffnet ist; es schließen oder entfernen oder einen anderen Namen wählen.</translation>
+  </message>
+  <message>
+   <source>{path} can't be run by onnxruntime {version}: {reason}.</source>
+   <translation>onnxruntime {version} kann {path} nicht ausführen: {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} can't be written: {reason}.</source>
+   <translation>{path} lässt sich nicht schreiben: {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} can't be written: {reason}; choose another place.</source>
+   <translation>{path} lässt sich nicht schreiben: {reason}; einen anderen Ort wählen.</translation>
+  </message>
+  <message>
+   <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
+   <translation>{path} konnte nicht vollständig geschrieben werden: {reason}; prüfen, ob der Datenträger voll ist.</translation>
+  </message>
+  <message>
+   <source>{path} does not exist; choose a model file (.onnx).</source>
+   <translation>{path} gibt es nicht; eine Modelldatei (.onnx) wählen.</translation>
+  </message>
+  <message>
+   <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
+   <translation>{path} scheitert an einem Bild von {width} × {height} Pixeln: {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} gives the class number {number:g}, but it names {count} classes; take the names it was trained with.</source>
+   <translation>{path} gibt die Klassennummer {number:g} aus, nennt aber {count} Klassen; die Namen nehmen, mit denen es trainiert wurde.</translation>
+  </message>
+  <message>
+   <source>{path} gives the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × {height} × {width}.</source>
+   <translation>{path} gibt für ein Bild von {width} × {height} Pixeln die Form {shape} aus; sie muss 1 × Klassen × {height} × {width} sein.</translation>
+  </message>
+  <message>
+   <source>{path} gives values that are not numbers (NaN or infinite); it is damaged, or its standardization_mean and standardization_std are not those it was trained with.</source>
+   <translation>{path} gibt Werte aus, die keine Zahlen sind (NaN oder unendlich); es ist beschädigt, oder seine standardization_mean und standardization_std sind nicht die, mit denen es trainiert wurde.</translation>
+  </message>
+  <message>
+   <source>{path} has 2 bands; a label map has one: save it without transparency.</source>
+   <translation>{path} hat 2 Kanäle; eine Klassenkarte hat einen: ohne Transparenz speichern.</translation>
+  </message>
+  <message>
+   <source>{path} has a line that is no waypoint: {line}</source>
+   <translation>{path} hat eine Zeile, die kein Wegpunkt ist: {line}</translation>
+  </message>
+  <message>
+   <source>{path} has a palette; convert it to an RGB image first.</source>
+   <translation>{path} hat eine Palette; zuerst in ein RGB-Bild umwandeln.</translation>
+  </message>
+  <message>
+   <source>{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.</source>
+   <translation>{path} hat einen Wegpunkt bei {latitude}, {longitude}, was keine Breite und Länge ist.</translation>
+  </message>
+  <message>
+   <source>{path} has neither labels nor landmarks; build it again.</source>
+   <translation>{path} hat weder Klassen noch Landmarken; neu erstellen.</translation>
+  </message>
+  <message>
+   <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
+   <translation>{path} hat kein Koordinatenbezugssystem; dem Layer ein metrisches zuweisen.</translation>
+  </message>
+  <message>
+   <source>{path} has no georeference, so its windows would have no place on the map.</source>
+   <translation>{path} ist nicht georeferenziert, seine Fenster hätten also keinen Ort auf der Karte.</translation>
+  </message>
+  <message>
+   <source>{path} has no mission; save it with QGroundControl as a plan.</source>
+   <translation>{path} hat keine Mission; mit QGroundControl als Plan speichern.</translation>
+  </message>
+  <message>
+   <source>{path} has no overview that can be read ({reason}); build it again.</source>
+   <translation>{path} hat keine lesbare Übersicht ({reason}); neu erstellen.</translation>
+  </message>
+  <message>
+   <source>{path} has no readable parameter crs; build it again.</source>
+   <translation>{path} hat keinen lesbaren Parameter crs; neu erstellen.</translation>
+  </message>
+  <message>
+   <source>{path} has no readable parameter {reason}; build it again.</source>
+   <translation>{path} hat keinen lesbaren Parameter {reason}; neu erstellen.</translation>
+  </message>
+  <message>
+   <source>{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core folder on this computer.</source>
+   <translation>{path} hat die Bordformat-Version {version}, neuer als dieses SemRef liest ({known}); den Ordner core von SemRef auf diesem Rechner aktualisieren.</translation>
+  </message>
+  <message>
+   <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
+   <translation>{path} hat Pixel von {pixel_x:g} × {pixel_y:g}; zuerst auf quadratische Pixel umrechnen.</translation>
+  </message>
+  <message>
+   <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
+   <translation>{path} hat den Wert {found}; eine Klassenkarte enthält Klassenwerte von 0 bis 255.</translation>
+  </message>
+  <message>
+   <source>{path} has times in seconds and times with dates; use one of them throughout.</source>
+   <translation>{path} hat Zeiten in Sekunden und Zeiten mit Datum; durchgehend eines davon verwenden.</translation>
+  </message>
+  <message>
+   <source>{path} has vectors that are not {length} numbers long; build it again.</source>
+   <translation>{path} hat Vektoren, die nicht {length} Zahlen lang sind; neu erstellen.</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} band(s) and no palette; a color image has three bands.</source>
+   <translation>Kanäle von {path}: {bands}, ohne Palette; ein Farbbild hat drei Kanäle.</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.</source>
+   <translation>{path} hat {bands} Kanäle; eine Klassenkarte hat einen: ein Farbbild zuerst mit „Farbiges Klassenbild dekodieren“ dekodieren.</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} bands; a label map has one: decode its colors to class values first.</source>
+   <translation>{path} hat {bands} Kanäle; eine Klassenkarte hat einen: die Farben zuerst zu Klassenwerten dekodieren.</translation>
+  </message>
+  <message>
+   <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
+   <translation>{path} hat {count} Landmarken und Grenzen von {bounds}; neu erstellen.</translation>
+  </message>
+  <message>
+   <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
+   <translation>{path} hat {inputs} Eingänge und {outputs} Ausgänge; ein Segmentierungsnetz hat je einen.</translation>
+  </message>
+  <message>
+   <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
+   <translation>{path} hat {size} Pixel, das Bild {image_size}, und nicht beide sind georeferenziert; beiden einen Ort im Gelände geben oder Klassen in der Größe des Bildes.</translation>
+  </message>
+  <message>
+   <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
+   <translation>{path} hat {width} × {height} Pixel, mehr als ein Bild zum Lokalisieren haben darf ({most_million} Millionen); auf das zuschneiden, was ein Foto zeigt.</translation>
+  </message>
+  <message>
+   <source>{path} holds complex numbers; a network takes photos.</source>
+   <translation>{path} enthält komplexe Zahlen; ein Netz nimmt Fotos.</translation>
+  </message>
+  <message>
+   <source>{path} holds no results of “Localize images”; localize the images again.</source>
+   <translation>{path} enthält keine Ergebnisse von „Bilder lokalisieren“; die Bilder noch einmal lokalisieren.</translation>
+  </message>
+  <message>
+   <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
+   <translation>{path} enthält andere Layer ({layers}), die verloren gingen; eine andere Datei wählen oder mit „Save to GeoPackage“ hinzufügen.</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a color label image has 8 bits a band.</source>
+   <translation>{path} enthält Werte vom Typ {kind}; ein farbiges Klassenbild hat 8 Bit pro Kanal.</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a label map holds whole numbers from 0 to 255.</source>
+   <translation>{path} enthält Werte vom Typ {kind}; eine Klassenkarte enthält ganze Zahlen von 0 bis 255.</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a photo has 8 bits a band: convert it first.</source>
+   <translation>{path} enthält Werte vom Typ {kind}; ein Foto hat 8 Bit pro Kanal: zuerst umwandeln.</translation>
+  </message>
+  <message>
+   <source>{path} holds {name} values; training tiles are made of 8- or 16-bit images.</source>
+   <translation>{path} enthält Werte vom Typ {name}; Trainingskacheln entstehen aus Bildern mit 8 oder 16 Bit.</translation>
+  </message>
+  <message>
+   <source>{path} is a file; choose a folder.</source>
+   <translation>{path} ist eine Datei; einen Ordner wählen.</translation>
+  </message>
+  <message>
+   <source>{path} is a folder; give a file name.</source>
+   <translation>{path} ist ein Ordner; einen Dateinamen angeben.</translation>
+  </message>
+  <message>
+   <source>{path} is a paletted TIFF of {bits} bits a pixel; save it with 8, or as PNG.</source>
+   <translation>{path} ist ein TIFF mit Palette und {bits} Bit pro Pixel; mit 8 oder als PNG speichern.</translation>
+  </message>
+  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} ist eine ältere Version, als SemRef nutzen kann, und QGIS findet sie zuerst; aktualisieren oder entfernen Sie sie.</translation>
   </message>
   <message>
+   <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
+   <translation>{path} ist beschädigt oder abgeschnitten ({reason}); neu erstellen oder eine andere Kopie holen.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged or cut short: {reason}.</source>
+   <translation>{path} ist beschädigt oder abgeschnitten: {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged or cut short; copy it again.</source>
+   <translation>{path} ist beschädigt oder abgeschnitten; noch einmal kopieren.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged, cut short or no onboard file of SemRef ({name} is missing); fetch another copy or export it again.</source>
+   <translation>{path} ist beschädigt, abgeschnitten oder keine Borddatei von SemRef ({name} fehlt); eine andere Kopie holen oder noch einmal exportieren.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged, cut short or no onboard file of SemRef ({reason}); fetch another copy or export it again.</source>
+   <translation>{path} ist beschädigt, abgeschnitten oder keine Borddatei von SemRef ({reason}); eine andere Kopie holen oder noch einmal exportieren.</translation>
+  </message>
+  <message>
+   <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
+   <translation>{path} hat das ONNX-Format {found} (IR-Version), onnxruntime {version} liest aber nur bis {known}; ein neueres onnxruntime installieren oder das Modell mit einer älteren ir_version exportieren.</translation>
+  </message>
+  <message>
+   <source>{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS.</source>
+   <translation>{path} hat das KBS {crs} und die Datenbank {database_crs}; die Klassenkarte in das KBS der Datenbank umrechnen.</translation>
+  </message>
+  <message>
+   <source>{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.</source>
+   <translation>{path} hat das KBS {crs}, das nicht in Metern misst; in ein projiziertes KBS in Metern rastern oder umrechnen.</translation>
+  </message>
+  <message>
+   <source>{path} is larger than {most_mb} MB; no route is.</source>
+   <translation>{path} ist größer als {most_mb} MB; das ist keine Route.</translation>
+  </message>
+  <message>
+   <source>{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.</source>
+   <translation>{path} ist weder PNG noch TIFF noch JPEG; das Klassenbild als PNG speichern.</translation>
+  </message>
+  <message>
+   <source>{path} is no JSON and so no plan of QGroundControl; save the plan again.</source>
+   <translation>{path} ist kein JSON und damit kein Plan von QGroundControl; den Plan noch einmal speichern.</translation>
+  </message>
+  <message>
+   <source>{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.</source>
+   <translation>{path} ist keine Kameratabelle: Ihre Kopfzeile ist „{first}“, nötig sind die Spalte image und einige von {columns}.</translation>
+  </message>
+  <message>
+   <source>{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.</source>
+   <translation>{path} ist keine Borddatei von SemRef; eine mit „Für den Bordrechner exportieren“ erzeugte wählen.</translation>
+  </message>
+  <message>
+   <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
+   <translation>{path} ist keine Borddatei von SemRef; eine wählen, die SemRef exportiert hat.</translation>
+  </message>
+  <message>
+   <source>{path} is no text and so no route; choose another file.</source>
+   <translation>{path} ist kein Text und damit keine Route; eine andere Datei wählen.</translation>
+  </message>
+  <message>
+   <source>{path} is no waypoint list: its first line is not “QGC WPL 110”.</source>
+   <translation>{path} ist keine Wegpunktliste: Die erste Zeile ist nicht „QGC WPL 110“.</translation>
+  </message>
+  <message>
+   <source>{path} is not a GeoPackage; choose a database made by “Build reference database”.</source>
+   <translation>{path} ist kein GeoPackage; eine mit „Referenzdatenbank erstellen“ erzeugte Datenbank wählen.</translation>
+  </message>
+  <message>
+   <source>{path} is not a GeoPackage; choose a database that SemRef built.</source>
+   <translation>{path} ist kein GeoPackage; eine Datenbank wählen, die SemRef erstellt hat.</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
+   <translation>{path} ist keine SemRef-Referenzdatenbank (es fehlt {missing}); eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one that SemRef built.</source>
+   <translation>{path} ist keine SemRef-Referenzdatenbank (es fehlt {missing}); eine wählen, die SemRef erstellt hat.</translation>
+  </message>
+  <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
    <translation>{path} ist keine SemRef-Referenzdatenbank; eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
+  </message>
+  <message>
+   <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
+   <translation>{path} ist kein ONNX-Modell, oder es ist beschädigt oder abgeschnitten; noch einmal kopieren oder exportieren.</translation>
+  </message>
+  <message>
+   <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
+   <translation>{path} ist gedreht oder gespiegelt; zuerst auf ein nach Norden ausgerichtetes Raster umrechnen.</translation>
+  </message>
+  <message>
+   <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
+   <translation>{path} hat seine Gewichte in einer anderen Datei, die fehlt oder abgeschnitten ist; sie unter ihrem alten Namen neben das Modell legen ({reason}).</translation>
+  </message>
+  <message>
+   <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
+   <translation>{path} nennt keines der Bilder, zum Beispiel {image}; die Spalte image enthält ihre Dateinamen.</translation>
+  </message>
+  <message>
+   <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
+   <translation>{path} nimmt Eingaben der Form {shape}; sie muss 1 × 3 × Höhe × Breite sein (Rot, Grün, Blau).</translation>
+  </message>
+  <message>
+   <source>{path} takes {count} images at once; export it for one (or any number).</source>
+   <translation>{path} nimmt {count} Bilder auf einmal; für eines (oder beliebig viele) exportieren.</translation>
+  </message>
+  <message>
+   <source>{path} takes {kind} values; a segmentation network takes floats.</source>
+   <translation>{path} nimmt Werte vom Typ {kind}; ein Segmentierungsnetz nimmt Fließkommazahlen.</translation>
+  </message>
+  <message>
+   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
+   <translation>{path} verwendet ONNX-Operatoren der Version {found} (Opset), onnxruntime {version} kennt sie aber nur bis {known}; ein neueres onnxruntime installieren oder das Modell mit einem älteren Opset exportieren.</translation>
+  </message>
+  <message>
+   <source>{place}: no image is named; give each image one line.</source>
+   <translation>{place}: Es ist kein Bild genannt; jedem Bild eine Zeile geben.</translation>
+  </message>
+  <message>
+   <source>{place}: roll or pitch is empty; give both, or neither.</source>
+   <translation>{place}: roll oder pitch ist leer; beide angeben oder keines.</translation>
+  </message>
+  <message>
+   <source>{place}: the image {image} is named a second time; give each image one line.</source>
+   <translation>{place}: Das Bild {image} ist ein zweites Mal genannt; jedem Bild eine Zeile geben.</translation>
+  </message>
+  <message>
+   <source>{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
+   <translation>{place}: time ist „{text}“; Sekunden angeben oder Datum und Uhrzeit wie 2025-06-30T14:05:09.250.</translation>
+  </message>
+  <message>
+   <source>{place}: {kinds} say the same thing twice; give one of them.</source>
+   <translation>{place}: {kinds} sagen dasselbe zweimal; eines davon angeben.</translation>
+  </message>
+  <message>
+   <source>{place}: {kind} is {value:g}, which no camera has.</source>
+   <translation>{place}: {kind} ist {value:g}, was keine Kamera hat.</translation>
+  </message>
+  <message>
+   <source>{place}: {name} is “{text}”, which is not a number.</source>
+   <translation>{place}: {name} ist „{text}“, was keine Zahl ist.</translation>
   </message>
   <message>
    <source>{predicted} against {reference}</source>
@@ -3028,6 +4000,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{seconds:.0f} s.</translation>
   </message>
   <message>
+   <source>{setting} goes from {low:g} to {high:g}; give two numbers from {least:g} to {most:g}, the smaller one first.</source>
+   <translation>{setting} geht von {low:g} bis {high:g}; zwei Zahlen von {least:g} bis {most:g} angeben, die kleinere zuerst.</translation>
+  </message>
+  <message>
    <source>{share:.1%} of the pixels match no class.</source>
    <translation>{share:.1%} der Pixel passen zu keiner Klasse.</translation>
   </message>
@@ -3040,12 +4016,88 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{shift:.0f} m nach rechts: {after} statt {before}</translation>
   </message>
   <message>
+   <source>{shown} and {count} more</source>
+   <translation>{shown} und {count} weitere</translation>
+  </message>
+  <message>
+   <source>{shown}; {needed}.</source>
+   <translation>{shown}; {needed}.</translation>
+  </message>
+  <message>
+   <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
+   <translation>{source} kennt die Klasse {missing} der Datenbank nicht, nur {names}; ein Modell nehmen, das mit den Klassen der Datenbank trainiert wurde.</translation>
+  </message>
+  <message>
    <source>{source} does not measure in meters; the result is in {target}.</source>
    <translation>{source} misst nicht in Metern; das Ergebnis ist in {target}.</translation>
   </message>
   <message>
+   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or export it with their names.</source>
+   <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); ein Modell wählen, das sie nennt, oder es mit ihren Namen exportieren.</translation>
+  </message>
+  <message>
+   <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
+   <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); sie in CLASS_TABLE angeben, in der Reihenfolge der Ausgaben des Netzes.</translation>
+  </message>
+  <message>
+   <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
+   <translation>{source} hat die Formatversion {version}, neuer als dieses SemRef liest ({known}); die Erweiterung aktualisieren.</translation>
+  </message>
+  <message>
+   <source>{source} has no classes; it needs a header value,name,color,role and a line a class.</source>
+   <translation>{source} hat keine Klassen; nötig sind die Kopfzeile value,name,color,role und eine Zeile je Klasse.</translation>
+  </message>
+  <message>
+   <source>{source} has no landmark; build it with other classes or a smaller area.</source>
+   <translation>{source} hat keine Landmarke; mit anderen Klassen oder kleinerer Fläche erstellen.</translation>
+  </message>
+  <message>
+   <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
+   <translation>{source} hat {value} in class_values; Klassenwerte sind ganze Zahlen von 0 bis 255.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>
+   <translation>{source} hat „{text}“ als {key}; es muss JSON mit einem Eintrag je Ausgabe sein, etwa {{"0": …, "1": …}}.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue, above 0.</source>
+   <translation>{source} hat „{text}“ als {key}; es muss eine Liste von drei Zahlen über 0 sein, für Rot, Grün und Blau.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue.</source>
+   <translation>{source} hat „{text}“ als {key}; es muss eine Liste von drei Zahlen sein, für Rot, Grün und Blau.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it.</source>
+   <translation>{source} hat „{text}“ als {key}; es muss eine Zahl von {least:g} bis {most:g} sein: berichtigen oder entfernen.</translation>
+  </message>
+  <message>
+   <source>{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.</source>
+   <translation>{source} ist ein Modell vom Typ {kind} (Metadatenschlüssel model_type); einen Segmentor wählen.</translation>
+  </message>
+  <message>
+   <source>{source} lacks the column {missing}; its header is “{header}”.</source>
+   <translation>{source} fehlt die Spalte {missing}; die Kopfzeile ist „{header}“.</translation>
+  </message>
+  <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} nennt keine Brennweite; das Bild wird genommen, wie es ist.</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in CLASS_TABLE: {names}; take the names it was trained with.</source>
+   <translation>{source} unterscheidet {channels} Klassen, in CLASS_TABLE stehen aber {count} Klassennamen: {names}; die Namen nehmen, mit denen es trainiert wurde.</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in its metadata (class_names): {names}; take the names it was trained with.</source>
+   <translation>{source} unterscheidet {channels} Klassen, in den Metadaten (class_names) stehen aber {count} Klassennamen: {names}; die Namen nehmen, mit denen es trainiert wurde.</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; take the names it was trained with.</source>
+   <translation>{source} unterscheidet {channels} Klassen, in der Klassentabelle stehen aber {count} Klassennamen: {names}; die Namen nehmen, mit denen es trainiert wurde.</translation>
+  </message>
+  <message>
+   <source>{source}, line {line}</source>
+   <translation>{source}, Zeile {line}</translation>
   </message>
   <message>
    <source>{threshold} or more expected</source>
@@ -3068,8 +4120,64 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{value} Landmarken im Bild</translation>
   </message>
   <message>
+   <source>{where} can't be written: {reason}; choose another place.</source>
+   <translation>{where} lässt sich nicht schreiben: {reason}; einen anderen Ort wählen.</translation>
+  </message>
+  <message>
+   <source>{where}: {fault}</source>
+   <translation>{where}: {fault}</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a number for draw_order.</source>
+   <translation>{where}: „{text}“ ist keine Zahl für draw_order.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a whole number for value.</source>
+   <translation>{where}: „{text}“ ist keine ganze Zahl für value.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
+   <translation>{where}: „{text}“ ist kein „h s v“ in den Bereichen von OpenCV (h 0–180, s und v 0–255).</translation>
+  </message>
+  <message>
    <source>{windows} windows, {references} landmarks.</source>
    <translation>{windows} Fenster, {references} Landmarken.</translation>
+  </message>
+  <message>
+   <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>
+   <translation>„{layer}“ kommt von {provider}; zuerst als GeoTIFF speichern.</translation>
+  </message>
+  <message>
+   <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
+   <translation>„{layer}“ enthält Geometrien vom Typ {kind}; ein Annotationslayer enthält Polygone.</translation>
+  </message>
+  <message>
+   <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>
+   <translation>„{output}“ und „{other}“ sind dieselbe Datei, {path}; zwei Dateien wählen.</translation>
+  </message>
+  <message>
+   <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
+   <translation>„{output}“ ist dieselbe Datei wie „{input}“, {path}, die verloren ginge; einen anderen Ort für „{output}“ wählen.</translation>
+  </message>
+  <message>
+   <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
+   <translation>„{source}“ hat Klassen, die der Klassentabelle fehlen: {unknown}; sie in der Tabelle ergänzen ({classes}) oder diese Objekte weglassen.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no feature with a class; fill its class field first.</source>
+   <translation>„{source}“ hat kein Objekt mit einer Klasse; zuerst das Klassenfeld ausfüllen.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no polygon with area and class; there is nothing to rasterize.</source>
+   <translation>„{source}“ hat kein Polygon mit Fläche und Klasse; es gibt nichts zu rastern.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no polygon with area and class; there is nothing to repair.</source>
+   <translation>„{source}“ hat kein Polygon mit Fläche und Klasse; es gibt nichts zu reparieren.</translation>
+  </message>
+  <message>
+   <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
+   <translation>„{where}“ ist kein UDP-Port dieses Rechners; udp:PORT schreiben, mit PORT von 1 bis 65535.</translation>
   </message>
  </context>
 </TS>

@@ -8,6 +8,10 @@
    <translation>%v de %m hechos</translation>
   </message>
   <message>
+   <source>--threads is {threads}; it must be at least 1.</source>
+   <translation>--threads es {threads}; debe ser al menos 1.</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>2 % del lado del terreno</translation>
   </message>
@@ -20,6 +24,10 @@
    <translation>Un GeoPackage creado con «Crear base de datos de referencia».</translation>
   </message>
   <message>
+   <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
+   <translation>Una cámara con {name} = {value:g}° no mira al suelo; 0° es la vertical hacia abajo.</translation>
+  </message>
+  <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
    <translation>Una posición encontrada es correcta si su error no supera la distancia indicada en «Configuración»; la del vector topológico, que solo conoce ventanas, si nombra la ventana más cercana al centro de la imagen. Las falsas aceptaciones son imágenes reflejadas del mapa para las que se encontró una posición: nunca pueden ser correctas. CEP50 y CEP95: la mitad y el 95 % de las posiciones correctas tienen como mucho ese error. Rumbo y escala: errores medianos de las posiciones correctas.</translation>
   </message>
@@ -30,6 +38,14 @@
   <message>
    <source>A gap of {area:.2f} m² was given to {other_name}.</source>
    <translation>Un hueco de {area:.2f} m² se asignó a {other_name}.</translation>
+  </message>
+  <message>
+   <source>A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.</source>
+   <translation>Una inclinación del estabilizador de {pitch_deg:g}° no mira al suelo; −90° es la vertical hacia abajo.</translation>
+  </message>
+  <message>
+   <source>A landmark has no area; build the database again.</source>
+   <translation>Un hito no tiene área; vuelva a crear la base de datos.</translation>
   </message>
   <message>
    <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
@@ -74,6 +90,10 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>Una astilla de {name} de {area:.2f} m² está junto a {other_name} (objeto espacial {id}).</translation>
+  </message>
+  <message>
+   <source>A vector of {count} references is too short; use at least {least}.</source>
+   <translation>Un vector de {count} hitos es demasiado corto; use al menos {least}.</translation>
   </message>
   <message>
    <source>Add a folder of images</source>
@@ -134,6 +154,10 @@
   <message>
    <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
    <translation>Un error en SemRef detuvo el trabajo; informe de lo que el panel de mensajes de registro muestra en «SemRef».</translation>
+  </message>
+  <message>
+   <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
+   <translation>Una imagen de {width} × {height} píxeles muestra demasiado poco para segmentarla; necesita {least} píxeles en cada sentido con la resolución del modelo.</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -216,6 +240,14 @@
    <translation>Se supone: cámara nivelada; cualquier rumbo; {missed} de los hitos omitidos, {invented} inventados, {misnamed} mal nombrados; bordes desplazados {ragged:g} unidades del mapa (desviación típica); sin posición previa; el terreno tal como está en la base de datos. Una posición cuenta como correcta dentro del 2 % de la huella. Método: {method}.</translation>
   </message>
   <message>
+   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.</source>
+   <translation>A {resolution_cm:g} cm por píxel no queda nada de la imagen; elija una resolución más fina.</translation>
+  </message>
+  <message>
+   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; give another RESOLUTION.</source>
+   <translation>A {resolution_cm:g} cm por píxel no queda nada de la imagen; indique otra RESOLUTION.</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>Automático</translation>
   </message>
@@ -266,6 +298,14 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>By footprint</source>
    <translation>Por huella</translation>
+  </message>
+  <message>
+   <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
+   <translation>A CLASS_TABLE le falta la clase {missing} de {source}; añádala o deje CLASS_TABLE vacía.</translation>
+  </message>
+  <message>
+   <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>CLIP no encaja con su SRC {crs}; corrija el SRC.</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -374,6 +414,26 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Class table</source>
    <translation>Tabla de clases</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has only one of hsv_min and hsv_max; give both or none.</source>
+   <translation>La clase «{name}» solo tiene uno de hsv_min y hsv_max; indique ambos o ninguno.</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the color “{color}”; write it as #rrggbb.</source>
+   <translation>La clase «{name}» tiene el color «{color}»; escríbalo como #rrggbb.</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the role “{role}”; it must be “{reference}” or “{background}”.</source>
+   <translation>La clase «{name}» tiene el rol «{role}»; debe ser «{reference}» o «{background}».</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the value 0, which means unlabeled; it can't be a reference.</source>
+   <translation>La clase «{name}» tiene el valor 0, que significa sin etiqueta; no puede ser una referencia.</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the value {value}; class values go from 0 to {most}.</source>
+   <translation>La clase «{name}» tiene el valor {value}; los valores de clase van de 0 a {most}.</translation>
   </message>
   <message>
    <source>Classes</source>
@@ -640,6 +700,14 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Extensión</translation>
   </message>
   <message>
+   <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
+   <translation>FOOTPRINT es {footprint:g}; indique el lado del terreno que muestra una imagen.</translation>
+  </message>
+  <message>
+   <source>FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.</source>
+   <translation>FOOTPRINT es {text}; indique lados del terreno en unidades del mapa, separados por «;».</translation>
+  </message>
+  <message>
    <source>False accept rate</source>
    <translation>Tasa de falsas aceptaciones</translation>
   </message>
@@ -856,6 +924,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>GeoTIFF, 8 bits por píxel, con las clases del modelo; los píxeles sin datos son 0.</translation>
   </message>
   <message>
+   <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
+   <translation>Indique DATABASE o CLASS_TABLE: la imagen de etiquetas no trae su propia tabla de clases.</translation>
+  </message>
+  <message>
    <source>Good enough from (%)</source>
    <translation>Suficiente desde (%)</translation>
   </message>
@@ -912,6 +984,14 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Cuántos de los hitos más cercanos al centro contiene un vector.</translation>
   </message>
   <message>
+   <source>IMAGES is empty; choose at least one image or a folder with images.</source>
+   <translation>IMAGES está vacío; elija al menos una imagen o una carpeta con imágenes.</translation>
+  </message>
+  <message>
+   <source>INPUT is not a vector layer that can be read; choose a polygon layer.</source>
+   <translation>INPUT no es una capa vectorial que se pueda leer; elija una capa de polígonos.</translation>
+  </message>
+  <message>
    <source>If left out: that of the model’s metadata, else 20. More takes longer and hides seams better.</source>
    <translation>Si se omite: el de los metadatos del modelo; si no, 20. Más tarda más y oculta mejor las costuras.</translation>
   </message>
@@ -926,6 +1006,14 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
    <translation>Imagen con al menos tres bandas (rojo, verde, azul) de 8 bits.</translation>
+  </message>
+  <message>
+   <source>Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.</source>
+   <translation>No se puede leer la imagen {path}: está dañada, cortada o es de un tipo que OpenCV no conoce.</translation>
+  </message>
+  <message>
+   <source>Image {path} can't be read: {reason}.</source>
+   <translation>No se puede leer la imagen {path}: {reason}.</translation>
   </message>
   <message>
    <source>Images</source>
@@ -976,6 +1064,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Hallazgos</translation>
   </message>
   <message>
+   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
+   <translation>No se puede alcanzar a {speed:g} unidades del mapa por segundo desde las posiciones encontradas antes y después.</translation>
+  </message>
+  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Puede ser la propia base de datos, que entonces se reemplaza cuando la actualización está completa.</translation>
   </message>
@@ -994,6 +1086,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Kind</source>
    <translation>Tipo</translation>
+  </message>
+  <message>
+   <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
+   <translation>LEVELS deben ser múltiplos positivos del tamaño de ventana, por ejemplo 1;2.</translation>
   </message>
   <message>
    <source>Label image</source>
@@ -1022,6 +1118,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Landmarks</source>
    <translation>Hitos</translation>
+  </message>
+  <message>
+   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed.</source>
+   <translation>Los hitos coinciden con un lugar, pero las áreas de las clases solo coinciden allí en {agreement:.2f}; hace falta al menos {least:.2f}.</translation>
   </message>
   <message>
    <source>Landmarks in the window</source>
@@ -1184,6 +1284,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Se parece a</translation>
   </message>
   <message>
+   <source>METHODS is empty; choose at least one method.</source>
+   <translation>METHODS está vacío; elija al menos un método.</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>Crear zona de ejemplo</translation>
   </message>
@@ -1328,8 +1432,40 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>No se encontró un Python {version} como el de QGIS (se buscó en {paths}); use en su lugar «{command}».</translation>
   </message>
   <message>
+   <source>No class has hsv_min and hsv_max; add them to the class table or decode by nearest color.</source>
+   <translation>Ninguna clase tiene hsv_min y hsv_max; añádalos a la tabla de clases o decodifique por el color más cercano.</translation>
+  </message>
+  <message>
+   <source>No class is a reference class; choose at least one of {classes} as one, or give it the role “reference” in the class table.</source>
+   <translation>Ninguna clase es de referencia; elija como tal al menos una de {classes} o dele el rol «reference» en la tabla de clases.</translation>
+  </message>
+  <message>
+   <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
+   <translation>Ninguna clase es de referencia; nombre al menos una de {classes} en REFERENCE_CLASSES o dele el rol «reference» en la tabla de clases.</translation>
+  </message>
+  <message>
+   <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
+   <translation>No hay ningún hito en el área de CLIP; elija otra área o una DISTANCE mayor.</translation>
+  </message>
+  <message>
+   <source>No landmark lies in the area; choose another area or a larger distance around it.</source>
+   <translation>No hay ningún hito en el área; elija otra área o una distancia mayor a su alrededor.</translation>
+  </message>
+  <message>
    <source>No match</source>
    <translation>Sin coincidencia</translation>
+  </message>
+  <message>
+   <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
+   <translation>Ningún píxel de la imagen tiene etiqueta; compruebe que la imagen y las etiquetas muestran el mismo terreno.</translation>
+  </message>
+  <message>
+   <source>No place of the map has labels under at least half of the image.</source>
+   <translation>Ningún lugar del mapa tiene etiquetas bajo al menos la mitad de la imagen.</translation>
+  </message>
+  <message>
+   <source>No place on the map has triangles like the image's.</source>
+   <translation>Ningún lugar del mapa tiene triángulos como los de la imagen.</translation>
   </message>
   <message>
    <source>No place to look at.</source>
@@ -1340,8 +1476,24 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Ningún polígono está en la extensión: el mapa de etiquetas está vacío.</translation>
   </message>
   <message>
+   <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
+   <translation>Ninguna ventana de la base de datos tiene los {least} hitos que necesita un vector topológico; créela con ventanas mayores, un área mínima menor o más clases de referencia.</translation>
+  </message>
+  <message>
+   <source>No window of the database lies on LABELS and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller MINIMUM_REFERENCES.</source>
+   <translation>Ninguna ventana de la base de datos está sobre LABELS y tiene {minimum_references} hitos o más; elija el mapa de etiquetas del mismo terreno o un MINIMUM_REFERENCES menor.</translation>
+  </message>
+  <message>
+   <source>No window of the database lies on the label map and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller number of landmarks.</source>
+   <translation>Ninguna ventana de la base de datos está sobre el mapa de etiquetas y tiene {minimum_references} hitos o más; elija el mapa de etiquetas del mismo terreno o un número menor de hitos.</translation>
+  </message>
+  <message>
    <source>No window of the database lies there.</source>
    <translation>Ahí no hay ninguna ventana de la base de datos.</translation>
+  </message>
+  <message>
+   <source>Noise: {name} is {value:g}; give a number from 0 to {most:g}.</source>
+   <translation>Ruido: {name} es {value:g}; indique un número de 0 a {most:g}.</translation>
   </message>
   <message>
    <source>None: a fix is expected everywhere.</source>
@@ -1440,6 +1592,18 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Un objeto espacial por hallazgo, en el sistema de referencia de coordenadas del mapa de etiquetas.</translation>
   </message>
   <message>
+   <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
+   <translation>Uno de los mapas está girado respecto al otro; reproyecte antes ambos a una cuadrícula orientada al norte.</translation>
+  </message>
+  <message>
+   <source>One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs {needed_m:.3g} m.</source>
+   <translation>Un lugar coincide, pero su posición solo se conoce con {error_95_m:.3g} m de margen; una imagen de este tamaño necesita {needed_m:.3g} m.</translation>
+  </message>
+  <message>
+   <source>One place agrees, but the image doesn't tell its position in all directions.</source>
+   <translation>Un lugar coincide, pero la imagen no indica su posición en todas las direcciones.</translation>
+  </message>
+  <message>
    <source>One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the image has it, where the fix puts it, and how far that is off.</source>
    <translation>Un punto por cada hito del mapa que coincide con uno de una imagen, para posiciones con rumbo: dónde lo tiene la imagen, dónde lo sitúa la posición y cuánto se desvía.</translation>
   </message>
@@ -1470,6 +1634,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Only with an approximate position: places farther away are not searched.</source>
    <translation>Solo con una posición aproximada: no se buscan lugares más alejados.</translation>
+  </message>
+  <message>
+   <source>Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed.</source>
+   <translation>Solo el {labeled:.0%} de la imagen tiene clases del mapa; hace falta al menos el {least:.0%}.</translation>
   </message>
   <message>
    <source>Opacity of the labels</source>
@@ -1614,6 +1782,38 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
    <translation>QGIS no trae estos paquetes de Python en todas partes. SemRef puede instalarlos para este QGIS en una carpeta propia; lo que QGIS tiene, sobre todo numpy, queda como está.</translation>
+  </message>
+  <message>
+   <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
+   <translation>REFERENCE y PREDICTED no se solapan; elija mapas del mismo terreno.</translation>
+  </message>
+  <message>
+   <source>REFERENCE has {width} × {height} pixels and PREDICTED {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
+   <translation>REFERENCE tiene {width} × {height} píxeles y PREDICTED {other_width} × {other_height}, y no ambos están georreferenciados; compare imágenes del mismo tamaño o dos mapas georreferenciados.</translation>
+  </message>
+  <message>
+   <source>REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.</source>
+   <translation>REFERENCE está en {crs}, pero PREDICTED está en {predicted_crs}; reproyecte uno de ellos al SRC del otro.</translation>
+  </message>
+  <message>
+   <source>ROUTE does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>ROUTE no encaja con su SRC {crs}; corrija el SRC.</translation>
+  </message>
+  <message>
+   <source>ROUTE has no CRS; set its layer's CRS.</source>
+   <translation>ROUTE no tiene SRC; asigne el SRC de su capa.</translation>
+  </message>
+  <message>
+   <source>ROUTE has no line with a length; draw one through two points at least.</source>
+   <translation>ROUTE no tiene ninguna línea con longitud; dibuje una que pase por dos puntos como mínimo.</translation>
+  </message>
+  <message>
+   <source>ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.</source>
+   <translation>ROUTE es {value}, que no es ni una capa de líneas ni un archivo GPX, KML, .plan o .waypoints.</translation>
+  </message>
+  <message>
+   <source>ROUTE lies outside the database’s map; choose another route or database.</source>
+   <translation>ROUTE está fuera del mapa de la base de datos; elija otra ruta u otra base de datos.</translation>
   </message>
   <message>
    <source>Radius around it (map units)</source>
@@ -1764,6 +1964,22 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Ruta {number}</translation>
   </message>
   <message>
+   <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
+   <translation>SPACING es {size:g}, lo que da {count} cuadrados en el mapa; indique {least:.3g} o más.</translation>
+  </message>
+  <message>
+   <source>SPACING is {size:g}; give the edge of a square in map units.</source>
+   <translation>SPACING es {size:g}; indique el lado de un cuadrado en unidades del mapa.</translation>
+  </message>
+  <message>
+   <source>SPACING is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
+   <translation>SPACING es {spacing:g}, lo que da {count} puntos; indique {least:.3g} o más.</translation>
+  </message>
+  <message>
+   <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
+   <translation>SPACING es {spacing:g}; indique la distancia entre los puntos en unidades del mapa.</translation>
+  </message>
+  <message>
    <source>Save results</source>
    <translation>Guardar resultados</translation>
   </message>
@@ -1802,6 +2018,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Segment image</source>
    <translation>Segmentar imagen</translation>
+  </message>
+  <message>
+   <source>Segmentation needs the Python package onnxruntime ({reason}); install it for QGIS's Python, for example with “python3 -m pip install onnxruntime”.</source>
+   <translation>La segmentación necesita el paquete de Python onnxruntime ({reason}); instálelo para el Python de QGIS, por ejemplo con «python3 -m pip install onnxruntime».</translation>
   </message>
   <message>
    <source>Segmenting</source>
@@ -2044,12 +2264,88 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El proveedor de procesos SemRef está desactivado; actívelo en las opciones.</translation>
   </message>
   <message>
+   <source>The annotation layer has no coordinate reference system; set one in the layer's properties.</source>
+   <translation>La capa de anotación no tiene sistema de referencia de coordenadas; asigne uno en las propiedades de la capa.</translation>
+  </message>
+  <message>
+   <source>The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and points a larger DISTANCE than {distance:g}.</source>
+   <translation>El área de CLIP está vacía o fuera del mapa de la base de datos; elija otra o, para líneas y puntos, una DISTANCE mayor que {distance:g}.</translation>
+  </message>
+  <message>
+   <source>The best place ({score:.2f}) agrees hardly better than the mirrored image does by chance ({mirror:.2f}).</source>
+   <translation>El mejor lugar ({score:.2f}) apenas coincide mejor que la imagen reflejada por azar ({mirror:.2f}).</translation>
+  </message>
+  <message>
+   <source>The best place agrees with the image only by {score:.2f}; at least {least:.2f} is needed.</source>
+   <translation>El mejor lugar solo coincide con la imagen en {score:.2f}; hace falta al menos {least:.2f}.</translation>
+  </message>
+  <message>
+   <source>The best place has log odds of {log_odds:.1f}; {needed} are needed.</source>
+   <translation>El mejor lugar tiene un logaritmo de probabilidades de {log_odds:.1f}; hace falta {needed}.</translation>
+  </message>
+  <message>
+   <source>The camera table {path} can't be read: {reason}.</source>
+   <translation>No se puede leer la tabla de la cámara {path}: {reason}.</translation>
+  </message>
+  <message>
+   <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
+   <translation>La tabla de la cámara {path} no es texto en UTF-8; guárdela como CSV en UTF-8.</translation>
+  </message>
+  <message>
+   <source>The class table has the {column} {repeated} more than once.</source>
+   <translation>La tabla de clases tiene en {column} más de una vez {repeated}.</translation>
+  </message>
+  <message>
+   <source>The class table lacks the class {missing} of {source}; add it, or give no class table.</source>
+   <translation>A la tabla de clases le falta la clase {missing} de {source}; añádala o no indique ninguna tabla de clases.</translation>
+  </message>
+  <message>
+   <source>The class table of {source} was changed after it was built; build it again.</source>
+   <translation>La tabla de clases de {source} se cambió después de crearla; vuelva a crear la base de datos.</translation>
+  </message>
+  <message>
+   <source>The class table {path} can't be read: {reason}.</source>
+   <translation>No se puede leer la tabla de clases {path}: {reason}.</translation>
+  </message>
+  <message>
+   <source>The class with value {value} has no name; give it one.</source>
+   <translation>La clase con el valor {value} no tiene nombre; dele uno.</translation>
+  </message>
+  <message>
+   <source>The corrected map shows no landmark any more; choose another label map.</source>
+   <translation>El mapa corregido ya no muestra ningún hito; elija otro mapa de etiquetas.</translation>
+  </message>
+  <message>
+   <source>The database can't be written: {reason}.</source>
+   <translation>No se puede escribir la base de datos: {reason}.</translation>
+  </message>
+  <message>
    <source>The database has no overview; where its ground ends is taken from its extent.</source>
    <translation>La base de datos no tiene vista general; dónde acaba su terreno se toma de su extensión.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
    <translation>La base de datos no tiene ninguna ventana «{name}».</translation>
+  </message>
+  <message>
+   <source>The database has {count} windows of level {level} where its grid has {known}; build it again.</source>
+   <translation>La base de datos tiene {count} ventanas del nivel {level} donde su cuadrícula tiene {known}; vuelva a crearla.</translation>
+  </message>
+  <message>
+   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once with “Build reference database”.</source>
+   <translation>La base de datos se creó con SemRef {plugin_version}, que no guardaba resúmenes de bloques ni límites de hitos, así que no se puede saber qué ha cambiado; vuelva a crearla una vez con «Crear base de datos de referencia».</translation>
+  </message>
+  <message>
+   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once.</source>
+   <translation>La base de datos se creó con SemRef {plugin_version}, que no guardaba resúmenes de bloques ni límites de hitos, así que no se puede saber qué ha cambiado; vuelva a crearla una vez.</translation>
+  </message>
+  <message>
+   <source>The database was read without its overview, which map correlation searches.</source>
+   <translation>La base de datos se leyó sin su vista general, en la que busca la correlación de mapas.</translation>
+  </message>
+  <message>
+   <source>The disagreements can't be made into polygons: {reason}.</source>
+   <translation>No se pueden convertir las discrepancias en polígonos: {reason}.</translation>
   </message>
   <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
@@ -2060,8 +2356,52 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El disco está lleno: {folder} necesita unos 500 MB.</translation>
   </message>
   <message>
+   <source>The distance between points is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
+   <translation>La distancia entre los puntos es {spacing:g}, lo que da {count} puntos; indique {least:.3g} o más.</translation>
+  </message>
+  <message>
+   <source>The distance between points is {spacing:g}; give it in map units.</source>
+   <translation>La distancia entre los puntos es {spacing:g}; indíquela en unidades del mapa.</translation>
+  </message>
+  <message>
+   <source>The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
+   <translation>El lado de un cuadrado es {size:g}, lo que da {count} cuadrados en el mapa; indique {least:.3g} o más.</translation>
+  </message>
+  <message>
+   <source>The edge of a square is {size:g}; give it in map units.</source>
+   <translation>El lado de un cuadrado es {size:g}; indíquelo en unidades del mapa.</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>El archivo no puede dar longitud ni latitud: el mapa es demasiado grande para ello o contiene un polo.</translation>
+  </message>
+  <message>
+   <source>The focal length is {focal_length_px:g} pixels; it must be above 0.</source>
+   <translation>La distancia focal es de {focal_length_px:g} píxeles; debe ser mayor que 0.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} can't be written to; choose another place for {name}.</source>
+   <translation>No se puede escribir en la carpeta {folder}; elija otro lugar para {name}.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
+   <translation>La carpeta {folder} no existe; créela o elija otro lugar para {name}.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} is gone; start again when it is back.</source>
+   <translation>La carpeta {folder} ha desaparecido; vuelva a empezar cuando esté de nuevo.</translation>
+  </message>
+  <message>
+   <source>The folder {path} holds no image ({endings}).</source>
+   <translation>La carpeta {path} no contiene ninguna imagen ({endings}).</translation>
+  </message>
+  <message>
+   <source>The folder {path} holds other files, which are left alone; choose a new or empty one.</source>
+   <translation>La carpeta {path} contiene otros archivos, que no se tocan; elija una nueva o vacía.</translation>
+  </message>
+  <message>
+   <source>The footprint is {footprint:g}; give the edge of the ground that an image shows.</source>
+   <translation>La huella es {footprint:g}; indique el lado del terreno que muestra una imagen.</translation>
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
@@ -2072,6 +2412,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La geometría del objeto espacial {id} se hizo válida: {reason}.</translation>
   </message>
   <message>
+   <source>The header would have {size} bytes, more than {most}.</source>
+   <translation>La cabecera tendría {size} bytes, más de {most}.</translation>
+  </message>
+  <message>
    <source>The heights (Z) of feature {id} were left out.</source>
    <translation>Las alturas (Z) del objeto espacial {id} se dejaron fuera.</translation>
   </message>
@@ -2080,44 +2424,176 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La coincidencia está fuera del área del SRC del proyecto; elija otro para verla.</translation>
   </message>
   <message>
+   <source>The image has no pixels.</source>
+   <translation>La imagen no tiene píxeles.</translation>
+  </message>
+  <message>
+   <source>The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may have {most} at most; reduce it first.</source>
+   <translation>La imagen tiene {width} × {height} píxeles y {level_width} × {level_height} una vez nivelada, pero un lado puede tener {most} como máximo; redúzcala antes.</translation>
+  </message>
+  <message>
+   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; choose a smaller tile.</source>
+   <translation>La imagen tiene {width} × {height} píxeles, menos que una tesela de {tile_size} píxeles; elija una tesela menor.</translation>
+  </message>
+  <message>
    <source>The image is described as this database’s windows are; the settings below are then not used.</source>
    <translation>La imagen se describe como las ventanas de esta base de datos; los parámetros de abajo no se usan entonces.</translation>
+  </message>
+  <message>
+   <source>The image shows hardly more than one class; a larger footprint with several classes is needed.</source>
+   <translation>La imagen apenas muestra más de una clase; hace falta una huella mayor con varias clases.</translation>
+  </message>
+  <message>
+   <source>The image shows too little ground to search this whole map for it; give a prior position.</source>
+   <translation>La imagen muestra demasiado poco terreno para buscarla en todo este mapa; indique una posición aproximada.</translation>
+  </message>
+  <message>
+   <source>The image shows {count} landmark</source>
+   <translation>La imagen muestra {count} hito</translation>
+  </message>
+  <message>
+   <source>The image shows {count} landmarks</source>
+   <translation>La imagen muestra {count} hitos</translation>
+  </message>
+  <message>
+   <source>The image shows {count} whole landmark</source>
+   <translation>La imagen muestra {count} hito entero</translation>
+  </message>
+  <message>
+   <source>The image shows {count} whole landmarks</source>
+   <translation>La imagen muestra {count} hitos enteros</translation>
+  </message>
+  <message>
+   <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
+   <translation>El mapa de etiquetas y la base de datos no tienen las mismas clases ({value} {name} solo está en uno de los dos); rasterice con la tabla de clases de la base de datos o cree una nueva.</translation>
   </message>
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>El mapa de etiquetas no trae nombres de clases; sus clases se nombran por sus valores.</translation>
   </message>
   <message>
+   <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
+   <translation>El mapa de etiquetas tiene píxeles de {pixel_size:g} m, la base de datos se creó con {pixel:g} m; rasterice con el tamaño de píxel de la base de datos o cree una nueva.</translation>
+  </message>
+  <message>
+   <source>The label map has the value {value}, which the database's classes lack; correct it or build a new database.</source>
+   <translation>El mapa de etiquetas tiene el valor {value}, que falta en las clases de la base de datos; corríjalo o cree una base de datos nueva.</translation>
+  </message>
+  <message>
+   <source>The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, the database's had {known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}; rasterize with the extent of the old label map or build a new database.</source>
+   <translation>El mapa de etiquetas tiene {width} × {height} píxeles desde {x:.10g}, {y:.10g}, el de la base de datos tenía {known_width} × {known_height} desde {known_x:.10g}, {known_y:.10g}; rasterice con la extensión del mapa de etiquetas antiguo o cree una base de datos nueva.</translation>
+  </message>
+  <message>
+   <source>The label map is in {crs}, the database in {database_crs}; rasterize to the database's CRS or build a new database.</source>
+   <translation>El mapa de etiquetas está en {crs}, la base de datos en {database_crs}; rasterice en el SRC de la base de datos o cree una nueva.</translation>
+  </message>
+  <message>
    <source>The label map that the reference database was built from.</source>
    <translation>El mapa de etiquetas con el que se creó la base de datos de referencia.</translation>
+  </message>
+  <message>
+   <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
+   <translation>El mapa de etiquetas tendría {width} × {height} píxeles; elija un PIXEL_SIZE mayor o una EXTENT menor.</translation>
+  </message>
+  <message>
+   <source>The labels can’t be brought onto the image: {reason}.</source>
+   <translation>No se pueden llevar las etiquetas a la imagen: {reason}.</translation>
+  </message>
+  <message>
+   <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
+   <translation>Las etiquetas tienen el valor {found}; un mapa de etiquetas contiene valores de clase de 0 a 255.</translation>
+  </message>
+  <message>
+   <source>The labels have the value {unknown}, which the class table lacks; its classes are {classes}.</source>
+   <translation>Las etiquetas tienen el valor {unknown}, que falta en la tabla de clases; sus clases son {classes}.</translation>
+  </message>
+  <message>
+   <source>The labels leave {training} tiles for training and {validation} for validation; choose smaller tiles than {tile_size} pixels, a smaller stride, or another validation fraction.</source>
+   <translation>Las etiquetas dejan {training} teselas para el entrenamiento y {validation} para la validación; elija teselas de menos de {tile_size} píxeles, un paso menor u otra fracción de validación.</translation>
+  </message>
+  <message>
+   <source>The landscape can’t be rasterized: {reason}.</source>
+   <translation>No se puede rasterizar el paisaje: {reason}.</translation>
   </message>
   <message>
    <source>The largest of each kind</source>
    <translation>Los mayores de cada tipo</translation>
   </message>
   <message>
+   <source>The layer {layer} can’t be created: {reason}.</source>
+   <translation>No se puede crear la capa {layer}: {reason}.</translation>
+  </message>
+  <message>
+   <source>The layer {name} can't be written: {reason}.</source>
+   <translation>No se puede escribir la capa {name}: {reason}.</translation>
+  </message>
+  <message>
+   <source>The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.</source>
+   <translation>La extensión de la capa no encaja con su SRC {crs}; corrija el SRC o elija TARGET_CRS.</translation>
+  </message>
+  <message>
+   <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
+   <translation>Los niveles deben ser múltiplos positivos del tamaño de ventana, por ejemplo 1;2.</translation>
+  </message>
+  <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>Las líneas del centro a los hitos del vector topológico</translation>
+  </message>
+  <message>
+   <source>The map has fewer than two classes, so that no place differs from another.</source>
+   <translation>El mapa tiene menos de dos clases, así que ningún lugar se distingue de otro.</translation>
+  </message>
+  <message>
+   <source>The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
+   <translation>El mapa no muestra ningún hito de {references} de al menos {minimum_area:g} m²; elija otras clases de referencia o un área mínima menor.</translation>
   </message>
   <message>
    <source>The map that images are cut from: the database’s own or another of the same ground, in the database’s CRS and with its classes; the pixel size may differ.</source>
    <translation>El mapa del que se cortan las imágenes: el de la base de datos u otro del mismo terreno, en el SRC de la base de datos y con sus clases; el tamaño de píxel puede diferir.</translation>
   </message>
   <message>
+   <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
+   <translation>Los mapas no tienen en común ningún píxel que REFERENCE etiquete; elija mapas del mismo terreno.</translation>
+  </message>
+  <message>
+   <source>The maps have no pixel in common that the reference labels; choose maps of the same ground.</source>
+   <translation>Los mapas no tienen en común ningún píxel que la referencia etiquete; elija mapas del mismo terreno.</translation>
+  </message>
+  <message>
    <source>The maps share no class names: classes are matched by their values.</source>
    <translation>Los mapas no comparten nombres de clases: las clases se emparejan por sus valores.</translation>
+  </message>
+  <message>
+   <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
+   <translation>El área mínima es de {minimum_area:g} m²; debe ser mayor que 0.</translation>
+  </message>
+  <message>
+   <source>The mirrored image fits almost as well, so the pattern is too regular.</source>
+   <translation>La imagen reflejada encaja casi igual de bien, así que el patrón es demasiado regular.</translation>
   </message>
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>El modelo no indica su resolución: la imagen se toma tal cual.</translation>
   </message>
   <message>
+   <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
+   <translation>La ventana más cercana está a la distancia {distance:.3f}, más de {threshold:g}.</translation>
+  </message>
+  <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>La red que hace etiquetas a partir de fotos; déjelo vacío para imágenes de etiquetas</translation>
   </message>
   <message>
+   <source>The objects that agree with the map don't fix the position closely enough.</source>
+   <translation>Los hitos que coinciden con el mapa no fijan la posición con suficiente precisión.</translation>
+  </message>
+  <message>
    <source>The one that the old label map was made with.</source>
    <translation>La tabla con la que se hizo el mapa de etiquetas antiguo.</translation>
+  </message>
+  <message>
+   <source>The overview can't be written: {reason}.</source>
+   <translation>No se puede escribir la vista general: {reason}.</translation>
   </message>
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
@@ -2132,12 +2608,28 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El certificado del índice de paquetes no es de confianza; pregunte a quien administra su red cómo se configura pip aquí, o instale desde una carpeta de wheels.</translation>
   </message>
   <message>
+   <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
+   <translation>El tamaño de píxel es de {pixel_size:g} m; debe ser mayor que 0.</translation>
+  </message>
+  <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>El tamaño de píxel con el que se rasterizará la capa: también se informa de los hitos que esos píxeles perderían, unirían o dividirían. Si se omite, no se examina.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Las posiciones son ahora una capa temporal del proyecto; expórtela para conservarlas.</translation>
+  </message>
+  <message>
+   <source>The precision is {precision:g}; it must be more than 0 map units.</source>
+   <translation>La precisión es {precision:g}; debe ser mayor que 0 unidades del mapa.</translation>
+  </message>
+  <message>
+   <source>The precision of {precision:g} map units is too fine for the map; choose a larger one.</source>
+   <translation>La precisión de {precision:g} unidades del mapa es demasiado fina para el mapa; elija una mayor.</translation>
+  </message>
+  <message>
+   <source>The priority field “{priority_field}” does not hold numbers; choose one that does.</source>
+   <translation>El campo de prioridad «{priority_field}» no contiene números; elija uno que los contenga.</translation>
   </message>
   <message>
    <source>The project has no raster layer of a file.</source>
@@ -2148,12 +2640,28 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El proxy no se puede usar; compruébelo en Configuración ▸ Opciones ▸ Red, o instale desde wheels.</translation>
   </message>
   <message>
+   <source>The radius of --near is {radius:g}; it must be more than 0 map units.</source>
+   <translation>El radio de --near es {radius:g}; debe ser mayor que 0 unidades del mapa.</translation>
+  </message>
+  <message>
    <source>The reduced label map, which map correlation searches; without it the file is several times smaller.</source>
    <translation>El mapa de etiquetas reducido, en el que busca la correlación de mapas; sin él el archivo es varias veces más pequeño.</translation>
   </message>
   <message>
+   <source>The reference and the prediction don't overlap; choose maps of the same ground.</source>
+   <translation>La referencia y la predicción no se solapan; elija mapas del mismo terreno.</translation>
+  </message>
+  <message>
+   <source>The reference has {width} × {height} pixels and the prediction {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
+   <translation>La referencia tiene {width} × {height} píxeles y la predicción {other_width} × {other_height}, y no ambas están georreferenciadas; compare imágenes del mismo tamaño o dos mapas georreferenciados.</translation>
+  </message>
+  <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
    <translation>El resultado de «Comprobar anotación» o «Comparar mapas de etiquetas»</translation>
+  </message>
+  <message>
+   <source>The route has no line with a length; draw one through two points at least.</source>
+   <translation>La ruta no tiene ninguna línea con longitud; dibuje una que pase por dos puntos como mínimo.</translation>
   </message>
   <message>
    <source>The same number gives the same area; another one makes up another.</source>
@@ -2192,12 +2700,52 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El paso ({stride:g}) es mayor que la ventana ({size:g}), así que faltaría terreno entre las ventanas; elija un paso no mayor que el tamaño de ventana.</translation>
   </message>
   <message>
+   <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
+   <translation>El paso ({stride} px) es mayor que la ventana ({size} px), así que faltaría terreno entre las ventanas; elija un paso no mayor que el tamaño de ventana.</translation>
+  </message>
+  <message>
    <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
    <translation>Toda el área, rasterizada con el tamaño de píxel y la extensión del mapa de etiquetas anterior.</translation>
   </message>
   <message>
-   <source>There is no database {path}; choose another file.</source>
-   <translation>No hay ninguna base de datos {path}; elija otro archivo.</translation>
+   <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
+   <translation>La ventana ({size} px) es mayor que el mapa ({width} × {height} px); elija una ventana menor o un mapa mayor.</translation>
+  </message>
+  <message>
+   <source>The windows' sizes are not those of their levels; build the database again.</source>
+   <translation>Los tamaños de las ventanas no son los de sus niveles; vuelva a crear la base de datos.</translation>
+  </message>
+  <message>
+   <source>There are {count} classes, but a label map holds {most}; choose another class field, or merge classes with a class table.</source>
+   <translation>Hay {count} clases, pero un mapa de etiquetas admite {most}; elija otro campo de clase o fusione clases con una tabla de clases.</translation>
+  </message>
+  <message>
+   <source>There is no class “{text}”; the classes are {classes}.</source>
+   <translation>No hay ninguna clase «{text}»; las clases son {classes}.</translation>
+  </message>
+  <message>
+   <source>There is no database {path}; build one or choose another file.</source>
+   <translation>No hay ninguna base de datos {path}; cree una o elija otro archivo.</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; choose another route.</source>
+   <translation>No hay ningún archivo {path}; elija otra ruta.</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; export one or choose another.</source>
+   <translation>No hay ningún archivo {path}; exporte uno o elija otro.</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; export one with “Export for onboard use” or choose another.</source>
+   <translation>No hay ningún archivo {path}; exporte uno con «Exportar para uso a bordo» o elija otro.</translation>
+  </message>
+  <message>
+   <source>There is no folder {folder}; create it or watch another one.</source>
+   <translation>No hay ninguna carpeta {folder}; créela o vigile otra.</translation>
+  </message>
+  <message>
+   <source>There is no landmark to export; choose another database or a larger area.</source>
+   <translation>No hay ningún hito que exportar; elija otra base de datos o un área mayor.</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
@@ -2214,6 +2762,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Topology vector</source>
    <translation>Vector topológico</translation>
+  </message>
+  <message>
+   <source>Topology vector (He &amp; Wu 2025)</source>
+   <translation>Vector topológico (He &amp; Wu 2025)</translation>
   </message>
   <message>
    <source>Topology vector (published)</source>
@@ -2254,6 +2806,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>Convierte una imagen que muestra las clases como colores en un mapa de etiquetas, según los rangos HSV de la tabla de clases, como se publicó, o según el color de clase más cercano.
 
 Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más cercano, el negro queda sin etiqueta, salvo que una clase sea negra.</translation>
+  </message>
+  <message>
+   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}); a prior position could tell them apart.</source>
+   <translation>Dos lugares coinciden casi igual de bien ({score:.2f} y {runner_up:.2f}); una posición aproximada podría distinguirlos.</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -2392,6 +2948,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Tamaño de ventana (unidades del mapa)</translation>
   </message>
   <message>
+   <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them.</source>
+   <translation>El tamaño de ventana ({size} px) y el paso ({stride} px) deben ser de al menos un píxel; auméntelos.</translation>
+  </message>
+  <message>
    <source>Windows</source>
    <translation>Ventanas</translation>
   </message>
@@ -2410,6 +2970,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>With map correlation (slow)</source>
    <translation>Con correlación de mapas (lento)</translation>
+  </message>
+  <message>
+   <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.</source>
+   <translation>Con un alabeo de {roll_deg:g}° y un cabeceo de {pitch_deg:g}°, una esquina de la imagen mira a {steepest:.0f}° de la vertical, más de {most_deg:g}° y demasiado cerca del horizonte; use imágenes que miren más hacia abajo.</translation>
   </message>
   <message>
    <source>With the overview</source>
@@ -2490,6 +3054,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>as at places alike; none nearby failed</source>
    <translation>como en lugares parecidos; ninguna falló cerca</translation>
+  </message>
+  <message>
+   <source>at least {count} more are needed</source>
+   <translation>hacen falta al menos {count} más</translation>
+  </message>
+  <message>
+   <source>at least {count} more is needed</source>
+   <translation>hace falta al menos {count} más</translation>
   </message>
   <message>
    <source>class</source>
@@ -2780,8 +3352,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>a veces</translation>
   </message>
   <message>
+   <source>the database</source>
+   <translation>la base de datos</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>la salida</translation>
+  </message>
+  <message>
+   <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are used.</source>
+   <translation>tile_size en los metadatos del modelo es {stated}, pero la red toma {width} × {height} píxeles: se usan estos.</translation>
   </message>
   <message>
    <source>to (m)</source>
@@ -2794,6 +3374,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>too little evidence</source>
    <translation>muy poca evidencia</translation>
+  </message>
+  <message>
+   <source>unknown format</source>
+   <translation>formato desconocido</translation>
+  </message>
+  <message>
+   <source>unknown reason</source>
+   <translation>motivo desconocido</translation>
   </message>
   <message>
    <source>very reliably</source>
@@ -2844,6 +3432,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{bytes} bytes. Redondeo: posiciones en {position:g} unidades del mapa como máximo, áreas en {area:.3%}, vectores en {vector:.4f} por elemento.</translation>
   </message>
   <message>
+   <source>{constellation} Map correlation has no fix either: {correlation:clause}</source>
+   <translation>{constellation} La correlación de mapas tampoco encuentra una posición: {correlation:clause}</translation>
+  </message>
+  <message>
    <source>{count} images simulated in {seconds:.0f} s.</source>
    <translation>{count} imágenes simuladas en {seconds:.0f} s.</translation>
   </message>
@@ -2860,6 +3452,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{count} hitos, centro {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} other place fits almost as well as the best one.</source>
+   <translation>{count} lugar más encaja casi tan bien como el mejor.</translation>
+  </message>
+  <message>
+   <source>{count} other places fit almost as well as the best one.</source>
+   <translation>{count} lugares más encajan casi tan bien como el mejor.</translation>
+  </message>
+  <message>
    <source>{count} photos in {folder}</source>
    <translation>{count} fotos en {folder}</translation>
   </message>
@@ -2874,6 +3474,18 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
    <translation>{count} puntos; {share:.0%} de ellos con un acierto esperado del {threshold:.0%} o más.</translation>
+  </message>
+  <message>
+   <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
+   <translation>{crs} no mide en metros; elija un SRC proyectado en metros como TARGET_CRS.</translation>
+  </message>
+  <message>
+   <source>{database} can't tell longitude and latitude, which GGA sentences need.</source>
+   <translation>{database} no puede indicar la longitud y la latitud que necesitan las sentencias GGA.</translation>
+  </message>
+  <message>
+   <source>{database} has no overview, which map correlation searches; export it with one.</source>
+   <translation>{database} no tiene vista general, en la que busca la correlación de mapas; expórtela con ella.</translation>
   </message>
   <message>
    <source>{database}, images cut from {labels}</source>
@@ -2914,6 +3526,30 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.</source>
    <translation>{kept} de {landmarks} hitos y {windows} de {all_windows} ventanas están en la zona.</translation>
+  </message>
+  <message>
+   <source>{key} has no polygon; leave it out to find the changes by comparing.</source>
+   <translation>{key} no tiene ningún polígono; omítalo para encontrar los cambios por comparación.</translation>
+  </message>
+  <message>
+   <source>{key} is not a raster that can be read; choose a label map.</source>
+   <translation>{key} no es un ráster que se pueda leer; elija un mapa de etiquetas.</translation>
+  </message>
+  <message>
+   <source>{key} is not a raster that can be read; choose a photo or an orthophoto.</source>
+   <translation>{key} no es un ráster que se pueda leer; elija una foto o una ortofoto.</translation>
+  </message>
+  <message>
+   <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
+   <translation>{key}: el área del objeto espacial {feature} no se puede llevar al SRC del mapa de etiquetas; compruebe el SRC de la capa.</translation>
+  </message>
+  <message>
+   <source>{key}: “{layer}” has no field “{name}”; its fields are {names}.</source>
+   <translation>{key}: «{layer}» no tiene ningún campo «{name}»; sus campos son {names}.</translation>
+  </message>
+  <message>
+   <source>{key}: “{text}” is not a list of numbers such as 1;2.</source>
+   <translation>{key}: «{text}» no es una lista de números como 1;2.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
@@ -2964,6 +3600,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{name} (objetos espaciales {id} y {other}): sus píxeles se tocan, así que se convierten en un solo hito.</translation>
   </message>
   <message>
+   <source>{name} can't be written; choose another place, or see whether the disk is full.</source>
+   <translation>No se puede escribir {name}; elija otro lugar o compruebe si el disco está lleno.</translation>
+  </message>
+  <message>
    <source>{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.</source>
    <translation>{name} no se puede quitar, probablemente porque está en uso; reinicie QGIS y quítelo de nuevo.</translation>
   </message>
@@ -2972,12 +3612,20 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{name} no se puede escribir; elija un lugar en el que tenga permiso para escribir.</translation>
   </message>
   <message>
+   <source>{name} has no route: no line, and fewer than two waypoints; choose another one.</source>
+   <translation>{name} no tiene ninguna ruta: ni líneas ni dos puntos de paso; elija otra.</translation>
+  </message>
+  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}: IoU {iou:.1%}, {pixels} píxeles anotados</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} objetos espaciales de {name} que se tocan son un solo polígono con los atributos del objeto espacial {id}.</translation>
+  </message>
+  <message>
+   <source>{output} exists and is no onboard file; remove it or choose another name.</source>
+   <translation>{output} existe y no es un archivo de a bordo; elimínelo o elija otro nombre.</translation>
   </message>
   <message>
    <source>{output} is replaced.</source>
@@ -3000,12 +3648,336 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{package} se instaló, pero no se puede usar con numpy {numpy}: {reason}; se ha quitado de nuevo.</translation>
   </message>
   <message>
+   <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
+   <translation>{path} llama «{name}» a la clase {value} y la base de datos «{known}»; rasterice el mapa con la tabla de clases de la base de datos.</translation>
+  </message>
+  <message>
+   <source>{path} can't be read as a route ({reason}).</source>
+   <translation>{path} no se puede leer como ruta ({reason}).</translation>
+  </message>
+  <message>
+   <source>{path} can't be read: {reason}.</source>
+   <translation>No se puede leer {path}: {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
+   <translation>No se puede reemplazar {path}; quizá esté abierto en este u otro programa: ciérrelo, elimínelo o elija otro nombre.</translation>
+  </message>
+  <message>
+   <source>{path} can't be run by onnxruntime {version}: {reason}.</source>
+   <translation>onnxruntime {version} no puede ejecutar {path}: {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} can't be written: {reason}.</source>
+   <translation>No se puede escribir {path}: {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} can't be written: {reason}; choose another place.</source>
+   <translation>No se puede escribir {path}: {reason}; elija otro lugar.</translation>
+  </message>
+  <message>
+   <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
+   <translation>No se pudo escribir {path} por completo: {reason}; compruebe si el disco está lleno.</translation>
+  </message>
+  <message>
+   <source>{path} does not exist; choose a model file (.onnx).</source>
+   <translation>{path} no existe; elija un archivo de modelo (.onnx).</translation>
+  </message>
+  <message>
+   <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
+   <translation>{path} falla con una imagen de {width} × {height} píxeles: {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} gives the class number {number:g}, but it names {count} classes; take the names it was trained with.</source>
+   <translation>{path} da el número de clase {number:g}, pero nombra {count} clases; tome los nombres con los que se entrenó.</translation>
+  </message>
+  <message>
+   <source>{path} gives the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × {height} × {width}.</source>
+   <translation>{path} da la forma {shape} para una imagen de {width} × {height} píxeles; debe ser 1 × clases × {height} × {width}.</translation>
+  </message>
+  <message>
+   <source>{path} gives values that are not numbers (NaN or infinite); it is damaged, or its standardization_mean and standardization_std are not those it was trained with.</source>
+   <translation>{path} da valores que no son números (NaN o infinitos); está dañado, o sus standardization_mean y standardization_std no son los de su entrenamiento.</translation>
+  </message>
+  <message>
+   <source>{path} has 2 bands; a label map has one: save it without transparency.</source>
+   <translation>{path} tiene 2 bandas; un mapa de etiquetas tiene una: guárdelo sin transparencia.</translation>
+  </message>
+  <message>
+   <source>{path} has a line that is no waypoint: {line}</source>
+   <translation>{path} tiene una línea que no es un punto de paso: {line}</translation>
+  </message>
+  <message>
+   <source>{path} has a palette; convert it to an RGB image first.</source>
+   <translation>{path} tiene una paleta; conviértalo antes en una imagen RGB.</translation>
+  </message>
+  <message>
+   <source>{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.</source>
+   <translation>{path} tiene un punto de paso en {latitude}, {longitude}, que no es una latitud y una longitud.</translation>
+  </message>
+  <message>
+   <source>{path} has neither labels nor landmarks; build it again.</source>
+   <translation>{path} no tiene etiquetas ni hitos; vuelva a crearla.</translation>
+  </message>
+  <message>
+   <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
+   <translation>{path} no tiene sistema de referencia de coordenadas; asigne uno métrico a la capa.</translation>
+  </message>
+  <message>
+   <source>{path} has no georeference, so its windows would have no place on the map.</source>
+   <translation>{path} no está georreferenciado, así que sus ventanas no tendrían lugar en el mapa.</translation>
+  </message>
+  <message>
+   <source>{path} has no mission; save it with QGroundControl as a plan.</source>
+   <translation>{path} no tiene ninguna misión; guárdelo como plan con QGroundControl.</translation>
+  </message>
+  <message>
+   <source>{path} has no overview that can be read ({reason}); build it again.</source>
+   <translation>{path} no tiene una vista general que se pueda leer ({reason}); vuelva a crearla.</translation>
+  </message>
+  <message>
+   <source>{path} has no readable parameter crs; build it again.</source>
+   <translation>{path} no tiene un parámetro crs que se pueda leer; vuelva a crearla.</translation>
+  </message>
+  <message>
+   <source>{path} has no readable parameter {reason}; build it again.</source>
+   <translation>{path} no tiene un parámetro que se pueda leer {reason}; vuelva a crearla.</translation>
+  </message>
+  <message>
+   <source>{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core folder on this computer.</source>
+   <translation>{path} tiene la versión {version} del formato de a bordo, más nueva que la que lee este SemRef ({known}); actualice la carpeta core de SemRef en este equipo.</translation>
+  </message>
+  <message>
+   <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
+   <translation>{path} tiene píxeles de {pixel_x:g} × {pixel_y:g}; remuestréelo antes a píxeles cuadrados.</translation>
+  </message>
+  <message>
+   <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
+   <translation>{path} tiene el valor {found}; un mapa de etiquetas contiene valores de clase de 0 a 255.</translation>
+  </message>
+  <message>
+   <source>{path} has times in seconds and times with dates; use one of them throughout.</source>
+   <translation>{path} tiene horas en segundos y horas con fecha; use solo una de las dos formas.</translation>
+  </message>
+  <message>
+   <source>{path} has vectors that are not {length} numbers long; build it again.</source>
+   <translation>{path} tiene vectores que no son de {length} números; vuelva a crearla.</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} band(s) and no palette; a color image has three bands.</source>
+   <translation>Bandas de {path}: {bands}, sin paleta; una imagen en color tiene tres.</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.</source>
+   <translation>{path} tiene {bands} bandas; un mapa de etiquetas tiene una: decodifique antes una imagen en color con «Decodificar etiquetas en color».</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} bands; a label map has one: decode its colors to class values first.</source>
+   <translation>{path} tiene {bands} bandas; un mapa de etiquetas tiene una: decodifique antes sus colores a valores de clase.</translation>
+  </message>
+  <message>
+   <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
+   <translation>{path} tiene {count} hitos y límites de {bounds}; vuelva a crearla.</translation>
+  </message>
+  <message>
+   <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
+   <translation>{path} tiene {inputs} entradas y {outputs} salidas; una red de segmentación tiene una de cada.</translation>
+  </message>
+  <message>
+   <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
+   <translation>{path} tiene {size} píxeles, la imagen {image_size}, y no ambas están georreferenciadas; dé a ambas un lugar en el terreno, o etiquetas del tamaño de la imagen.</translation>
+  </message>
+  <message>
+   <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
+   <translation>{path} tiene {width} × {height} píxeles, más de los que puede tener una imagen por localizar ({most_million} millones); recórtela a lo que muestra una foto.</translation>
+  </message>
+  <message>
+   <source>{path} holds complex numbers; a network takes photos.</source>
+   <translation>{path} contiene números complejos; una red toma fotos.</translation>
+  </message>
+  <message>
+   <source>{path} holds no results of “Localize images”; localize the images again.</source>
+   <translation>{path} no contiene resultados de «Localizar imágenes»; localice las imágenes de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
+   <translation>{path} contiene otras capas ({layers}), que se perderían; elija otro archivo o añada a él con «Save to GeoPackage».</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a color label image has 8 bits a band.</source>
+   <translation>{path} contiene valores {kind}; una imagen de etiquetas en color tiene 8 bits por banda.</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a label map holds whole numbers from 0 to 255.</source>
+   <translation>{path} contiene valores {kind}; un mapa de etiquetas contiene números enteros de 0 a 255.</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a photo has 8 bits a band: convert it first.</source>
+   <translation>{path} contiene valores {kind}; una foto tiene 8 bits por banda: conviértala antes.</translation>
+  </message>
+  <message>
+   <source>{path} holds {name} values; training tiles are made of 8- or 16-bit images.</source>
+   <translation>{path} contiene valores {name}; las teselas de entrenamiento se hacen con imágenes de 8 o 16 bits.</translation>
+  </message>
+  <message>
+   <source>{path} is a file; choose a folder.</source>
+   <translation>{path} es un archivo; elija una carpeta.</translation>
+  </message>
+  <message>
+   <source>{path} is a folder; give a file name.</source>
+   <translation>{path} es una carpeta; indique un nombre de archivo.</translation>
+  </message>
+  <message>
+   <source>{path} is a paletted TIFF of {bits} bits a pixel; save it with 8, or as PNG.</source>
+   <translation>{path} es un TIFF con paleta de {bits} bits por píxel; guárdelo con 8 o como PNG.</translation>
+  </message>
+  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} es una versión más antigua de la que SemRef puede usar, y QGIS la encuentra primero; actualícela o quítela.</translation>
   </message>
   <message>
+   <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
+   <translation>{path} está dañada o cortada ({reason}); vuelva a crearla o consiga otra copia.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged or cut short: {reason}.</source>
+   <translation>{path} está dañado o cortado: {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged or cut short; copy it again.</source>
+   <translation>{path} está dañado o cortado; cópielo de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged, cut short or no onboard file of SemRef ({name} is missing); fetch another copy or export it again.</source>
+   <translation>{path} está dañado, cortado o no es un archivo de a bordo de SemRef (falta {name}); consiga otra copia o expórtelo de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged, cut short or no onboard file of SemRef ({reason}); fetch another copy or export it again.</source>
+   <translation>{path} está dañado, cortado o no es un archivo de a bordo de SemRef ({reason}); consiga otra copia o expórtelo de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
+   <translation>{path} está en formato ONNX {found} (versión IR), pero onnxruntime {version} solo lee hasta {known}; instale un onnxruntime más nuevo o exporte el modelo con una ir_version anterior.</translation>
+  </message>
+  <message>
+   <source>{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS.</source>
+   <translation>{path} está en {crs} y la base de datos en {database_crs}; reproyecte el mapa de etiquetas al SRC de la base de datos.</translation>
+  </message>
+  <message>
+   <source>{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.</source>
+   <translation>{path} está en {crs}, que no mide en metros; rasterice o reproyecte a un SRC proyectado en metros.</translation>
+  </message>
+  <message>
+   <source>{path} is larger than {most_mb} MB; no route is.</source>
+   <translation>{path} ocupa más de {most_mb} MB; ninguna ruta es tan grande.</translation>
+  </message>
+  <message>
+   <source>{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.</source>
+   <translation>{path} no es PNG, TIFF ni JPEG; guarde la imagen de etiquetas como PNG.</translation>
+  </message>
+  <message>
+   <source>{path} is no JSON and so no plan of QGroundControl; save the plan again.</source>
+   <translation>{path} no es JSON y, por tanto, no es un plan de QGroundControl; guarde el plan de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.</source>
+   <translation>{path} no es una tabla de cámara: su cabecera es «{first}», pero necesita la columna image y algunas de {columns}.</translation>
+  </message>
+  <message>
+   <source>{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.</source>
+   <translation>{path} no es un archivo de a bordo de SemRef; elija uno creado con «Exportar para uso a bordo».</translation>
+  </message>
+  <message>
+   <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
+   <translation>{path} no es un archivo de a bordo de SemRef; elija uno que SemRef haya exportado.</translation>
+  </message>
+  <message>
+   <source>{path} is no text and so no route; choose another file.</source>
+   <translation>{path} no es texto y, por tanto, no es una ruta; elija otro archivo.</translation>
+  </message>
+  <message>
+   <source>{path} is no waypoint list: its first line is not “QGC WPL 110”.</source>
+   <translation>{path} no es una lista de puntos de paso: su primera línea no es «QGC WPL 110».</translation>
+  </message>
+  <message>
+   <source>{path} is not a GeoPackage; choose a database made by “Build reference database”.</source>
+   <translation>{path} no es un GeoPackage; elija una base de datos creada con «Crear base de datos de referencia».</translation>
+  </message>
+  <message>
+   <source>{path} is not a GeoPackage; choose a database that SemRef built.</source>
+   <translation>{path} no es un GeoPackage; elija una base de datos que SemRef haya creado.</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
+   <translation>{path} no es una base de datos de referencia de SemRef (le falta {missing}); elija una creada con «Crear base de datos de referencia».</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one that SemRef built.</source>
+   <translation>{path} no es una base de datos de referencia de SemRef (le falta {missing}); elija una que SemRef haya creado.</translation>
+  </message>
+  <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
    <translation>{path} no es una base de datos de referencia de SemRef; elija una creada con «Crear base de datos de referencia».</translation>
+  </message>
+  <message>
+   <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
+   <translation>{path} no es un modelo ONNX, o está dañado o cortado; cópielo o expórtelo de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
+   <translation>{path} está girado o reflejado; reproyéctelo antes a una cuadrícula orientada al norte.</translation>
+  </message>
+  <message>
+   <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
+   <translation>{path} guarda sus pesos en otro archivo que falta o está cortado; póngalo junto al modelo con su nombre anterior ({reason}).</translation>
+  </message>
+  <message>
+   <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
+   <translation>{path} no nombra ninguna de las imágenes, por ejemplo {image}; su columna image contiene sus nombres de archivo.</translation>
+  </message>
+  <message>
+   <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
+   <translation>{path} toma una entrada de forma {shape}; debe ser 1 × 3 × alto × ancho (rojo, verde, azul).</translation>
+  </message>
+  <message>
+   <source>{path} takes {count} images at once; export it for one (or any number).</source>
+   <translation>{path} toma {count} imágenes a la vez; expórtelo para una (o cualquier número).</translation>
+  </message>
+  <message>
+   <source>{path} takes {kind} values; a segmentation network takes floats.</source>
+   <translation>{path} toma valores {kind}; una red de segmentación toma números de coma flotante.</translation>
+  </message>
+  <message>
+   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
+   <translation>{path} usa operadores ONNX de la versión {found} (opset), pero onnxruntime {version} solo los conoce hasta {known}; instale un onnxruntime más nuevo o exporte el modelo con un opset anterior.</translation>
+  </message>
+  <message>
+   <source>{place}: no image is named; give each image one line.</source>
+   <translation>{place}: no se nombra ninguna imagen; dé una línea a cada imagen.</translation>
+  </message>
+  <message>
+   <source>{place}: roll or pitch is empty; give both, or neither.</source>
+   <translation>{place}: roll o pitch está vacío; indique ambos o ninguno.</translation>
+  </message>
+  <message>
+   <source>{place}: the image {image} is named a second time; give each image one line.</source>
+   <translation>{place}: la imagen {image} se nombra por segunda vez; dé una línea a cada imagen.</translation>
+  </message>
+  <message>
+   <source>{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
+   <translation>{place}: time es «{text}»; indique segundos, o una fecha y hora como 2025-06-30T14:05:09.250.</translation>
+  </message>
+  <message>
+   <source>{place}: {kinds} say the same thing twice; give one of them.</source>
+   <translation>{place}: {kinds} dicen lo mismo dos veces; indique solo uno.</translation>
+  </message>
+  <message>
+   <source>{place}: {kind} is {value:g}, which no camera has.</source>
+   <translation>{place}: {kind} es {value:g}, que ninguna cámara tiene.</translation>
+  </message>
+  <message>
+   <source>{place}: {name} is “{text}”, which is not a number.</source>
+   <translation>{place}: {name} es «{text}», que no es un número.</translation>
   </message>
   <message>
    <source>{predicted} against {reference}</source>
@@ -3028,6 +4000,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{seconds:.0f} s.</translation>
   </message>
   <message>
+   <source>{setting} goes from {low:g} to {high:g}; give two numbers from {least:g} to {most:g}, the smaller one first.</source>
+   <translation>{setting} va de {low:g} a {high:g}; indique dos números de {least:g} a {most:g}, primero el menor.</translation>
+  </message>
+  <message>
    <source>{share:.1%} of the pixels match no class.</source>
    <translation>{share:.1%} de los píxeles no coinciden con ninguna clase.</translation>
   </message>
@@ -3040,12 +4016,88 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{shift:.0f} m a la derecha: {after} en lugar de {before}</translation>
   </message>
   <message>
+   <source>{shown} and {count} more</source>
+   <translation>{shown} y {count} más</translation>
+  </message>
+  <message>
+   <source>{shown}; {needed}.</source>
+   <translation>{shown}; {needed}.</translation>
+  </message>
+  <message>
+   <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
+   <translation>{source} no conoce la clase {missing} de la base de datos, solo {names}; tome un modelo entrenado con las clases de la base de datos.</translation>
+  </message>
+  <message>
    <source>{source} does not measure in meters; the result is in {target}.</source>
    <translation>{source} no mide en metros; el resultado está en {target}.</translation>
   </message>
   <message>
+   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or export it with their names.</source>
+   <translation>{source} no nombra sus clases (clave de metadatos class_names); elija un modelo que las nombre o expórtelo con sus nombres.</translation>
+  </message>
+  <message>
+   <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
+   <translation>{source} no nombra sus clases (clave de metadatos class_names); indíquelas en CLASS_TABLE, en el orden de las salidas de la red.</translation>
+  </message>
+  <message>
+   <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
+   <translation>{source} tiene la versión de formato {version}, más nueva que la que lee este SemRef ({known}); actualice el complemento.</translation>
+  </message>
+  <message>
+   <source>{source} has no classes; it needs a header value,name,color,role and a line a class.</source>
+   <translation>{source} no tiene clases; necesita una cabecera value,name,color,role y una línea por clase.</translation>
+  </message>
+  <message>
+   <source>{source} has no landmark; build it with other classes or a smaller area.</source>
+   <translation>{source} no tiene ningún hito; créela con otras clases o un área menor.</translation>
+  </message>
+  <message>
+   <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
+   <translation>{source} tiene {value} en class_values; los valores de clase son números enteros de 0 a 255.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>
+   <translation>{source} tiene «{text}» como {key}; debe ser JSON con una entrada por salida, como {{"0": …, "1": …}}.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue, above 0.</source>
+   <translation>{source} tiene «{text}» como {key}; debe ser una lista de tres números mayores que 0, para rojo, verde y azul.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue.</source>
+   <translation>{source} tiene «{text}» como {key}; debe ser una lista de tres números, para rojo, verde y azul.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it.</source>
+   <translation>{source} tiene «{text}» como {key}; debe ser un número de {least:g} a {most:g}: corríjalo o elimínelo.</translation>
+  </message>
+  <message>
+   <source>{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.</source>
+   <translation>{source} es un modelo de tipo {kind} (clave de metadatos model_type); elija un Segmentor.</translation>
+  </message>
+  <message>
+   <source>{source} lacks the column {missing}; its header is “{header}”.</source>
+   <translation>A {source} le falta la columna {missing}; su cabecera es «{header}».</translation>
+  </message>
+  <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} no indica ninguna distancia focal, así que la imagen se toma tal cual.</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in CLASS_TABLE: {names}; take the names it was trained with.</source>
+   <translation>{source} distingue {channels} clases, pero hay {count} nombres de clase en CLASS_TABLE: {names}; tome los nombres con los que se entrenó.</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in its metadata (class_names): {names}; take the names it was trained with.</source>
+   <translation>{source} distingue {channels} clases, pero hay {count} nombres de clase en sus metadatos (class_names): {names}; tome los nombres con los que se entrenó.</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; take the names it was trained with.</source>
+   <translation>{source} distingue {channels} clases, pero hay {count} nombres de clase en la tabla de clases: {names}; tome los nombres con los que se entrenó.</translation>
+  </message>
+  <message>
+   <source>{source}, line {line}</source>
+   <translation>{source}, línea {line}</translation>
   </message>
   <message>
    <source>{threshold} or more expected</source>
@@ -3068,8 +4120,64 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{value} hitos en la imagen</translation>
   </message>
   <message>
+   <source>{where} can't be written: {reason}; choose another place.</source>
+   <translation>No se puede escribir {where}: {reason}; elija otro lugar.</translation>
+  </message>
+  <message>
+   <source>{where}: {fault}</source>
+   <translation>{where}: {fault}</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a number for draw_order.</source>
+   <translation>{where}: «{text}» no es un número para draw_order.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a whole number for value.</source>
+   <translation>{where}: «{text}» no es un número entero para value.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
+   <translation>{where}: «{text}» no es «h s v» en los rangos de OpenCV (h 0–180, s y v 0–255).</translation>
+  </message>
+  <message>
    <source>{windows} windows, {references} landmarks.</source>
    <translation>{windows} ventanas, {references} hitos.</translation>
+  </message>
+  <message>
+   <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>
+   <translation>«{layer}» viene de {provider}; guárdela antes como GeoTIFF.</translation>
+  </message>
+  <message>
+   <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
+   <translation>«{layer}» contiene geometrías {kind}; una capa de anotación contiene polígonos.</translation>
+  </message>
+  <message>
+   <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>
+   <translation>«{output}» y «{other}» son el mismo archivo, {path}; elija dos archivos.</translation>
+  </message>
+  <message>
+   <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
+   <translation>«{output}» es el mismo archivo que «{input}», {path}, que se perdería; elija otro lugar para «{output}».</translation>
+  </message>
+  <message>
+   <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
+   <translation>«{source}» tiene clases que la tabla de clases no tiene: {unknown}; añádalas a la tabla ({classes}) o deje fuera esos objetos espaciales.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no feature with a class; fill its class field first.</source>
+   <translation>«{source}» no tiene ningún objeto espacial con clase; rellene antes su campo de clase.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no polygon with area and class; there is nothing to rasterize.</source>
+   <translation>«{source}» no tiene ningún polígono con área y clase; no hay nada que rasterizar.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no polygon with area and class; there is nothing to repair.</source>
+   <translation>«{source}» no tiene ningún polígono con área y clase; no hay nada que reparar.</translation>
+  </message>
+  <message>
+   <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
+   <translation>«{where}» no es un puerto UDP de este equipo; escriba udp:PORT, con PORT de 1 a 65535.</translation>
   </message>
  </context>
 </TS>

@@ -8,6 +8,10 @@
    <translation>%v sur %m terminés</translation>
   </message>
   <message>
+   <source>--threads is {threads}; it must be at least 1.</source>
+   <translation>--threads vaut {threads} ; il en faut au moins 1.</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>2 % du côté du terrain</translation>
   </message>
@@ -20,6 +24,10 @@
    <translation>Un GeoPackage créé par « Créer une base de données de référence ».</translation>
   </message>
   <message>
+   <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
+   <translation>Une caméra avec {name} = {value:g}° ne regarde pas le sol ; 0° est la verticale vers le bas.</translation>
+  </message>
+  <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
    <translation>Une position trouvée est correcte si son écart ne dépasse pas la distance indiquée sous « Paramètres » ; celle du vecteur topologique, qui ne connaît que des fenêtres, si elle nomme la fenêtre la plus proche du centre de l’image. Les fausses acceptations sont des images en miroir de la carte pour lesquelles une position a été trouvée : elles ne peuvent jamais être correctes. CEP50 et CEP95 : la moitié et 95 % des positions correctes ont au plus cet écart. Cap et échelle : erreurs médianes des positions correctes.</translation>
   </message>
@@ -30,6 +38,14 @@
   <message>
    <source>A gap of {area:.2f} m² was given to {other_name}.</source>
    <translation>Une lacune de {area:.2f} m² a été attribuée à {other_name}.</translation>
+  </message>
+  <message>
+   <source>A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.</source>
+   <translation>Une inclinaison de nacelle de {pitch_deg:g}° ne regarde pas le sol ; −90° est la verticale vers le bas.</translation>
+  </message>
+  <message>
+   <source>A landmark has no area; build the database again.</source>
+   <translation>Un repère visuel n’a pas de surface ; recréez la base de données.</translation>
   </message>
   <message>
    <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
@@ -74,6 +90,10 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>Un polygone parasite de {name} de {area:.2f} m² se trouve à côté de {other_name} (entité {id}).</translation>
+  </message>
+  <message>
+   <source>A vector of {count} references is too short; use at least {least}.</source>
+   <translation>Un vecteur de {count} repères visuels est trop court ; utilisez-en au moins {least}.</translation>
   </message>
   <message>
    <source>Add a folder of images</source>
@@ -134,6 +154,10 @@
   <message>
    <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
    <translation>Une erreur dans SemRef a interrompu le travail ; veuillez signaler ce que le panneau Journal des messages affiche sous « SemRef ».</translation>
+  </message>
+  <message>
+   <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
+   <translation>Une image de {width} × {height} pixels montre trop peu pour être segmentée ; il lui faut {least} pixels dans chaque sens à la résolution du modèle.</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -216,6 +240,14 @@
    <translation>Hypothèses : caméra à l’horizontale ; cap quelconque ; {missed} des repères visuels manqués, {invented} inventés, {misnamed} mal nommés ; bords décalés de {ragged:g} unités de carte (écart type) ; aucune position approximative ; le terrain tel que dans la base. Une position compte comme correcte à moins de 2 % de l’emprise. Méthode : {method}.</translation>
   </message>
   <message>
+   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.</source>
+   <translation>À {resolution_cm:g} cm par pixel, il ne reste rien de l’image ; choisissez une résolution plus fine.</translation>
+  </message>
+  <message>
+   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; give another RESOLUTION.</source>
+   <translation>À {resolution_cm:g} cm par pixel, il ne reste rien de l’image ; indiquez une autre RESOLUTION.</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>Automatique</translation>
   </message>
@@ -266,6 +298,14 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>By footprint</source>
    <translation>Par emprise au sol</translation>
+  </message>
+  <message>
+   <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
+   <translation>Il manque à CLASS_TABLE la classe {missing} de {source} ; ajoutez-la, ou laissez CLASS_TABLE vide.</translation>
+  </message>
+  <message>
+   <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>CLIP ne correspond pas à son SCR {crs} ; corrigez le SCR.</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -374,6 +414,26 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Class table</source>
    <translation>Table des classes</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has only one of hsv_min and hsv_max; give both or none.</source>
+   <translation>La classe « {name} » n’a que l’un de hsv_min et hsv_max ; donnez les deux ou aucun.</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the color “{color}”; write it as #rrggbb.</source>
+   <translation>La classe « {name} » a la couleur « {color} » ; écrivez-la sous la forme #rrggbb.</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the role “{role}”; it must be “{reference}” or “{background}”.</source>
+   <translation>La classe « {name} » a le rôle « {role} » ; ce doit être « {reference} » ou « {background} ».</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the value 0, which means unlabeled; it can't be a reference.</source>
+   <translation>La classe « {name} » a la valeur 0, qui signifie sans étiquette ; elle ne peut pas être une référence.</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the value {value}; class values go from 0 to {most}.</source>
+   <translation>La classe « {name} » a la valeur {value} ; les valeurs de classe vont de 0 à {most}.</translation>
   </message>
   <message>
    <source>Classes</source>
@@ -640,6 +700,14 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Emprise</translation>
   </message>
   <message>
+   <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
+   <translation>FOOTPRINT vaut {footprint:g} ; donnez le côté du terrain que montre une image.</translation>
+  </message>
+  <message>
+   <source>FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.</source>
+   <translation>FOOTPRINT vaut {text} ; donnez des côtés du terrain en unités de carte, séparés par « ; ».</translation>
+  </message>
+  <message>
    <source>False accept rate</source>
    <translation>Taux de fausses acceptations</translation>
   </message>
@@ -856,6 +924,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>GeoTIFF, 8 bits par pixel, avec les classes du modèle ; les pixels sans données valent 0.</translation>
   </message>
   <message>
+   <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
+   <translation>Donnez DATABASE ou CLASS_TABLE : l’image d’étiquettes n’apporte pas sa propre table des classes.</translation>
+  </message>
+  <message>
    <source>Good enough from (%)</source>
    <translation>Suffisant à partir de (%)</translation>
   </message>
@@ -912,6 +984,14 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Combien des repères visuels les plus proches du centre un vecteur contient.</translation>
   </message>
   <message>
+   <source>IMAGES is empty; choose at least one image or a folder with images.</source>
+   <translation>IMAGES est vide ; choisissez au moins une image ou un dossier d’images.</translation>
+  </message>
+  <message>
+   <source>INPUT is not a vector layer that can be read; choose a polygon layer.</source>
+   <translation>INPUT n’est pas une couche vecteur lisible ; choisissez une couche de polygones.</translation>
+  </message>
+  <message>
    <source>If left out: that of the model’s metadata, else 20. More takes longer and hides seams better.</source>
    <translation>En cas d’omission : celui des métadonnées du modèle, sinon 20. Plus prend plus de temps et cache mieux les raccords.</translation>
   </message>
@@ -926,6 +1006,14 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
    <translation>Image avec au moins trois bandes (rouge, vert, bleu) de 8 bits.</translation>
+  </message>
+  <message>
+   <source>Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.</source>
+   <translation>L’image {path} est illisible : elle est endommagée, tronquée ou d’un type qu’OpenCV ne connaît pas.</translation>
+  </message>
+  <message>
+   <source>Image {path} can't be read: {reason}.</source>
+   <translation>L’image {path} est illisible : {reason}.</translation>
   </message>
   <message>
    <source>Images</source>
@@ -976,6 +1064,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Constats</translation>
   </message>
   <message>
+   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
+   <translation>Elle ne peut pas être atteinte à {speed:g} unités de carte par seconde depuis les positions trouvées avant et après elle.</translation>
+  </message>
+  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Ce peut être la base de données elle-même, qui est alors remplacée une fois la mise à jour terminée.</translation>
   </message>
@@ -994,6 +1086,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Kind</source>
    <translation>Type</translation>
+  </message>
+  <message>
+   <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
+   <translation>LEVELS doit contenir des multiples positifs de la taille de fenêtre, par exemple 1;2.</translation>
   </message>
   <message>
    <source>Label image</source>
@@ -1022,6 +1118,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Landmarks</source>
    <translation>Repères visuels</translation>
+  </message>
+  <message>
+   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed.</source>
+   <translation>Les repères visuels concordent avec un lieu, mais les surfaces des classes n’y concordent qu’à {agreement:.2f} ; il faut au moins {least:.2f}.</translation>
   </message>
   <message>
    <source>Landmarks in the window</source>
@@ -1184,6 +1284,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Ressemble à</translation>
   </message>
   <message>
+   <source>METHODS is empty; choose at least one method.</source>
+   <translation>METHODS est vide ; choisissez au moins une méthode.</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>Créer une zone d’exemple</translation>
   </message>
@@ -1328,8 +1432,40 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Aucun Python {version} comme celui de QGIS n’a été trouvé (cherché : {paths}) ; utilisez plutôt « {command} ».</translation>
   </message>
   <message>
+   <source>No class has hsv_min and hsv_max; add them to the class table or decode by nearest color.</source>
+   <translation>Aucune classe n’a hsv_min et hsv_max ; ajoutez-les à la table des classes ou décodez par la couleur la plus proche.</translation>
+  </message>
+  <message>
+   <source>No class is a reference class; choose at least one of {classes} as one, or give it the role “reference” in the class table.</source>
+   <translation>Aucune classe n’est une classe de référence ; choisissez-en au moins une parmi {classes}, ou donnez-lui le rôle « reference » dans la table des classes.</translation>
+  </message>
+  <message>
+   <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
+   <translation>Aucune classe n’est une classe de référence ; nommez-en au moins une parmi {classes} dans REFERENCE_CLASSES, ou donnez-lui le rôle « reference » dans la table des classes.</translation>
+  </message>
+  <message>
+   <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
+   <translation>Aucun repère visuel ne se trouve dans la zone de CLIP ; choisissez une autre zone ou une DISTANCE plus grande.</translation>
+  </message>
+  <message>
+   <source>No landmark lies in the area; choose another area or a larger distance around it.</source>
+   <translation>Aucun repère visuel ne se trouve dans la zone ; choisissez une autre zone ou une plus grande distance autour d’elle.</translation>
+  </message>
+  <message>
    <source>No match</source>
    <translation>Aucune correspondance</translation>
+  </message>
+  <message>
+   <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
+   <translation>Aucun pixel de l’image n’a d’étiquette ; vérifiez que l’image et les étiquettes montrent le même terrain.</translation>
+  </message>
+  <message>
+   <source>No place of the map has labels under at least half of the image.</source>
+   <translation>Aucun lieu de la carte n’a d’étiquettes sous au moins la moitié de l’image.</translation>
+  </message>
+  <message>
+   <source>No place on the map has triangles like the image's.</source>
+   <translation>Aucun lieu de la carte n’a de triangles comme ceux de l’image.</translation>
   </message>
   <message>
    <source>No place to look at.</source>
@@ -1340,8 +1476,24 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Aucun polygone ne se trouve dans l’emprise : la carte d’étiquettes est vide.</translation>
   </message>
   <message>
+   <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
+   <translation>Aucune fenêtre de la base de données n’a les {least} repères visuels que demande un vecteur topologique ; créez-la avec des fenêtres plus grandes, une surface minimale plus petite ou davantage de classes de référence.</translation>
+  </message>
+  <message>
+   <source>No window of the database lies on LABELS and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller MINIMUM_REFERENCES.</source>
+   <translation>Aucune fenêtre de la base de données ne se trouve sur LABELS avec au moins {minimum_references} repères visuels ; choisissez la carte d’étiquettes du même terrain, ou un MINIMUM_REFERENCES plus petit.</translation>
+  </message>
+  <message>
+   <source>No window of the database lies on the label map and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller number of landmarks.</source>
+   <translation>Aucune fenêtre de la base de données ne se trouve sur la carte d’étiquettes avec au moins {minimum_references} repères visuels ; choisissez la carte d’étiquettes du même terrain, ou un plus petit nombre de repères.</translation>
+  </message>
+  <message>
    <source>No window of the database lies there.</source>
    <translation>Il n’y a là aucune fenêtre de la base de données.</translation>
+  </message>
+  <message>
+   <source>Noise: {name} is {value:g}; give a number from 0 to {most:g}.</source>
+   <translation>Bruit : {name} vaut {value:g} ; donnez un nombre de 0 à {most:g}.</translation>
   </message>
   <message>
    <source>None: a fix is expected everywhere.</source>
@@ -1440,6 +1592,18 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Une entité par constat, dans le système de coordonnées de référence de la carte d’étiquettes.</translation>
   </message>
   <message>
+   <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
+   <translation>L’une des cartes est tournée par rapport à l’autre ; reprojetez d’abord les deux sur une grille orientée au nord.</translation>
+  </message>
+  <message>
+   <source>One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs {needed_m:.3g} m.</source>
+   <translation>Un lieu concorde, mais sa position n’est connue qu’à {error_95_m:.3g} m près ; une image de cette taille demande {needed_m:.3g} m.</translation>
+  </message>
+  <message>
+   <source>One place agrees, but the image doesn't tell its position in all directions.</source>
+   <translation>Un lieu concorde, mais l’image ne dit pas sa position dans toutes les directions.</translation>
+  </message>
+  <message>
    <source>One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the image has it, where the fix puts it, and how far that is off.</source>
    <translation>Un point par repère de la carte qui concorde avec un repère d’une image, pour les positions avec cap : où l’image le montre, où la position le place et de combien elle s’écarte.</translation>
   </message>
@@ -1470,6 +1634,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Only with an approximate position: places farther away are not searched.</source>
    <translation>Seulement avec une position approximative : les lieux plus éloignés ne sont pas cherchés.</translation>
+  </message>
+  <message>
+   <source>Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed.</source>
+   <translation>Seuls {labeled:.0%} de l’image ont des classes de la carte ; il faut au moins {least:.0%}.</translation>
   </message>
   <message>
    <source>Opacity of the labels</source>
@@ -1614,6 +1782,38 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
    <translation>QGIS ne fournit pas ces paquets Python partout. SemRef peut les installer pour ce QGIS dans un dossier à lui ; ce que QGIS possède, numpy surtout, reste tel quel.</translation>
+  </message>
+  <message>
+   <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
+   <translation>REFERENCE et PREDICTED ne se recouvrent pas ; choisissez des cartes du même terrain.</translation>
+  </message>
+  <message>
+   <source>REFERENCE has {width} × {height} pixels and PREDICTED {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
+   <translation>REFERENCE a {width} × {height} pixels et PREDICTED {other_width} × {other_height}, et les deux ne sont pas géoréférencées ; comparez des images de même taille ou deux cartes géoréférencées.</translation>
+  </message>
+  <message>
+   <source>REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.</source>
+   <translation>REFERENCE est en {crs}, mais PREDICTED est en {predicted_crs} ; reprojetez l’une dans le SCR de l’autre.</translation>
+  </message>
+  <message>
+   <source>ROUTE does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>ROUTE ne correspond pas à son SCR {crs} ; corrigez le SCR.</translation>
+  </message>
+  <message>
+   <source>ROUTE has no CRS; set its layer's CRS.</source>
+   <translation>ROUTE n’a pas de SCR ; définissez celui de sa couche.</translation>
+  </message>
+  <message>
+   <source>ROUTE has no line with a length; draw one through two points at least.</source>
+   <translation>ROUTE n’a aucune ligne ayant une longueur ; tracez-en une passant par deux points au moins.</translation>
+  </message>
+  <message>
+   <source>ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.</source>
+   <translation>ROUTE vaut {value}, qui n’est ni une couche de lignes ni un fichier GPX, KML, .plan ou .waypoints.</translation>
+  </message>
+  <message>
+   <source>ROUTE lies outside the database’s map; choose another route or database.</source>
+   <translation>ROUTE se trouve hors de la carte de la base de données ; choisissez un autre itinéraire ou une autre base.</translation>
   </message>
   <message>
    <source>Radius around it (map units)</source>
@@ -1764,6 +1964,22 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Route {number}</translation>
   </message>
   <message>
+   <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
+   <translation>SPACING vaut {size:g}, ce qui fait {count} carrés sur la carte ; donnez {least:.3g} ou plus.</translation>
+  </message>
+  <message>
+   <source>SPACING is {size:g}; give the edge of a square in map units.</source>
+   <translation>SPACING vaut {size:g} ; donnez le côté d’un carré en unités de carte.</translation>
+  </message>
+  <message>
+   <source>SPACING is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
+   <translation>SPACING vaut {spacing:g}, ce qui fait {count} points ; donnez {least:.3g} ou plus.</translation>
+  </message>
+  <message>
+   <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
+   <translation>SPACING vaut {spacing:g} ; donnez la distance entre les points en unités de carte.</translation>
+  </message>
+  <message>
    <source>Save results</source>
    <translation>Enregistrer les résultats</translation>
   </message>
@@ -1802,6 +2018,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Segment image</source>
    <translation>Segmenter une image</translation>
+  </message>
+  <message>
+   <source>Segmentation needs the Python package onnxruntime ({reason}); install it for QGIS's Python, for example with “python3 -m pip install onnxruntime”.</source>
+   <translation>La segmentation demande le paquet Python onnxruntime ({reason}) ; installez-le pour le Python de QGIS, par exemple avec « python3 -m pip install onnxruntime ».</translation>
   </message>
   <message>
    <source>Segmenting</source>
@@ -2044,12 +2264,88 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le fournisseur de traitements SemRef est désactivé ; activez-le dans les options.</translation>
   </message>
   <message>
+   <source>The annotation layer has no coordinate reference system; set one in the layer's properties.</source>
+   <translation>La couche d’annotation n’a pas de système de coordonnées de référence ; définissez-en un dans les propriétés de la couche.</translation>
+  </message>
+  <message>
+   <source>The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and points a larger DISTANCE than {distance:g}.</source>
+   <translation>La zone de CLIP est vide ou se trouve hors de la carte de la base de données ; choisissez-en une autre ou, pour des lignes et des points, une DISTANCE plus grande que {distance:g}.</translation>
+  </message>
+  <message>
+   <source>The best place ({score:.2f}) agrees hardly better than the mirrored image does by chance ({mirror:.2f}).</source>
+   <translation>Le meilleur lieu ({score:.2f}) ne concorde guère mieux que l’image en miroir par hasard ({mirror:.2f}).</translation>
+  </message>
+  <message>
+   <source>The best place agrees with the image only by {score:.2f}; at least {least:.2f} is needed.</source>
+   <translation>Le meilleur lieu ne concorde avec l’image qu’à {score:.2f} ; il faut au moins {least:.2f}.</translation>
+  </message>
+  <message>
+   <source>The best place has log odds of {log_odds:.1f}; {needed} are needed.</source>
+   <translation>Le meilleur lieu a un logarithme des chances de {log_odds:.1f} ; il faut {needed}.</translation>
+  </message>
+  <message>
+   <source>The camera table {path} can't be read: {reason}.</source>
+   <translation>La table de la caméra {path} est illisible : {reason}.</translation>
+  </message>
+  <message>
+   <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
+   <translation>La table de la caméra {path} n’est pas du texte en UTF-8 ; enregistrez-la en CSV en UTF-8.</translation>
+  </message>
+  <message>
+   <source>The class table has the {column} {repeated} more than once.</source>
+   <translation>La table des classes a plusieurs fois {repeated} dans {column}.</translation>
+  </message>
+  <message>
+   <source>The class table lacks the class {missing} of {source}; add it, or give no class table.</source>
+   <translation>Il manque à la table des classes la classe {missing} de {source} ; ajoutez-la, ou ne donnez pas de table des classes.</translation>
+  </message>
+  <message>
+   <source>The class table of {source} was changed after it was built; build it again.</source>
+   <translation>La table des classes de {source} a été modifiée après la création ; recréez la base de données.</translation>
+  </message>
+  <message>
+   <source>The class table {path} can't be read: {reason}.</source>
+   <translation>La table des classes {path} est illisible : {reason}.</translation>
+  </message>
+  <message>
+   <source>The class with value {value} has no name; give it one.</source>
+   <translation>La classe de valeur {value} n’a pas de nom ; donnez-lui-en un.</translation>
+  </message>
+  <message>
+   <source>The corrected map shows no landmark any more; choose another label map.</source>
+   <translation>La carte corrigée ne montre plus aucun repère visuel ; choisissez une autre carte d’étiquettes.</translation>
+  </message>
+  <message>
+   <source>The database can't be written: {reason}.</source>
+   <translation>La base de données ne peut pas être écrite : {reason}.</translation>
+  </message>
+  <message>
    <source>The database has no overview; where its ground ends is taken from its extent.</source>
    <translation>La base n’a pas de vue d’ensemble ; la fin de son terrain est tirée de son emprise.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
    <translation>La base de données n’a pas de fenêtre « {name} ».</translation>
+  </message>
+  <message>
+   <source>The database has {count} windows of level {level} where its grid has {known}; build it again.</source>
+   <translation>La base de données a {count} fenêtres du niveau {level} là où sa grille en a {known} ; recréez-la.</translation>
+  </message>
+  <message>
+   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once with “Build reference database”.</source>
+   <translation>La base de données a été créée par SemRef {plugin_version}, qui n’enregistrait ni empreintes de blocs ni limites des repères visuels ; on ne peut donc pas dire ce qui a changé : recréez-la une fois avec « Créer une base de données de référence ».</translation>
+  </message>
+  <message>
+   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once.</source>
+   <translation>La base de données a été créée par SemRef {plugin_version}, qui n’enregistrait ni empreintes de blocs ni limites des repères visuels ; on ne peut donc pas dire ce qui a changé : recréez-la une fois.</translation>
+  </message>
+  <message>
+   <source>The database was read without its overview, which map correlation searches.</source>
+   <translation>La base de données a été lue sans sa vue d’ensemble, que parcourt la corrélation de cartes.</translation>
+  </message>
+  <message>
+   <source>The disagreements can't be made into polygons: {reason}.</source>
+   <translation>Les divergences ne peuvent pas être converties en polygones : {reason}.</translation>
   </message>
   <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
@@ -2060,8 +2356,52 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le disque est plein : {folder} a besoin d’environ 500 Mo.</translation>
   </message>
   <message>
+   <source>The distance between points is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
+   <translation>La distance entre les points est de {spacing:g}, ce qui fait {count} points ; donnez {least:.3g} ou plus.</translation>
+  </message>
+  <message>
+   <source>The distance between points is {spacing:g}; give it in map units.</source>
+   <translation>La distance entre les points est de {spacing:g} ; donnez-la en unités de carte.</translation>
+  </message>
+  <message>
+   <source>The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
+   <translation>Le côté d’un carré est de {size:g}, ce qui fait {count} carrés sur la carte ; donnez {least:.3g} ou plus.</translation>
+  </message>
+  <message>
+   <source>The edge of a square is {size:g}; give it in map units.</source>
+   <translation>Le côté d’un carré est de {size:g} ; donnez-le en unités de carte.</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>Le fichier ne peut donner ni longitude ni latitude : la carte est trop grande pour cela, ou contient un pôle.</translation>
+  </message>
+  <message>
+   <source>The focal length is {focal_length_px:g} pixels; it must be above 0.</source>
+   <translation>La focale est de {focal_length_px:g} pixels ; elle doit être supérieure à 0.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} can't be written to; choose another place for {name}.</source>
+   <translation>Impossible d’écrire dans le dossier {folder} ; choisissez un autre emplacement pour {name}.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
+   <translation>Le dossier {folder} n’existe pas ; créez-le ou choisissez un autre emplacement pour {name}.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} is gone; start again when it is back.</source>
+   <translation>Le dossier {folder} a disparu ; relancez quand il sera revenu.</translation>
+  </message>
+  <message>
+   <source>The folder {path} holds no image ({endings}).</source>
+   <translation>Le dossier {path} ne contient aucune image ({endings}).</translation>
+  </message>
+  <message>
+   <source>The folder {path} holds other files, which are left alone; choose a new or empty one.</source>
+   <translation>Le dossier {path} contient d’autres fichiers, qui ne sont pas touchés ; choisissez-en un nouveau ou un vide.</translation>
+  </message>
+  <message>
+   <source>The footprint is {footprint:g}; give the edge of the ground that an image shows.</source>
+   <translation>L’emprise au sol est de {footprint:g} ; donnez le côté du terrain que montre une image.</translation>
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
@@ -2072,6 +2412,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La géométrie de l’entité {id} a été rendue valide : {reason}.</translation>
   </message>
   <message>
+   <source>The header would have {size} bytes, more than {most}.</source>
+   <translation>L’en-tête aurait {size} octets, plus que {most}.</translation>
+  </message>
+  <message>
    <source>The heights (Z) of feature {id} were left out.</source>
    <translation>Les altitudes (Z) de l’entité {id} ont été laissées de côté.</translation>
   </message>
@@ -2080,44 +2424,176 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La correspondance se trouve hors de la zone du SCR du projet ; choisissez-en un autre pour la voir.</translation>
   </message>
   <message>
+   <source>The image has no pixels.</source>
+   <translation>L’image n’a aucun pixel.</translation>
+  </message>
+  <message>
+   <source>The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may have {most} at most; reduce it first.</source>
+   <translation>L’image a {width} × {height} pixels et {level_width} × {level_height} une fois redressée, mais un côté peut en avoir {most} au plus ; réduisez-la d’abord.</translation>
+  </message>
+  <message>
+   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; choose a smaller tile.</source>
+   <translation>L’image a {width} × {height} pixels, moins qu’une tuile de {tile_size} pixels ; choisissez une tuile plus petite.</translation>
+  </message>
+  <message>
    <source>The image is described as this database’s windows are; the settings below are then not used.</source>
    <translation>L’image est décrite comme les fenêtres de cette base de données ; les paramètres ci-dessous ne sont alors pas utilisés.</translation>
+  </message>
+  <message>
+   <source>The image shows hardly more than one class; a larger footprint with several classes is needed.</source>
+   <translation>L’image ne montre guère plus d’une classe ; il faut une emprise plus grande avec plusieurs classes.</translation>
+  </message>
+  <message>
+   <source>The image shows too little ground to search this whole map for it; give a prior position.</source>
+   <translation>L’image montre trop peu de terrain pour la chercher sur toute cette carte ; donnez une position approximative.</translation>
+  </message>
+  <message>
+   <source>The image shows {count} landmark</source>
+   <translation>L’image montre {count} repère visuel</translation>
+  </message>
+  <message>
+   <source>The image shows {count} landmarks</source>
+   <translation>L’image montre {count} repères visuels</translation>
+  </message>
+  <message>
+   <source>The image shows {count} whole landmark</source>
+   <translation>L’image montre {count} repère visuel entier</translation>
+  </message>
+  <message>
+   <source>The image shows {count} whole landmarks</source>
+   <translation>L’image montre {count} repères visuels entiers</translation>
+  </message>
+  <message>
+   <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
+   <translation>La carte d’étiquettes et la base de données n’ont pas les mêmes classes ({value} {name} n’est que dans l’une d’elles) ; rastérisez avec la table des classes de la base ou créez une nouvelle base.</translation>
   </message>
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>La carte d’étiquettes n’apporte pas de noms de classes ; ses classes sont nommées par leurs valeurs.</translation>
   </message>
   <message>
+   <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
+   <translation>La carte d’étiquettes a des pixels de {pixel_size:g} m, la base de données a été créée avec {pixel:g} m ; rastérisez avec la taille de pixel de la base ou créez une nouvelle base.</translation>
+  </message>
+  <message>
+   <source>The label map has the value {value}, which the database's classes lack; correct it or build a new database.</source>
+   <translation>La carte d’étiquettes a la valeur {value}, qui manque aux classes de la base de données ; corrigez-la ou créez une nouvelle base.</translation>
+  </message>
+  <message>
+   <source>The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, the database's had {known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}; rasterize with the extent of the old label map or build a new database.</source>
+   <translation>La carte d’étiquettes a {width} × {height} pixels à partir de {x:.10g}, {y:.10g}, celle de la base de données en avait {known_width} × {known_height} à partir de {known_x:.10g}, {known_y:.10g} ; rastérisez avec l’emprise de l’ancienne carte d’étiquettes ou créez une nouvelle base.</translation>
+  </message>
+  <message>
+   <source>The label map is in {crs}, the database in {database_crs}; rasterize to the database's CRS or build a new database.</source>
+   <translation>La carte d’étiquettes est en {crs}, la base de données en {database_crs} ; rastérisez dans le SCR de la base ou créez une nouvelle base.</translation>
+  </message>
+  <message>
    <source>The label map that the reference database was built from.</source>
    <translation>La carte d’étiquettes à partir de laquelle la base de données de référence a été créée.</translation>
+  </message>
+  <message>
+   <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
+   <translation>La carte d’étiquettes aurait {width} × {height} pixels ; choisissez un PIXEL_SIZE plus grand ou une EXTENT plus petite.</translation>
+  </message>
+  <message>
+   <source>The labels can’t be brought onto the image: {reason}.</source>
+   <translation>Les étiquettes ne peuvent pas être placées sur l’image : {reason}.</translation>
+  </message>
+  <message>
+   <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
+   <translation>Les étiquettes ont la valeur {found} ; une carte d’étiquettes contient des valeurs de classe de 0 à 255.</translation>
+  </message>
+  <message>
+   <source>The labels have the value {unknown}, which the class table lacks; its classes are {classes}.</source>
+   <translation>Les étiquettes ont la valeur {unknown}, qui manque à la table des classes ; ses classes sont {classes}.</translation>
+  </message>
+  <message>
+   <source>The labels leave {training} tiles for training and {validation} for validation; choose smaller tiles than {tile_size} pixels, a smaller stride, or another validation fraction.</source>
+   <translation>Les étiquettes laissent {training} tuiles pour l’entraînement et {validation} pour la validation ; choisissez des tuiles de moins de {tile_size} pixels, un pas plus petit ou une autre part de validation.</translation>
+  </message>
+  <message>
+   <source>The landscape can’t be rasterized: {reason}.</source>
+   <translation>Le paysage ne peut pas être rastérisé : {reason}.</translation>
   </message>
   <message>
    <source>The largest of each kind</source>
    <translation>Les plus grands de chaque type</translation>
   </message>
   <message>
+   <source>The layer {layer} can’t be created: {reason}.</source>
+   <translation>La couche {layer} ne peut pas être créée : {reason}.</translation>
+  </message>
+  <message>
+   <source>The layer {name} can't be written: {reason}.</source>
+   <translation>La couche {name} ne peut pas être écrite : {reason}.</translation>
+  </message>
+  <message>
+   <source>The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.</source>
+   <translation>L’emprise de la couche ne correspond pas à son SCR {crs} ; corrigez le SCR ou choisissez TARGET_CRS.</translation>
+  </message>
+  <message>
+   <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
+   <translation>Les niveaux doivent être des multiples positifs de la taille de fenêtre, par exemple 1;2.</translation>
+  </message>
+  <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>Les lignes du centre aux repères visuels du vecteur topologique</translation>
+  </message>
+  <message>
+   <source>The map has fewer than two classes, so that no place differs from another.</source>
+   <translation>La carte a moins de deux classes, si bien qu’aucun lieu ne se distingue d’un autre.</translation>
+  </message>
+  <message>
+   <source>The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
+   <translation>La carte ne montre aucun repère visuel de {references} d’au moins {minimum_area:g} m² ; choisissez d’autres classes de référence ou une surface minimale plus petite.</translation>
   </message>
   <message>
    <source>The map that images are cut from: the database’s own or another of the same ground, in the database’s CRS and with its classes; the pixel size may differ.</source>
    <translation>La carte dans laquelle les images sont découpées : celle de la base de données ou une autre du même terrain, dans le SCR de la base et avec ses classes ; la taille de pixel peut différer.</translation>
   </message>
   <message>
+   <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
+   <translation>Les cartes n’ont en commun aucun pixel étiqueté par REFERENCE ; choisissez des cartes du même terrain.</translation>
+  </message>
+  <message>
+   <source>The maps have no pixel in common that the reference labels; choose maps of the same ground.</source>
+   <translation>Les cartes n’ont en commun aucun pixel étiqueté par la référence ; choisissez des cartes du même terrain.</translation>
+  </message>
+  <message>
    <source>The maps share no class names: classes are matched by their values.</source>
    <translation>Les cartes n’ont aucun nom de classe en commun : les classes sont associées par leurs valeurs.</translation>
+  </message>
+  <message>
+   <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
+   <translation>La surface minimale est de {minimum_area:g} m² ; elle doit être supérieure à 0.</translation>
+  </message>
+  <message>
+   <source>The mirrored image fits almost as well, so the pattern is too regular.</source>
+   <translation>L’image en miroir convient presque aussi bien, le motif est donc trop régulier.</translation>
   </message>
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>Le modèle n’indique pas sa résolution : l’image est prise telle quelle.</translation>
   </message>
   <message>
+   <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
+   <translation>La fenêtre la plus proche est à la distance {distance:.3f}, plus que {threshold:g}.</translation>
+  </message>
+  <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>Le réseau qui fait des étiquettes à partir de photos ; laisser vide pour des images d’étiquettes</translation>
   </message>
   <message>
+   <source>The objects that agree with the map don't fix the position closely enough.</source>
+   <translation>Les repères visuels qui concordent avec la carte ne fixent pas la position assez précisément.</translation>
+  </message>
+  <message>
    <source>The one that the old label map was made with.</source>
    <translation>Celle avec laquelle l’ancienne carte d’étiquettes a été faite.</translation>
+  </message>
+  <message>
+   <source>The overview can't be written: {reason}.</source>
+   <translation>La vue d’ensemble ne peut pas être écrite : {reason}.</translation>
   </message>
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
@@ -2132,12 +2608,28 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le certificat de l’index des paquets n’est pas reconnu ; demandez à l’administrateur de votre réseau comment pip se configure ici, ou installez depuis un dossier de wheels.</translation>
   </message>
   <message>
+   <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
+   <translation>La taille de pixel est de {pixel_size:g} m ; elle doit être supérieure à 0.</translation>
+  </message>
+  <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>La taille de pixel avec laquelle la couche sera rastérisée : les repères visuels que de tels pixels perdraient, fusionneraient ou diviseraient sont aussi signalés. En cas d’omission, ce n’est pas examiné.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Les positions sont maintenant une couche temporaire du projet ; exportez-la pour les conserver.</translation>
+  </message>
+  <message>
+   <source>The precision is {precision:g}; it must be more than 0 map units.</source>
+   <translation>La précision est de {precision:g} ; elle doit être supérieure à 0 unité de carte.</translation>
+  </message>
+  <message>
+   <source>The precision of {precision:g} map units is too fine for the map; choose a larger one.</source>
+   <translation>La précision de {precision:g} unités de carte est trop fine pour la carte ; choisissez-en une plus grande.</translation>
+  </message>
+  <message>
+   <source>The priority field “{priority_field}” does not hold numbers; choose one that does.</source>
+   <translation>Le champ de priorité « {priority_field} » ne contient pas de nombres ; choisissez-en un qui en contient.</translation>
   </message>
   <message>
    <source>The project has no raster layer of a file.</source>
@@ -2148,12 +2640,28 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le proxy est inutilisable ; vérifiez-le sous Préférences ▸ Options ▸ Réseau, ou installez depuis des wheels.</translation>
   </message>
   <message>
+   <source>The radius of --near is {radius:g}; it must be more than 0 map units.</source>
+   <translation>Le rayon de --near est de {radius:g} ; il doit être supérieur à 0 unité de carte.</translation>
+  </message>
+  <message>
    <source>The reduced label map, which map correlation searches; without it the file is several times smaller.</source>
    <translation>La carte d’étiquettes réduite, que la corrélation de cartes parcourt ; sans elle le fichier est plusieurs fois plus petit.</translation>
   </message>
   <message>
+   <source>The reference and the prediction don't overlap; choose maps of the same ground.</source>
+   <translation>La référence et la prédiction ne se recouvrent pas ; choisissez des cartes du même terrain.</translation>
+  </message>
+  <message>
+   <source>The reference has {width} × {height} pixels and the prediction {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
+   <translation>La référence a {width} × {height} pixels et la prédiction {other_width} × {other_height}, et les deux ne sont pas géoréférencées ; comparez des images de même taille ou deux cartes géoréférencées.</translation>
+  </message>
+  <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
    <translation>Le résultat de « Vérifier l’annotation » ou de « Comparer des cartes d’étiquettes »</translation>
+  </message>
+  <message>
+   <source>The route has no line with a length; draw one through two points at least.</source>
+   <translation>L’itinéraire n’a aucune ligne ayant une longueur ; tracez-en une passant par deux points au moins.</translation>
   </message>
   <message>
    <source>The same number gives the same area; another one makes up another.</source>
@@ -2192,12 +2700,52 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le pas ({stride:g}) est plus grand que la fenêtre ({size:g}), du terrain manquerait donc entre les fenêtres ; choisissez un pas au plus égal à la taille de fenêtre.</translation>
   </message>
   <message>
+   <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
+   <translation>Le pas ({stride} px) est plus grand que la fenêtre ({size} px), si bien que du terrain manquerait entre les fenêtres ; choisissez un pas au plus égal à la taille de fenêtre.</translation>
+  </message>
+  <message>
    <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
    <translation>La zone entière, rastérisée avec la taille de pixel et l’emprise de l’ancienne carte d’étiquettes.</translation>
   </message>
   <message>
-   <source>There is no database {path}; choose another file.</source>
-   <translation>Il n’y a pas de base de données {path} ; choisissez un autre fichier.</translation>
+   <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
+   <translation>La fenêtre ({size} px) est plus grande que la carte ({width} × {height} px) ; choisissez une fenêtre plus petite ou une carte plus grande.</translation>
+  </message>
+  <message>
+   <source>The windows' sizes are not those of their levels; build the database again.</source>
+   <translation>Les tailles des fenêtres ne sont pas celles de leurs niveaux ; recréez la base de données.</translation>
+  </message>
+  <message>
+   <source>There are {count} classes, but a label map holds {most}; choose another class field, or merge classes with a class table.</source>
+   <translation>Il y a {count} classes, mais une carte d’étiquettes en contient {most} ; choisissez un autre champ de classe, ou fusionnez des classes avec une table des classes.</translation>
+  </message>
+  <message>
+   <source>There is no class “{text}”; the classes are {classes}.</source>
+   <translation>Il n’y a pas de classe « {text} » ; les classes sont {classes}.</translation>
+  </message>
+  <message>
+   <source>There is no database {path}; build one or choose another file.</source>
+   <translation>Il n’y a pas de base de données {path} ; créez-en une ou choisissez un autre fichier.</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; choose another route.</source>
+   <translation>Il n’y a pas de fichier {path} ; choisissez un autre itinéraire.</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; export one or choose another.</source>
+   <translation>Il n’y a pas de fichier {path} ; exportez-en un ou choisissez-en un autre.</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; export one with “Export for onboard use” or choose another.</source>
+   <translation>Il n’y a pas de fichier {path} ; exportez-en un avec « Exporter pour l’usage à bord » ou choisissez-en un autre.</translation>
+  </message>
+  <message>
+   <source>There is no folder {folder}; create it or watch another one.</source>
+   <translation>Il n’y a pas de dossier {folder} ; créez-le ou surveillez-en un autre.</translation>
+  </message>
+  <message>
+   <source>There is no landmark to export; choose another database or a larger area.</source>
+   <translation>Il n’y a aucun repère visuel à exporter ; choisissez une autre base de données ou une zone plus grande.</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
@@ -2214,6 +2762,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Topology vector</source>
    <translation>Vecteur topologique</translation>
+  </message>
+  <message>
+   <source>Topology vector (He &amp; Wu 2025)</source>
+   <translation>Vecteur topologique (He &amp; Wu 2025)</translation>
   </message>
   <message>
    <source>Topology vector (published)</source>
@@ -2254,6 +2806,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>Transforme une image qui montre les classes par des couleurs en carte d’étiquettes, d’après les plages HSV de la table des classes, comme publié, ou d’après la couleur de classe la plus proche.
 
 Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur la plus proche, le noir est non étiqueté, sauf si une classe est noire.</translation>
+  </message>
+  <message>
+   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}); a prior position could tell them apart.</source>
+   <translation>Deux lieux concordent presque aussi bien ({score:.2f} et {runner_up:.2f}) ; une position approximative pourrait les départager.</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -2392,6 +2948,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Taille de fenêtre (unités de carte)</translation>
   </message>
   <message>
+   <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them.</source>
+   <translation>La taille de fenêtre ({size} px) et le pas ({stride} px) doivent être d’au moins un pixel ; agrandissez-les.</translation>
+  </message>
+  <message>
    <source>Windows</source>
    <translation>Fenêtres</translation>
   </message>
@@ -2410,6 +2970,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>With map correlation (slow)</source>
    <translation>Avec corrélation de cartes (lent)</translation>
+  </message>
+  <message>
+   <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.</source>
+   <translation>Avec un roulis de {roll_deg:g}° et un tangage de {pitch_deg:g}°, un coin de l’image regarde à {steepest:.0f}° de la verticale, plus que {most_deg:g}° et trop près de l’horizon ; utilisez des images qui regardent plus à la verticale.</translation>
   </message>
   <message>
    <source>With the overview</source>
@@ -2490,6 +3054,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>as at places alike; none nearby failed</source>
    <translation>comme en des lieux semblables ; aucun échec à proximité</translation>
+  </message>
+  <message>
+   <source>at least {count} more are needed</source>
+   <translation>il en faut au moins {count} de plus</translation>
+  </message>
+  <message>
+   <source>at least {count} more is needed</source>
+   <translation>il en faut au moins {count} de plus</translation>
   </message>
   <message>
    <source>class</source>
@@ -2780,8 +3352,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>parfois</translation>
   </message>
   <message>
+   <source>the database</source>
+   <translation>la base de données</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>la sortie</translation>
+  </message>
+  <message>
+   <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are used.</source>
+   <translation>tile_size dans les métadonnées du modèle vaut {stated}, mais le réseau prend {width} × {height} pixels : ce sont eux qui sont utilisés.</translation>
   </message>
   <message>
    <source>to (m)</source>
@@ -2794,6 +3374,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>too little evidence</source>
    <translation>trop peu d’indices</translation>
+  </message>
+  <message>
+   <source>unknown format</source>
+   <translation>format inconnu</translation>
+  </message>
+  <message>
+   <source>unknown reason</source>
+   <translation>raison inconnue</translation>
   </message>
   <message>
    <source>very reliably</source>
@@ -2844,6 +3432,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{bytes} octets. Arrondis : positions d’au plus {position:g} unités de carte, surfaces de {area:.3%}, vecteurs de {vector:.4f} par élément.</translation>
   </message>
   <message>
+   <source>{constellation} Map correlation has no fix either: {correlation:clause}</source>
+   <translation>{constellation} La corrélation de cartes ne trouve pas non plus de position : {correlation:clause}</translation>
+  </message>
+  <message>
    <source>{count} images simulated in {seconds:.0f} s.</source>
    <translation>{count} images simulées en {seconds:.0f} s.</translation>
   </message>
@@ -2860,6 +3452,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{count} repères visuels, centre {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} other place fits almost as well as the best one.</source>
+   <translation>{count} autre lieu convient presque aussi bien que le meilleur.</translation>
+  </message>
+  <message>
+   <source>{count} other places fit almost as well as the best one.</source>
+   <translation>{count} autres lieux conviennent presque aussi bien que le meilleur.</translation>
+  </message>
+  <message>
    <source>{count} photos in {folder}</source>
    <translation>{count} photos dans {folder}</translation>
   </message>
@@ -2874,6 +3474,18 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
    <translation>{count} points ; {share:.0%} d’entre eux avec une réussite attendue de {threshold:.0%} ou plus.</translation>
+  </message>
+  <message>
+   <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
+   <translation>{crs} ne mesure pas en mètres ; choisissez un SCR projeté en mètres comme TARGET_CRS.</translation>
+  </message>
+  <message>
+   <source>{database} can't tell longitude and latitude, which GGA sentences need.</source>
+   <translation>{database} ne peut donner ni la longitude ni la latitude, dont les phrases GGA ont besoin.</translation>
+  </message>
+  <message>
+   <source>{database} has no overview, which map correlation searches; export it with one.</source>
+   <translation>{database} n’a pas de vue d’ensemble, que parcourt la corrélation de cartes ; exportez-la avec une vue d’ensemble.</translation>
   </message>
   <message>
    <source>{database}, images cut from {labels}</source>
@@ -2914,6 +3526,30 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.</source>
    <translation>{kept} repères visuels sur {landmarks} et {windows} fenêtres sur {all_windows} se trouvent dans la zone.</translation>
+  </message>
+  <message>
+   <source>{key} has no polygon; leave it out to find the changes by comparing.</source>
+   <translation>{key} n’a aucun polygone ; omettez-le pour trouver les changements par comparaison.</translation>
+  </message>
+  <message>
+   <source>{key} is not a raster that can be read; choose a label map.</source>
+   <translation>{key} n’est pas un raster lisible ; choisissez une carte d’étiquettes.</translation>
+  </message>
+  <message>
+   <source>{key} is not a raster that can be read; choose a photo or an orthophoto.</source>
+   <translation>{key} n’est pas un raster lisible ; choisissez une photo ou une orthophoto.</translation>
+  </message>
+  <message>
+   <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
+   <translation>{key} : la zone de l’entité {feature} ne peut pas être amenée dans le SCR de la carte d’étiquettes ; vérifiez le SCR de la couche.</translation>
+  </message>
+  <message>
+   <source>{key}: “{layer}” has no field “{name}”; its fields are {names}.</source>
+   <translation>{key} : « {layer} » n’a pas de champ « {name} » ; ses champs sont {names}.</translation>
+  </message>
+  <message>
+   <source>{key}: “{text}” is not a list of numbers such as 1;2.</source>
+   <translation>{key} : « {text} » n’est pas une liste de nombres comme 1;2.</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
@@ -2964,6 +3600,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{name} (entités {id} et {other}) : leurs pixels se touchent, elles deviennent donc un seul repère visuel.</translation>
   </message>
   <message>
+   <source>{name} can't be written; choose another place, or see whether the disk is full.</source>
+   <translation>{name} ne peut pas être écrit ; choisissez un autre emplacement, ou vérifiez si le disque est plein.</translation>
+  </message>
+  <message>
    <source>{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.</source>
    <translation>{name} ne peut pas être supprimé, sans doute parce qu’il est utilisé ; redémarrez QGIS et supprimez-le de nouveau.</translation>
   </message>
@@ -2972,12 +3612,20 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{name} ne peut pas être écrit ; choisissez un emplacement où vous avez le droit d’écrire.</translation>
   </message>
   <message>
+   <source>{name} has no route: no line, and fewer than two waypoints; choose another one.</source>
+   <translation>{name} n’a pas d’itinéraire : aucune ligne, et moins de deux points de passage ; choisissez-en un autre.</translation>
+  </message>
+  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name} : IoU {iou:.1%}, {pixels} pixels annotés</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} entités de {name} qui se touchent forment un seul polygone avec les attributs de l’entité {id}.</translation>
+  </message>
+  <message>
+   <source>{output} exists and is no onboard file; remove it or choose another name.</source>
+   <translation>{output} existe et n’est pas un fichier de bord ; supprimez-le ou choisissez un autre nom.</translation>
   </message>
   <message>
    <source>{output} is replaced.</source>
@@ -3000,12 +3648,336 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{package} a été installé, mais est inutilisable avec numpy {numpy} : {reason} ; il a été retiré.</translation>
   </message>
   <message>
+   <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
+   <translation>{path} nomme la classe {value} « {name} » et la base de données « {known} » ; rastérisez la carte avec la table des classes de la base.</translation>
+  </message>
+  <message>
+   <source>{path} can't be read as a route ({reason}).</source>
+   <translation>{path} ne peut pas être lu comme itinéraire ({reason}).</translation>
+  </message>
+  <message>
+   <source>{path} can't be read: {reason}.</source>
+   <translation>{path} est illisible : {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
+   <translation>{path} ne peut pas être remplacé ; il est peut-être ouvert dans ce programme ou un autre : fermez-le ou supprimez-le, ou choisissez un autre nom.</translation>
+  </message>
+  <message>
+   <source>{path} can't be run by onnxruntime {version}: {reason}.</source>
+   <translation>{path} ne peut pas être exécuté par onnxruntime {version} : {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} can't be written: {reason}.</source>
+   <translation>{path} ne peut pas être écrit : {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} can't be written: {reason}; choose another place.</source>
+   <translation>{path} ne peut pas être écrit : {reason} ; choisissez un autre emplacement.</translation>
+  </message>
+  <message>
+   <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
+   <translation>{path} n’a pas pu être écrit en entier : {reason} ; vérifiez si le disque est plein.</translation>
+  </message>
+  <message>
+   <source>{path} does not exist; choose a model file (.onnx).</source>
+   <translation>{path} n’existe pas ; choisissez un fichier de modèle (.onnx).</translation>
+  </message>
+  <message>
+   <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
+   <translation>{path} échoue sur une image de {width} × {height} pixels : {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} gives the class number {number:g}, but it names {count} classes; take the names it was trained with.</source>
+   <translation>{path} donne le numéro de classe {number:g}, mais nomme {count} classes ; prenez les noms avec lesquels il a été entraîné.</translation>
+  </message>
+  <message>
+   <source>{path} gives the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × {height} × {width}.</source>
+   <translation>{path} donne la forme {shape} pour une image de {width} × {height} pixels ; ce doit être 1 × classes × {height} × {width}.</translation>
+  </message>
+  <message>
+   <source>{path} gives values that are not numbers (NaN or infinite); it is damaged, or its standardization_mean and standardization_std are not those it was trained with.</source>
+   <translation>{path} donne des valeurs qui ne sont pas des nombres (NaN ou infinies) ; il est endommagé, ou ses standardization_mean et standardization_std ne sont pas ceux de son entraînement.</translation>
+  </message>
+  <message>
+   <source>{path} has 2 bands; a label map has one: save it without transparency.</source>
+   <translation>{path} a 2 bandes ; une carte d’étiquettes en a une : enregistrez-la sans transparence.</translation>
+  </message>
+  <message>
+   <source>{path} has a line that is no waypoint: {line}</source>
+   <translation>{path} a une ligne qui n’est pas un point de passage : {line}</translation>
+  </message>
+  <message>
+   <source>{path} has a palette; convert it to an RGB image first.</source>
+   <translation>{path} a une palette ; convertissez-le d’abord en image RVB.</translation>
+  </message>
+  <message>
+   <source>{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.</source>
+   <translation>{path} a un point de passage à {latitude}, {longitude}, qui n’est pas une latitude et une longitude.</translation>
+  </message>
+  <message>
+   <source>{path} has neither labels nor landmarks; build it again.</source>
+   <translation>{path} n’a ni étiquettes ni repères visuels ; recréez-la.</translation>
+  </message>
+  <message>
+   <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
+   <translation>{path} n’a pas de système de coordonnées de référence ; attribuez-en un métrique à la couche.</translation>
+  </message>
+  <message>
+   <source>{path} has no georeference, so its windows would have no place on the map.</source>
+   <translation>{path} n’est pas géoréférencée, ses fenêtres n’auraient donc pas de place sur la carte.</translation>
+  </message>
+  <message>
+   <source>{path} has no mission; save it with QGroundControl as a plan.</source>
+   <translation>{path} n’a pas de mission ; enregistrez-le comme plan avec QGroundControl.</translation>
+  </message>
+  <message>
+   <source>{path} has no overview that can be read ({reason}); build it again.</source>
+   <translation>{path} n’a pas de vue d’ensemble lisible ({reason}) ; recréez-la.</translation>
+  </message>
+  <message>
+   <source>{path} has no readable parameter crs; build it again.</source>
+   <translation>{path} n’a pas de paramètre crs lisible ; recréez-la.</translation>
+  </message>
+  <message>
+   <source>{path} has no readable parameter {reason}; build it again.</source>
+   <translation>{path} n’a pas de paramètre lisible {reason} ; recréez-la.</translation>
+  </message>
+  <message>
+   <source>{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core folder on this computer.</source>
+   <translation>{path} a la version {version} du format de bord, plus récente que ce que lit ce SemRef ({known}) ; mettez à jour le dossier core de SemRef sur cet ordinateur.</translation>
+  </message>
+  <message>
+   <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
+   <translation>{path} a des pixels de {pixel_x:g} × {pixel_y:g} ; rééchantillonnez-la d’abord en pixels carrés.</translation>
+  </message>
+  <message>
+   <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
+   <translation>{path} a la valeur {found} ; une carte d’étiquettes contient des valeurs de classe de 0 à 255.</translation>
+  </message>
+  <message>
+   <source>{path} has times in seconds and times with dates; use one of them throughout.</source>
+   <translation>{path} a des heures en secondes et des heures avec date ; n’utilisez que l’une des deux.</translation>
+  </message>
+  <message>
+   <source>{path} has vectors that are not {length} numbers long; build it again.</source>
+   <translation>{path} a des vecteurs qui n’ont pas {length} nombres ; recréez-la.</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} band(s) and no palette; a color image has three bands.</source>
+   <translation>Bandes de {path} : {bands}, sans palette ; une image en couleur en a trois.</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.</source>
+   <translation>{path} a {bands} bandes ; une carte d’étiquettes en a une : décodez d’abord une image en couleur avec « Décoder des étiquettes en couleur ».</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} bands; a label map has one: decode its colors to class values first.</source>
+   <translation>{path} a {bands} bandes ; une carte d’étiquettes en a une : décodez d’abord ses couleurs en valeurs de classe.</translation>
+  </message>
+  <message>
+   <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
+   <translation>{path} a {count} repères visuels et les limites de {bounds} ; recréez-la.</translation>
+  </message>
+  <message>
+   <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
+   <translation>{path} a {inputs} entrées et {outputs} sorties ; un réseau de segmentation en a une de chaque.</translation>
+  </message>
+  <message>
+   <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
+   <translation>{path} a {size} pixels, l’image {image_size}, et les deux ne sont pas géoréférencées ; donnez aux deux une place sur le terrain, ou des étiquettes de la taille de l’image.</translation>
+  </message>
+  <message>
+   <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
+   <translation>{path} a {width} × {height} pixels, plus que n’en peut avoir une image à localiser ({most_million} millions) ; découpez ce que montre une photo.</translation>
+  </message>
+  <message>
+   <source>{path} holds complex numbers; a network takes photos.</source>
+   <translation>{path} contient des nombres complexes ; un réseau prend des photos.</translation>
+  </message>
+  <message>
+   <source>{path} holds no results of “Localize images”; localize the images again.</source>
+   <translation>{path} ne contient pas de résultats de « Localiser des images » ; localisez de nouveau les images.</translation>
+  </message>
+  <message>
+   <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
+   <translation>{path} contient d’autres couches ({layers}), qui seraient perdues ; choisissez un autre fichier, ou ajoutez-y avec « Save to GeoPackage ».</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a color label image has 8 bits a band.</source>
+   <translation>{path} contient des valeurs {kind} ; une image d’étiquettes en couleur a 8 bits par bande.</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a label map holds whole numbers from 0 to 255.</source>
+   <translation>{path} contient des valeurs {kind} ; une carte d’étiquettes contient des nombres entiers de 0 à 255.</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a photo has 8 bits a band: convert it first.</source>
+   <translation>{path} contient des valeurs {kind} ; une photo a 8 bits par bande : convertissez-la d’abord.</translation>
+  </message>
+  <message>
+   <source>{path} holds {name} values; training tiles are made of 8- or 16-bit images.</source>
+   <translation>{path} contient des valeurs {name} ; les tuiles d’entraînement sont faites d’images de 8 ou 16 bits.</translation>
+  </message>
+  <message>
+   <source>{path} is a file; choose a folder.</source>
+   <translation>{path} est un fichier ; choisissez un dossier.</translation>
+  </message>
+  <message>
+   <source>{path} is a folder; give a file name.</source>
+   <translation>{path} est un dossier ; donnez un nom de fichier.</translation>
+  </message>
+  <message>
+   <source>{path} is a paletted TIFF of {bits} bits a pixel; save it with 8, or as PNG.</source>
+   <translation>{path} est un TIFF à palette de {bits} bits par pixel ; enregistrez-le avec 8, ou en PNG.</translation>
+  </message>
+  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} est une version trop ancienne pour SemRef, et QGIS la trouve d’abord ; mettez-la à jour ou supprimez-la.</translation>
   </message>
   <message>
+   <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
+   <translation>{path} est endommagée ou tronquée ({reason}) ; recréez-la ou procurez-vous une autre copie.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged or cut short: {reason}.</source>
+   <translation>{path} est endommagé ou tronqué : {reason}.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged or cut short; copy it again.</source>
+   <translation>{path} est endommagé ou tronqué ; copiez-le de nouveau.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged, cut short or no onboard file of SemRef ({name} is missing); fetch another copy or export it again.</source>
+   <translation>{path} est endommagé, tronqué ou n’est pas un fichier de bord de SemRef ({name} manque) ; procurez-vous une autre copie ou exportez-le de nouveau.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged, cut short or no onboard file of SemRef ({reason}); fetch another copy or export it again.</source>
+   <translation>{path} est endommagé, tronqué ou n’est pas un fichier de bord de SemRef ({reason}) ; procurez-vous une autre copie ou exportez-le de nouveau.</translation>
+  </message>
+  <message>
+   <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
+   <translation>{path} est au format ONNX {found} (version IR), mais onnxruntime {version} ne lit que jusqu’à {known} ; installez un onnxruntime plus récent ou exportez le modèle avec une ir_version plus ancienne.</translation>
+  </message>
+  <message>
+   <source>{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS.</source>
+   <translation>{path} est en {crs} et la base de données en {database_crs} ; reprojetez la carte d’étiquettes dans le SCR de la base.</translation>
+  </message>
+  <message>
+   <source>{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.</source>
+   <translation>{path} est en {crs}, qui ne mesure pas en mètres ; rastérisez ou reprojetez dans un SCR projeté en mètres.</translation>
+  </message>
+  <message>
+   <source>{path} is larger than {most_mb} MB; no route is.</source>
+   <translation>{path} dépasse {most_mb} Mo ; aucun itinéraire n’est aussi grand.</translation>
+  </message>
+  <message>
+   <source>{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.</source>
+   <translation>{path} n’est ni PNG, ni TIFF, ni JPEG ; enregistrez l’image d’étiquettes en PNG.</translation>
+  </message>
+  <message>
+   <source>{path} is no JSON and so no plan of QGroundControl; save the plan again.</source>
+   <translation>{path} n’est pas du JSON et donc pas un plan de QGroundControl ; enregistrez de nouveau le plan.</translation>
+  </message>
+  <message>
+   <source>{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.</source>
+   <translation>{path} n’est pas une table de caméra : son en-tête est « {first} », mais il faut la colonne image et certaines de {columns}.</translation>
+  </message>
+  <message>
+   <source>{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.</source>
+   <translation>{path} n’est pas un fichier de bord de SemRef ; choisissez-en un créé par « Exporter pour l’usage à bord ».</translation>
+  </message>
+  <message>
+   <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
+   <translation>{path} n’est pas un fichier de bord de SemRef ; choisissez-en un que SemRef a exporté.</translation>
+  </message>
+  <message>
+   <source>{path} is no text and so no route; choose another file.</source>
+   <translation>{path} n’est pas du texte et donc pas un itinéraire ; choisissez un autre fichier.</translation>
+  </message>
+  <message>
+   <source>{path} is no waypoint list: its first line is not “QGC WPL 110”.</source>
+   <translation>{path} n’est pas une liste de points de passage : sa première ligne n’est pas « QGC WPL 110 ».</translation>
+  </message>
+  <message>
+   <source>{path} is not a GeoPackage; choose a database made by “Build reference database”.</source>
+   <translation>{path} n’est pas un GeoPackage ; choisissez une base de données créée par « Créer une base de données de référence ».</translation>
+  </message>
+  <message>
+   <source>{path} is not a GeoPackage; choose a database that SemRef built.</source>
+   <translation>{path} n’est pas un GeoPackage ; choisissez une base de données que SemRef a créée.</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
+   <translation>{path} n’est pas une base de données de référence SemRef (il lui manque {missing}) ; choisissez-en une créée par « Créer une base de données de référence ».</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one that SemRef built.</source>
+   <translation>{path} n’est pas une base de données de référence SemRef (il lui manque {missing}) ; choisissez-en une que SemRef a créée.</translation>
+  </message>
+  <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
    <translation>{path} n’est pas une base de données de référence SemRef ; choisissez-en une créée par « Créer une base de données de référence ».</translation>
+  </message>
+  <message>
+   <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
+   <translation>{path} n’est pas un modèle ONNX, ou il est endommagé ou tronqué ; copiez-le ou exportez-le de nouveau.</translation>
+  </message>
+  <message>
+   <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
+   <translation>{path} est tournée ou en miroir ; reprojetez-la d’abord sur une grille orientée au nord.</translation>
+  </message>
+  <message>
+   <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
+   <translation>{path} garde ses poids dans un autre fichier, absent ou tronqué ; mettez-le à côté du modèle sous son ancien nom ({reason}).</translation>
+  </message>
+  <message>
+   <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
+   <translation>{path} ne nomme aucune des images, par exemple {image} ; sa colonne image contient leurs noms de fichier.</translation>
+  </message>
+  <message>
+   <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
+   <translation>{path} prend une entrée de forme {shape} ; ce doit être 1 × 3 × hauteur × largeur (rouge, vert, bleu).</translation>
+  </message>
+  <message>
+   <source>{path} takes {count} images at once; export it for one (or any number).</source>
+   <translation>{path} prend {count} images à la fois ; exportez-le pour une seule (ou un nombre quelconque).</translation>
+  </message>
+  <message>
+   <source>{path} takes {kind} values; a segmentation network takes floats.</source>
+   <translation>{path} prend des valeurs {kind} ; un réseau de segmentation prend des nombres à virgule flottante.</translation>
+  </message>
+  <message>
+   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
+   <translation>{path} utilise des opérateurs ONNX de version {found} (opset), mais onnxruntime {version} ne les connaît que jusqu’à {known} ; installez un onnxruntime plus récent ou exportez le modèle avec un opset plus ancien.</translation>
+  </message>
+  <message>
+   <source>{place}: no image is named; give each image one line.</source>
+   <translation>{place} : aucune image n’est nommée ; donnez une ligne à chaque image.</translation>
+  </message>
+  <message>
+   <source>{place}: roll or pitch is empty; give both, or neither.</source>
+   <translation>{place} : roll ou pitch est vide ; donnez les deux, ou aucun.</translation>
+  </message>
+  <message>
+   <source>{place}: the image {image} is named a second time; give each image one line.</source>
+   <translation>{place} : l’image {image} est nommée une deuxième fois ; donnez une ligne à chaque image.</translation>
+  </message>
+  <message>
+   <source>{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
+   <translation>{place} : time vaut « {text} » ; donnez des secondes, ou une date et une heure comme 2025-06-30T14:05:09.250.</translation>
+  </message>
+  <message>
+   <source>{place}: {kinds} say the same thing twice; give one of them.</source>
+   <translation>{place} : {kinds} disent deux fois la même chose ; n’en donnez qu’un.</translation>
+  </message>
+  <message>
+   <source>{place}: {kind} is {value:g}, which no camera has.</source>
+   <translation>{place} : {kind} vaut {value:g}, ce qu’aucune caméra n’a.</translation>
+  </message>
+  <message>
+   <source>{place}: {name} is “{text}”, which is not a number.</source>
+   <translation>{place} : {name} vaut « {text} », qui n’est pas un nombre.</translation>
   </message>
   <message>
    <source>{predicted} against {reference}</source>
@@ -3028,6 +4000,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{seconds:.0f} s.</translation>
   </message>
   <message>
+   <source>{setting} goes from {low:g} to {high:g}; give two numbers from {least:g} to {most:g}, the smaller one first.</source>
+   <translation>{setting} va de {low:g} à {high:g} ; donnez deux nombres de {least:g} à {most:g}, le plus petit d’abord.</translation>
+  </message>
+  <message>
    <source>{share:.1%} of the pixels match no class.</source>
    <translation>{share:.1%} des pixels ne correspondent à aucune classe.</translation>
   </message>
@@ -3040,12 +4016,88 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{shift:.0f} m à droite : {after} au lieu de {before}</translation>
   </message>
   <message>
+   <source>{shown} and {count} more</source>
+   <translation>{shown} et {count} de plus</translation>
+  </message>
+  <message>
+   <source>{shown}; {needed}.</source>
+   <translation>{shown} ; {needed}.</translation>
+  </message>
+  <message>
+   <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
+   <translation>{source} ne connaît pas la classe {missing} de la base de données, seulement {names} ; prenez un modèle entraîné sur les classes de la base.</translation>
+  </message>
+  <message>
    <source>{source} does not measure in meters; the result is in {target}.</source>
    <translation>{source} ne mesure pas en mètres ; le résultat est dans {target}.</translation>
   </message>
   <message>
+   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or export it with their names.</source>
+   <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; choisissez un modèle qui les nomme, ou exportez-le avec leurs noms.</translation>
+  </message>
+  <message>
+   <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
+   <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; donnez-les dans CLASS_TABLE, dans l’ordre des sorties du réseau.</translation>
+  </message>
+  <message>
+   <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
+   <translation>{source} a la version de format {version}, plus récente que ce que lit ce SemRef ({known}) ; mettez l’extension à jour.</translation>
+  </message>
+  <message>
+   <source>{source} has no classes; it needs a header value,name,color,role and a line a class.</source>
+   <translation>{source} n’a pas de classes ; il faut un en-tête value,name,color,role et une ligne par classe.</translation>
+  </message>
+  <message>
+   <source>{source} has no landmark; build it with other classes or a smaller area.</source>
+   <translation>{source} n’a aucun repère visuel ; créez-la avec d’autres classes ou une surface plus petite.</translation>
+  </message>
+  <message>
+   <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
+   <translation>{source} a {value} dans class_values ; les valeurs de classe sont des nombres entiers de 0 à 255.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>
+   <translation>{source} a « {text} » comme {key} ; ce doit être du JSON avec un élément par sortie, comme {{"0": …, "1": …}}.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue, above 0.</source>
+   <translation>{source} a « {text} » comme {key} ; ce doit être une liste de trois nombres supérieurs à 0, pour le rouge, le vert et le bleu.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue.</source>
+   <translation>{source} a « {text} » comme {key} ; ce doit être une liste de trois nombres, pour le rouge, le vert et le bleu.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it.</source>
+   <translation>{source} a « {text} » comme {key} ; ce doit être un nombre de {least:g} à {most:g} : corrigez-le ou supprimez-le.</translation>
+  </message>
+  <message>
+   <source>{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.</source>
+   <translation>{source} est un modèle de type {kind} (clé de métadonnées model_type) ; choisissez un Segmentor.</translation>
+  </message>
+  <message>
+   <source>{source} lacks the column {missing}; its header is “{header}”.</source>
+   <translation>Il manque à {source} la colonne {missing} ; son en-tête est « {header} ».</translation>
+  </message>
+  <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} n’indique pas de focale, l’image est donc prise telle quelle.</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in CLASS_TABLE: {names}; take the names it was trained with.</source>
+   <translation>{source} distingue {channels} classes, mais il y a {count} noms de classes dans CLASS_TABLE : {names} ; prenez les noms avec lesquels il a été entraîné.</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in its metadata (class_names): {names}; take the names it was trained with.</source>
+   <translation>{source} distingue {channels} classes, mais il y a {count} noms de classes dans ses métadonnées (class_names) : {names} ; prenez les noms avec lesquels il a été entraîné.</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; take the names it was trained with.</source>
+   <translation>{source} distingue {channels} classes, mais il y a {count} noms de classes dans la table des classes : {names} ; prenez les noms avec lesquels il a été entraîné.</translation>
+  </message>
+  <message>
+   <source>{source}, line {line}</source>
+   <translation>{source}, ligne {line}</translation>
   </message>
   <message>
    <source>{threshold} or more expected</source>
@@ -3068,8 +4120,64 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{value} repères visuels dans l’image</translation>
   </message>
   <message>
+   <source>{where} can't be written: {reason}; choose another place.</source>
+   <translation>{where} ne peut pas être écrit : {reason} ; choisissez un autre emplacement.</translation>
+  </message>
+  <message>
+   <source>{where}: {fault}</source>
+   <translation>{where} : {fault}</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a number for draw_order.</source>
+   <translation>{where} : « {text} » n’est pas un nombre pour draw_order.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a whole number for value.</source>
+   <translation>{where} : « {text} » n’est pas un nombre entier pour value.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
+   <translation>{where} : « {text} » n’est pas « h s v » dans les plages d’OpenCV (h 0–180, s et v 0–255).</translation>
+  </message>
+  <message>
    <source>{windows} windows, {references} landmarks.</source>
    <translation>{windows} fenêtres, {references} repères visuels.</translation>
+  </message>
+  <message>
+   <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>
+   <translation>« {layer} » vient de {provider} ; enregistrez-la d’abord en GeoTIFF.</translation>
+  </message>
+  <message>
+   <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
+   <translation>« {layer} » contient des géométries {kind} ; une couche d’annotation contient des polygones.</translation>
+  </message>
+  <message>
+   <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>
+   <translation>« {output} » et « {other} » sont le même fichier, {path} ; choisissez deux fichiers.</translation>
+  </message>
+  <message>
+   <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
+   <translation>« {output} » est le même fichier que « {input} », {path}, qui serait perdu ; choisissez un autre emplacement pour « {output} ».</translation>
+  </message>
+  <message>
+   <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
+   <translation>« {source} » a des classes que la table des classes n’a pas : {unknown} ; ajoutez-les à la table ({classes}) ou laissez ces entités de côté.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no feature with a class; fill its class field first.</source>
+   <translation>« {source} » n’a aucune entité avec une classe ; remplissez d’abord son champ de classe.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no polygon with area and class; there is nothing to rasterize.</source>
+   <translation>« {source} » n’a aucun polygone avec une surface et une classe ; il n’y a rien à rastériser.</translation>
+  </message>
+  <message>
+   <source>“{source}” has no polygon with area and class; there is nothing to repair.</source>
+   <translation>« {source} » n’a aucun polygone avec une surface et une classe ; il n’y a rien à réparer.</translation>
+  </message>
+  <message>
+   <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
+   <translation>« {where} » n’est pas un port UDP de cet ordinateur ; écrivez udp:PORT, avec PORT de 1 à 65535.</translation>
   </message>
  </context>
 </TS>

@@ -8,6 +8,10 @@
    <translation>已完成 %v / %m</translation>
   </message>
   <message>
+   <source>--threads is {threads}; it must be at least 1.</source>
+   <translation>--threads 为 {threads}；至少须为 1。</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>地面边长的 2%</translation>
   </message>
@@ -20,6 +24,10 @@
    <translation>由“构建参考数据库”生成的 GeoPackage。</translation>
   </message>
   <message>
+   <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
+   <translation>{name} 为 {value:g}° 的相机看不到地面；0° 为垂直向下。</translation>
+  </message>
+  <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
    <translation>定位结果的误差不超过“设置”中的距离即为正确；拓扑向量法只能识别窗口，识别出离影像中心最近的窗口即为正确。误接受是指镜像的地图影像得到了定位结果：它们不可能正确。CEP50 和 CEP95：一半和 95% 的正确定位结果的误差不超过该值。航向和比例：正确定位结果的误差中值。</translation>
   </message>
@@ -30,6 +38,14 @@
   <message>
    <source>A gap of {area:.2f} m² was given to {other_name}.</source>
    <translation>一处 {area:.2f} m² 的间隙已并入 {other_name}。</translation>
+  </message>
+  <message>
+   <source>A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.</source>
+   <translation>云台俯仰角 {pitch_deg:g}° 看不到地面；−90° 为垂直向下。</translation>
+  </message>
+  <message>
+   <source>A landmark has no area; build the database again.</source>
+   <translation>有一个地标没有面积；请重新构建数据库。</translation>
   </message>
   <message>
    <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
@@ -74,6 +90,10 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>{name} 的一处 {area:.2f} m² 的碎片紧邻 {other_name}（要素 {id}）。</translation>
+  </message>
+  <message>
+   <source>A vector of {count} references is too short; use at least {least}.</source>
+   <translation>由 {count} 个地标组成的向量太短；请至少使用 {least} 个。</translation>
   </message>
   <message>
    <source>Add a folder of images</source>
@@ -134,6 +154,10 @@
   <message>
    <source>An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.</source>
    <translation>SemRef 出错，工作已停止；请反馈日志信息面板中“SemRef”标签页显示的内容。</translation>
+  </message>
+  <message>
+   <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
+   <translation>{width} × {height} 像元的影像内容太少，无法分割；按模型的分辨率，每个方向需要 {least} 个像元。</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -216,6 +240,14 @@
    <translation>假定：相机水平；任意航向；地标漏检 {missed}、虚报 {invented}、类别错误 {misnamed}；边缘偏移 {ragged:g} 地图单位（标准差）；无先验位置；地面与数据库一致。误差在覆盖边长 2 % 以内的定位算正确。方法：{method}。</translation>
   </message>
   <message>
+   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.</source>
+   <translation>按每像元 {resolution_cm:g} cm，影像将所剩无几；请选择更精细的分辨率。</translation>
+  </message>
+  <message>
+   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; give another RESOLUTION.</source>
+   <translation>按每像元 {resolution_cm:g} cm，影像将所剩无几；请给出其他 RESOLUTION。</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>自动</translation>
   </message>
@@ -266,6 +298,14 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>By footprint</source>
    <translation>按覆盖范围</translation>
+  </message>
+  <message>
+   <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
+   <translation>CLASS_TABLE 缺少 {source} 的类别 {missing}；请添加该类别，或将 CLASS_TABLE 留空。</translation>
+  </message>
+  <message>
+   <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>CLIP 与其坐标参照系 {crs} 不符；请更正坐标参照系。</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -374,6 +414,26 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Class table</source>
    <translation>类别表</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has only one of hsv_min and hsv_max; give both or none.</source>
+   <translation>类别“{name}”只有 hsv_min 和 hsv_max 中的一个；请两个都给出或都不给出。</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the color “{color}”; write it as #rrggbb.</source>
+   <translation>类别“{name}”的颜色为“{color}”；请写成 #rrggbb。</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the role “{role}”; it must be “{reference}” or “{background}”.</source>
+   <translation>类别“{name}”的角色为“{role}”；必须为“{reference}”或“{background}”。</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the value 0, which means unlabeled; it can't be a reference.</source>
+   <translation>类别“{name}”的值为 0，表示无标签；它不能作为参考类别。</translation>
+  </message>
+  <message>
+   <source>Class “{name}” has the value {value}; class values go from 0 to {most}.</source>
+   <translation>类别“{name}”的值为 {value}；类别值范围为 0 到 {most}。</translation>
   </message>
   <message>
    <source>Classes</source>
@@ -640,6 +700,14 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>范围</translation>
   </message>
   <message>
+   <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
+   <translation>FOOTPRINT 为 {footprint:g}；请给出影像所覆盖地面的边长。</translation>
+  </message>
+  <message>
+   <source>FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.</source>
+   <translation>FOOTPRINT 为 {text}；请以地图单位给出地面边长，用“;”分隔。</translation>
+  </message>
+  <message>
    <source>False accept rate</source>
    <translation>误接受率</translation>
   </message>
@@ -856,6 +924,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>GeoTIFF，每像元 8 位，采用模型的类别；没有数据的像元为 0。</translation>
   </message>
   <message>
+   <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
+   <translation>请给出 DATABASE 或 CLASS_TABLE：该标签影像自身不带类别表。</translation>
+  </message>
+  <message>
    <source>Good enough from (%)</source>
    <translation>达标阈值（%）</translation>
   </message>
@@ -912,6 +984,14 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>向量包含离中心最近的多少个地标。</translation>
   </message>
   <message>
+   <source>IMAGES is empty; choose at least one image or a folder with images.</source>
+   <translation>IMAGES 为空；请至少选择一幅影像或一个包含影像的文件夹。</translation>
+  </message>
+  <message>
+   <source>INPUT is not a vector layer that can be read; choose a polygon layer.</source>
+   <translation>INPUT 不是可读取的矢量图层；请选择多边形图层。</translation>
+  </message>
+  <message>
    <source>If left out: that of the model’s metadata, else 20. More takes longer and hides seams better.</source>
    <translation>若留空：采用模型元数据中的值，否则为 20。数值越大耗时越长，接缝也隐藏得越好。</translation>
   </message>
@@ -926,6 +1006,14 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Image with at least three bands (red, green, blue) of 8 bits.</source>
    <translation>至少有三个 8 位波段（红、绿、蓝）的影像。</translation>
+  </message>
+  <message>
+   <source>Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.</source>
+   <translation>无法读取影像 {path}：文件已损坏、不完整，或是 OpenCV 不支持的类型。</translation>
+  </message>
+  <message>
+   <source>Image {path} can't be read: {reason}.</source>
+   <translation>无法读取影像 {path}：{reason}。</translation>
   </message>
   <message>
    <source>Images</source>
@@ -976,6 +1064,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>问题</translation>
   </message>
   <message>
+   <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
+   <translation>以每秒 {speed:g} 地图单位的速度，无法从其前后的定位结果到达该位置。</translation>
+  </message>
+  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>可以是该数据库本身，更新完成后即被替换。</translation>
   </message>
@@ -994,6 +1086,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Kind</source>
    <translation>类型</translation>
+  </message>
+  <message>
+   <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
+   <translation>LEVELS 必须是窗口大小的正倍数，例如 1;2。</translation>
   </message>
   <message>
    <source>Label image</source>
@@ -1022,6 +1118,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Landmarks</source>
    <translation>地标</translation>
+  </message>
+  <message>
+   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed.</source>
+   <translation>地标与某一地点相符，但该处的类别面积仅符合 {agreement:.2f}；至少需要 {least:.2f}。</translation>
   </message>
   <message>
    <source>Landmarks in the window</source>
@@ -1184,6 +1284,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>相似窗口</translation>
   </message>
   <message>
+   <source>METHODS is empty; choose at least one method.</source>
+   <translation>METHODS 为空；请至少选择一种方法。</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>生成示例区域</translation>
   </message>
@@ -1328,8 +1432,40 @@ The model that ships with SemRef can read these photos.</source>
    <translation>未找到与 QGIS 相同的 Python {version}（查找过 {paths}）；请改用“{command}”。</translation>
   </message>
   <message>
+   <source>No class has hsv_min and hsv_max; add them to the class table or decode by nearest color.</source>
+   <translation>没有类别带有 hsv_min 和 hsv_max；请将其添加到类别表，或按最近颜色解码。</translation>
+  </message>
+  <message>
+   <source>No class is a reference class; choose at least one of {classes} as one, or give it the role “reference” in the class table.</source>
+   <translation>没有参考类别；请在 {classes} 中至少选择一个作为参考类别，或在类别表中为其指定角色“reference”。</translation>
+  </message>
+  <message>
+   <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
+   <translation>没有参考类别；请在 REFERENCE_CLASSES 中至少写出 {classes} 中的一个，或在类别表中为其指定角色“reference”。</translation>
+  </message>
+  <message>
+   <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
+   <translation>CLIP 区域内没有地标；请选择其他区域或更大的 DISTANCE。</translation>
+  </message>
+  <message>
+   <source>No landmark lies in the area; choose another area or a larger distance around it.</source>
+   <translation>该区域内没有地标；请选择其他区域或更大的周边距离。</translation>
+  </message>
+  <message>
    <source>No match</source>
    <translation>无匹配</translation>
+  </message>
+  <message>
+   <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
+   <translation>影像中没有任何像元带有标签；请检查影像与标签是否显示同一地面。</translation>
+  </message>
+  <message>
+   <source>No place of the map has labels under at least half of the image.</source>
+   <translation>地图上没有任何地点在至少半幅影像之下带有标签。</translation>
+  </message>
+  <message>
+   <source>No place on the map has triangles like the image's.</source>
+   <translation>地图上没有任何地点具有与影像相同的三角形。</translation>
   </message>
   <message>
    <source>No place to look at.</source>
@@ -1340,8 +1476,24 @@ The model that ships with SemRef can read these photos.</source>
    <translation>该范围内没有多边形：标签图为空。</translation>
   </message>
   <message>
+   <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
+   <translation>数据库中没有窗口具有拓扑向量所需的 {least} 个地标；请用更大的窗口、更小的最小面积或更多参考类别构建。</translation>
+  </message>
+  <message>
+   <source>No window of the database lies on LABELS and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller MINIMUM_REFERENCES.</source>
+   <translation>数据库中没有位于 LABELS 之上且至少有 {minimum_references} 个地标的窗口；请选择同一地面的标签图，或更小的 MINIMUM_REFERENCES。</translation>
+  </message>
+  <message>
+   <source>No window of the database lies on the label map and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller number of landmarks.</source>
+   <translation>数据库中没有位于标签图之上且至少有 {minimum_references} 个地标的窗口；请选择同一地面的标签图，或更少的地标数。</translation>
+  </message>
+  <message>
    <source>No window of the database lies there.</source>
    <translation>该处没有数据库的窗口。</translation>
+  </message>
+  <message>
+   <source>Noise: {name} is {value:g}; give a number from 0 to {most:g}.</source>
+   <translation>噪声：{name} 为 {value:g}；请给出 0 到 {most:g} 之间的数。</translation>
   </message>
   <message>
    <source>None: a fix is expected everywhere.</source>
@@ -1440,6 +1592,18 @@ The model that ships with SemRef can read these photos.</source>
    <translation>每个问题一个要素，采用标签图的坐标参照系。</translation>
   </message>
   <message>
+   <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
+   <translation>其中一幅地图相对于另一幅有旋转；请先将两者重投影到正北朝上的格网。</translation>
+  </message>
+  <message>
+   <source>One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs {needed_m:.3g} m.</source>
+   <translation>有一个地点相符，但其位置只能确定到 {error_95_m:.3g} m；这种大小的影像需要 {needed_m:.3g} m。</translation>
+  </message>
+  <message>
+   <source>One place agrees, but the image doesn't tell its position in all directions.</source>
+   <translation>有一个地点相符，但影像不能在所有方向上确定其位置。</translation>
+  </message>
+  <message>
    <source>One point a landmark of the map that agrees with one of an image, for fixes with a heading: where the image has it, where the fix puts it, and how far that is off.</source>
    <translation>对于带航向的定位，地图上每个与图像地标一致的地标一个点：它在图像中的位置、定位结果把它放在何处以及偏差多少。</translation>
   </message>
@@ -1470,6 +1634,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Only with an approximate position: places farther away are not searched.</source>
    <translation>仅在给出大致位置时有效：不搜索更远的地点。</translation>
+  </message>
+  <message>
+   <source>Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed.</source>
+   <translation>影像中只有 {labeled:.0%} 具有地图的类别；至少需要 {least:.0%}。</translation>
   </message>
   <message>
    <source>Opacity of the labels</source>
@@ -1614,6 +1782,38 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
    <translation>QGIS 并非在所有系统上都自带这些 Python 软件包。SemRef 可以为当前 QGIS 把它们安装到自己的文件夹中；QGIS 已有的软件包，尤其是 numpy，保持不变。</translation>
+  </message>
+  <message>
+   <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
+   <translation>REFERENCE 与 PREDICTED 不重叠；请选择同一地面的地图。</translation>
+  </message>
+  <message>
+   <source>REFERENCE has {width} × {height} pixels and PREDICTED {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
+   <translation>REFERENCE 有 {width} × {height} 像元，PREDICTED 有 {other_width} × {other_height} 像元，且并非两者都有地理参照；请比较大小相同的影像或两幅有地理参照的地图。</translation>
+  </message>
+  <message>
+   <source>REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.</source>
+   <translation>REFERENCE 使用 {crs}，而 PREDICTED 使用 {predicted_crs}；请将其中一个重投影到另一个的坐标参照系。</translation>
+  </message>
+  <message>
+   <source>ROUTE does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>ROUTE 与其坐标参照系 {crs} 不符；请更正坐标参照系。</translation>
+  </message>
+  <message>
+   <source>ROUTE has no CRS; set its layer's CRS.</source>
+   <translation>ROUTE 没有坐标参照系；请设置其图层的坐标参照系。</translation>
+  </message>
+  <message>
+   <source>ROUTE has no line with a length; draw one through two points at least.</source>
+   <translation>ROUTE 中没有具有长度的线；请绘制一条至少经过两点的线。</translation>
+  </message>
+  <message>
+   <source>ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.</source>
+   <translation>ROUTE 为 {value}，既不是线图层，也不是 GPX、KML、.plan 或 .waypoints 文件。</translation>
+  </message>
+  <message>
+   <source>ROUTE lies outside the database’s map; choose another route or database.</source>
+   <translation>ROUTE 位于数据库的地图之外；请选择其他航线或数据库。</translation>
   </message>
   <message>
    <source>Radius around it (map units)</source>
@@ -1764,6 +1964,22 @@ The model that ships with SemRef can read these photos.</source>
    <translation>航线 {number}</translation>
   </message>
   <message>
+   <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
+   <translation>SPACING 为 {size:g}，会在地图上产生 {count} 个方格；请给出 {least:.3g} 或更大的值。</translation>
+  </message>
+  <message>
+   <source>SPACING is {size:g}; give the edge of a square in map units.</source>
+   <translation>SPACING 为 {size:g}；请以地图单位给出方格的边长。</translation>
+  </message>
+  <message>
+   <source>SPACING is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
+   <translation>SPACING 为 {spacing:g}，会产生 {count} 个点；请给出 {least:.3g} 或更大的值。</translation>
+  </message>
+  <message>
+   <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
+   <translation>SPACING 为 {spacing:g}；请以地图单位给出点间距。</translation>
+  </message>
+  <message>
    <source>Save results</source>
    <translation>保存结果</translation>
   </message>
@@ -1802,6 +2018,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Segment image</source>
    <translation>分割影像</translation>
+  </message>
+  <message>
+   <source>Segmentation needs the Python package onnxruntime ({reason}); install it for QGIS's Python, for example with “python3 -m pip install onnxruntime”.</source>
+   <translation>分割需要 Python 包 onnxruntime（{reason}）；请为 QGIS 的 Python 安装，例如使用“python3 -m pip install onnxruntime”。</translation>
   </message>
   <message>
    <source>Segmenting</source>
@@ -2044,12 +2264,88 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>数据处理提供程序 SemRef 已停用；请在选项中启用。</translation>
   </message>
   <message>
+   <source>The annotation layer has no coordinate reference system; set one in the layer's properties.</source>
+   <translation>标注图层没有坐标参照系；请在图层属性中设置。</translation>
+  </message>
+  <message>
+   <source>The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and points a larger DISTANCE than {distance:g}.</source>
+   <translation>CLIP 的区域为空或位于数据库的地图之外；请选择其他区域；对于线和点，请选择大于 {distance:g} 的 DISTANCE。</translation>
+  </message>
+  <message>
+   <source>The best place ({score:.2f}) agrees hardly better than the mirrored image does by chance ({mirror:.2f}).</source>
+   <translation>最佳地点（{score:.2f}）的符合程度几乎不高于镜像影像的偶然符合（{mirror:.2f}）。</translation>
+  </message>
+  <message>
+   <source>The best place agrees with the image only by {score:.2f}; at least {least:.2f} is needed.</source>
+   <translation>最佳地点与影像的符合程度仅为 {score:.2f}；至少需要 {least:.2f}。</translation>
+  </message>
+  <message>
+   <source>The best place has log odds of {log_odds:.1f}; {needed} are needed.</source>
+   <translation>最佳地点的对数几率为 {log_odds:.1f}；需要 {needed}。</translation>
+  </message>
+  <message>
+   <source>The camera table {path} can't be read: {reason}.</source>
+   <translation>无法读取相机表 {path}：{reason}。</translation>
+  </message>
+  <message>
+   <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
+   <translation>相机表 {path} 不是 UTF-8 文本；请另存为 UTF-8 的 CSV。</translation>
+  </message>
+  <message>
+   <source>The class table has the {column} {repeated} more than once.</source>
+   <translation>类别表的 {column} 中 {repeated} 出现了不止一次。</translation>
+  </message>
+  <message>
+   <source>The class table lacks the class {missing} of {source}; add it, or give no class table.</source>
+   <translation>类别表缺少 {source} 的类别 {missing}；请添加该类别，或不给出类别表。</translation>
+  </message>
+  <message>
+   <source>The class table of {source} was changed after it was built; build it again.</source>
+   <translation>{source} 的类别表在构建之后被更改；请重新构建数据库。</translation>
+  </message>
+  <message>
+   <source>The class table {path} can't be read: {reason}.</source>
+   <translation>无法读取类别表 {path}：{reason}。</translation>
+  </message>
+  <message>
+   <source>The class with value {value} has no name; give it one.</source>
+   <translation>值为 {value} 的类别没有名称；请为其命名。</translation>
+  </message>
+  <message>
+   <source>The corrected map shows no landmark any more; choose another label map.</source>
+   <translation>改正后的地图不再显示任何地标；请选择其他标签图。</translation>
+  </message>
+  <message>
+   <source>The database can't be written: {reason}.</source>
+   <translation>无法写入数据库：{reason}。</translation>
+  </message>
+  <message>
    <source>The database has no overview; where its ground ends is taken from its extent.</source>
    <translation>数据库没有概览图；其地面范围取自数据库范围。</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
    <translation>数据库中没有窗口“{name}”。</translation>
+  </message>
+  <message>
+   <source>The database has {count} windows of level {level} where its grid has {known}; build it again.</source>
+   <translation>数据库在第 {level} 级有 {count} 个窗口，而其格网有 {known} 个；请重新构建。</translation>
+  </message>
+  <message>
+   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once with “Build reference database”.</source>
+   <translation>该数据库由 SemRef {plugin_version} 生成，当时不保存分块哈希和地标范围，因此无法判断哪些内容已更改；请用“构建参考数据库”重新构建一次。</translation>
+  </message>
+  <message>
+   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once.</source>
+   <translation>该数据库由 SemRef {plugin_version} 生成，当时不保存分块哈希和地标范围，因此无法判断哪些内容已更改；请重新构建一次。</translation>
+  </message>
+  <message>
+   <source>The database was read without its overview, which map correlation searches.</source>
+   <translation>读取数据库时未包含概览图，而地图相关需要在其中搜索。</translation>
+  </message>
+  <message>
+   <source>The disagreements can't be made into polygons: {reason}.</source>
+   <translation>无法将不一致之处转换为多边形：{reason}。</translation>
   </message>
   <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
@@ -2060,8 +2356,52 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>磁盘已满：{folder} 约需 500 MB。</translation>
   </message>
   <message>
+   <source>The distance between points is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
+   <translation>点间距为 {spacing:g}，会产生 {count} 个点；请给出 {least:.3g} 或更大的值。</translation>
+  </message>
+  <message>
+   <source>The distance between points is {spacing:g}; give it in map units.</source>
+   <translation>点间距为 {spacing:g}；请以地图单位给出。</translation>
+  </message>
+  <message>
+   <source>The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
+   <translation>方格边长为 {size:g}，会在地图上产生 {count} 个方格；请给出 {least:.3g} 或更大的值。</translation>
+  </message>
+  <message>
+   <source>The edge of a square is {size:g}; give it in map units.</source>
+   <translation>方格边长为 {size:g}；请以地图单位给出。</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>该文件无法给出经纬度：地图过大，或包含极点。</translation>
+  </message>
+  <message>
+   <source>The focal length is {focal_length_px:g} pixels; it must be above 0.</source>
+   <translation>焦距为 {focal_length_px:g} 像元；必须大于 0。</translation>
+  </message>
+  <message>
+   <source>The folder {folder} can't be written to; choose another place for {name}.</source>
+   <translation>无法写入文件夹 {folder}；请为 {name} 选择其他位置。</translation>
+  </message>
+  <message>
+   <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
+   <translation>文件夹 {folder} 不存在；请创建该文件夹，或为 {name} 选择其他位置。</translation>
+  </message>
+  <message>
+   <source>The folder {folder} is gone; start again when it is back.</source>
+   <translation>文件夹 {folder} 已不存在；待其恢复后请重新启动。</translation>
+  </message>
+  <message>
+   <source>The folder {path} holds no image ({endings}).</source>
+   <translation>文件夹 {path} 中没有影像（{endings}）。</translation>
+  </message>
+  <message>
+   <source>The folder {path} holds other files, which are left alone; choose a new or empty one.</source>
+   <translation>文件夹 {path} 中有其他文件，不会改动；请选择新的或空的文件夹。</translation>
+  </message>
+  <message>
+   <source>The footprint is {footprint:g}; give the edge of the ground that an image shows.</source>
+   <translation>覆盖范围为 {footprint:g}；请给出影像所覆盖地面的边长。</translation>
   </message>
   <message>
    <source>The geometry of feature {id} is invalid: {reason}.</source>
@@ -2072,6 +2412,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>要素 {id} 的几何图形已修复为有效：{reason}。</translation>
   </message>
   <message>
+   <source>The header would have {size} bytes, more than {most}.</source>
+   <translation>文件头将有 {size} 字节，超过 {most}。</translation>
+  </message>
+  <message>
    <source>The heights (Z) of feature {id} were left out.</source>
    <translation>要素 {id} 的高程（Z）已舍弃。</translation>
   </message>
@@ -2080,44 +2424,176 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>命中位置在工程坐标参照系的适用区域之外；请选择其他坐标参照系以查看该位置。</translation>
   </message>
   <message>
+   <source>The image has no pixels.</source>
+   <translation>影像没有像元。</translation>
+  </message>
+  <message>
+   <source>The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may have {most} at most; reduce it first.</source>
+   <translation>影像有 {width} × {height} 像元，校平后为 {level_width} × {level_height}，但边长最多为 {most}；请先缩小。</translation>
+  </message>
+  <message>
+   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; choose a smaller tile.</source>
+   <translation>影像有 {width} × {height} 像元，小于 {tile_size} 像元的图块；请选择更小的图块。</translation>
+  </message>
+  <message>
    <source>The image is described as this database’s windows are; the settings below are then not used.</source>
    <translation>影像按该数据库窗口的方式描述；此时不使用下面的设置。</translation>
+  </message>
+  <message>
+   <source>The image shows hardly more than one class; a larger footprint with several classes is needed.</source>
+   <translation>影像几乎只显示一个类别；需要包含多个类别的更大覆盖范围。</translation>
+  </message>
+  <message>
+   <source>The image shows too little ground to search this whole map for it; give a prior position.</source>
+   <translation>影像所覆盖的地面太小，无法在整幅地图中搜索；请给出先验位置。</translation>
+  </message>
+  <message>
+   <source>The image shows {count} landmark</source>
+   <translation>影像显示 {count} 个地标</translation>
+  </message>
+  <message>
+   <source>The image shows {count} landmarks</source>
+   <translation>影像显示 {count} 个地标</translation>
+  </message>
+  <message>
+   <source>The image shows {count} whole landmark</source>
+   <translation>影像显示 {count} 个完整地标</translation>
+  </message>
+  <message>
+   <source>The image shows {count} whole landmarks</source>
+   <translation>影像显示 {count} 个完整地标</translation>
+  </message>
+  <message>
+   <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
+   <translation>标签图与数据库的类别不同（{value} {name} 只存在于其中之一）；请用数据库的类别表栅格化，或构建新的数据库。</translation>
   </message>
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>标签图不带类别名称；其类别以值命名。</translation>
   </message>
   <message>
+   <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
+   <translation>标签图的像元为 {pixel_size:g} m，而数据库以 {pixel:g} m 构建；请用数据库的像元大小栅格化，或构建新的数据库。</translation>
+  </message>
+  <message>
+   <source>The label map has the value {value}, which the database's classes lack; correct it or build a new database.</source>
+   <translation>标签图的值 {value} 不在数据库的类别中；请更正，或构建新的数据库。</translation>
+  </message>
+  <message>
+   <source>The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, the database's had {known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}; rasterize with the extent of the old label map or build a new database.</source>
+   <translation>标签图有 {width} × {height} 像元，起点为 {x:.10g}, {y:.10g}；数据库的标签图有 {known_width} × {known_height} 像元，起点为 {known_x:.10g}, {known_y:.10g}；请用旧标签图的范围栅格化，或构建新的数据库。</translation>
+  </message>
+  <message>
+   <source>The label map is in {crs}, the database in {database_crs}; rasterize to the database's CRS or build a new database.</source>
+   <translation>标签图使用 {crs}，数据库使用 {database_crs}；请栅格化到数据库的坐标参照系，或构建新的数据库。</translation>
+  </message>
+  <message>
    <source>The label map that the reference database was built from.</source>
    <translation>构建参考数据库所用的标签图。</translation>
+  </message>
+  <message>
+   <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
+   <translation>标签图将有 {width} × {height} 像元；请选择更大的 PIXEL_SIZE 或更小的 EXTENT。</translation>
+  </message>
+  <message>
+   <source>The labels can’t be brought onto the image: {reason}.</source>
+   <translation>无法将标签对应到影像上：{reason}。</translation>
+  </message>
+  <message>
+   <source>The labels have the value {found}; a label map holds class values from 0 to 255.</source>
+   <translation>标签的值为 {found}；标签图的类别值为 0 到 255。</translation>
+  </message>
+  <message>
+   <source>The labels have the value {unknown}, which the class table lacks; its classes are {classes}.</source>
+   <translation>标签的值 {unknown} 不在类别表中；表中的类别为 {classes}。</translation>
+  </message>
+  <message>
+   <source>The labels leave {training} tiles for training and {validation} for validation; choose smaller tiles than {tile_size} pixels, a smaller stride, or another validation fraction.</source>
+   <translation>标签只留下 {training} 个训练图块和 {validation} 个验证图块；请选择小于 {tile_size} 像元的图块、更小的步长或其他验证比例。</translation>
+  </message>
+  <message>
+   <source>The landscape can’t be rasterized: {reason}.</source>
+   <translation>无法将景观栅格化：{reason}。</translation>
   </message>
   <message>
    <source>The largest of each kind</source>
    <translation>各种类中最大的问题</translation>
   </message>
   <message>
+   <source>The layer {layer} can’t be created: {reason}.</source>
+   <translation>无法创建图层 {layer}：{reason}。</translation>
+  </message>
+  <message>
+   <source>The layer {name} can't be written: {reason}.</source>
+   <translation>无法写入图层 {name}：{reason}。</translation>
+  </message>
+  <message>
+   <source>The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.</source>
+   <translation>图层的范围与其坐标参照系 {crs} 不符；请更正坐标参照系或选择 TARGET_CRS。</translation>
+  </message>
+  <message>
+   <source>The levels must be positive multipliers of the window size, for example 1;2.</source>
+   <translation>各级必须是窗口大小的正倍数，例如 1;2。</translation>
+  </message>
+  <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>从中心到拓扑向量各地标的连线</translation>
+  </message>
+  <message>
+   <source>The map has fewer than two classes, so that no place differs from another.</source>
+   <translation>地图的类别少于两个，因此各地点无法区分。</translation>
+  </message>
+  <message>
+   <source>The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
+   <translation>地图上没有面积至少为 {minimum_area:g} m² 的 {references} 地标；请选择其他参考类别或更小的最小面积。</translation>
   </message>
   <message>
    <source>The map that images are cut from: the database’s own or another of the same ground, in the database’s CRS and with its classes; the pixel size may differ.</source>
    <translation>从中裁取影像的地图：数据库自身的地图或同一地面的另一幅地图，须采用数据库的坐标参照系和类别；像元大小可以不同。</translation>
   </message>
   <message>
+   <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
+   <translation>两幅地图没有共同的、由 REFERENCE 标注的像元；请选择同一地面的地图。</translation>
+  </message>
+  <message>
+   <source>The maps have no pixel in common that the reference labels; choose maps of the same ground.</source>
+   <translation>两幅地图没有共同的、由参考标签图标注的像元；请选择同一地面的地图。</translation>
+  </message>
+  <message>
    <source>The maps share no class names: classes are matched by their values.</source>
    <translation>两图没有相同的类别名称：类别按值匹配。</translation>
+  </message>
+  <message>
+   <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
+   <translation>最小面积为 {minimum_area:g} m²；必须大于 0。</translation>
+  </message>
+  <message>
+   <source>The mirrored image fits almost as well, so the pattern is too regular.</source>
+   <translation>镜像影像几乎同样相符，因此图案过于规则。</translation>
   </message>
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>模型未说明其分辨率：影像按原样处理。</translation>
   </message>
   <message>
+   <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
+   <translation>最近窗口的距离为 {distance:.3f}，大于 {threshold:g}。</translation>
+  </message>
+  <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>由照片生成标签的网络；输入为标签影像时请留空</translation>
   </message>
   <message>
+   <source>The objects that agree with the map don't fix the position closely enough.</source>
+   <translation>与地图相符的地标不足以足够精确地确定位置。</translation>
+  </message>
+  <message>
    <source>The one that the old label map was made with.</source>
    <translation>制作旧标签图时所用的类别表。</translation>
+  </message>
+  <message>
+   <source>The overview can't be written: {reason}.</source>
+   <translation>无法写入概览图：{reason}。</translation>
   </message>
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
@@ -2132,12 +2608,28 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>软件包索引的证书不受信任；请向网络管理员询问此处 pip 的设置方法，或从 wheel 文件夹安装。</translation>
   </message>
   <message>
+   <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
+   <translation>像元大小为 {pixel_size:g} m；必须大于 0。</translation>
+  </message>
+  <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>图层将要栅格化的像元大小：在该像元大小下会丢失、合并或分裂的地标也会被报告。若留空则不检查。</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>位置现在是工程中的临时图层；如需保留请导出。</translation>
+  </message>
+  <message>
+   <source>The precision is {precision:g}; it must be more than 0 map units.</source>
+   <translation>精度为 {precision:g}；必须大于 0 地图单位。</translation>
+  </message>
+  <message>
+   <source>The precision of {precision:g} map units is too fine for the map; choose a larger one.</source>
+   <translation>{precision:g} 地图单位的精度对该地图过细；请选择更大的值。</translation>
+  </message>
+  <message>
+   <source>The priority field “{priority_field}” does not hold numbers; choose one that does.</source>
+   <translation>优先级字段“{priority_field}”不是数字；请选择数字字段。</translation>
   </message>
   <message>
    <source>The project has no raster layer of a file.</source>
@@ -2148,12 +2640,28 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>代理无法使用；请在 设置 ▸ 选项 ▸ 网络 中检查，或从 wheel 安装。</translation>
   </message>
   <message>
+   <source>The radius of --near is {radius:g}; it must be more than 0 map units.</source>
+   <translation>--near 的半径为 {radius:g}；必须大于 0 地图单位。</translation>
+  </message>
+  <message>
    <source>The reduced label map, which map correlation searches; without it the file is several times smaller.</source>
    <translation>缩小的标签图，供地图相关搜索；不含它时文件会小数倍。</translation>
   </message>
   <message>
+   <source>The reference and the prediction don't overlap; choose maps of the same ground.</source>
+   <translation>参考标签图与预测标签图不重叠；请选择同一地面的地图。</translation>
+  </message>
+  <message>
+   <source>The reference has {width} × {height} pixels and the prediction {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
+   <translation>参考标签图有 {width} × {height} 像元，预测标签图有 {other_width} × {other_height} 像元，且并非两者都有地理参照；请比较大小相同的影像或两幅有地理参照的地图。</translation>
+  </message>
+  <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
    <translation>“检查标注”或“比较标签图”的结果</translation>
+  </message>
+  <message>
+   <source>The route has no line with a length; draw one through two points at least.</source>
+   <translation>航线中没有具有长度的线；请绘制一条至少经过两点的线。</translation>
   </message>
   <message>
    <source>The same number gives the same area; another one makes up another.</source>
@@ -2192,12 +2700,52 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>步长（{stride:g}）大于窗口（{size:g}），窗口之间的地面会被遗漏；请使步长不超过窗口大小。</translation>
   </message>
   <message>
+   <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
+   <translation>步长（{stride} px）大于窗口（{size} px），窗口之间的地面会被遗漏；步长请不要超过窗口大小。</translation>
+  </message>
+  <message>
    <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
    <translation>整个区域，按旧标签图的像素大小和范围栅格化。</translation>
   </message>
   <message>
-   <source>There is no database {path}; choose another file.</source>
-   <translation>没有数据库 {path}；请选择其他文件。</translation>
+   <source>The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a larger map.</source>
+   <translation>窗口（{size} px）大于地图（{width} × {height} px）；请选择更小的窗口或更大的地图。</translation>
+  </message>
+  <message>
+   <source>The windows' sizes are not those of their levels; build the database again.</source>
+   <translation>窗口大小与其级别不符；请重新构建数据库。</translation>
+  </message>
+  <message>
+   <source>There are {count} classes, but a label map holds {most}; choose another class field, or merge classes with a class table.</source>
+   <translation>共有 {count} 个类别，但标签图最多容纳 {most} 个；请选择其他类别字段，或用类别表合并类别。</translation>
+  </message>
+  <message>
+   <source>There is no class “{text}”; the classes are {classes}.</source>
+   <translation>没有类别“{text}”；现有类别为 {classes}。</translation>
+  </message>
+  <message>
+   <source>There is no database {path}; build one or choose another file.</source>
+   <translation>没有数据库 {path}；请构建一个或选择其他文件。</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; choose another route.</source>
+   <translation>没有文件 {path}；请选择其他航线。</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; export one or choose another.</source>
+   <translation>没有文件 {path}；请导出一个或选择其他文件。</translation>
+  </message>
+  <message>
+   <source>There is no file {path}; export one with “Export for onboard use” or choose another.</source>
+   <translation>没有文件 {path}；请用“导出机载文件”导出一个，或选择其他文件。</translation>
+  </message>
+  <message>
+   <source>There is no folder {folder}; create it or watch another one.</source>
+   <translation>没有文件夹 {folder}；请创建该文件夹或监视其他文件夹。</translation>
+  </message>
+  <message>
+   <source>There is no landmark to export; choose another database or a larger area.</source>
+   <translation>没有可导出的地标；请选择其他数据库或更大的区域。</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
@@ -2214,6 +2762,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Topology vector</source>
    <translation>拓扑向量</translation>
+  </message>
+  <message>
+   <source>Topology vector (He &amp; Wu 2025)</source>
+   <translation>拓扑向量（He &amp; Wu 2025）</translation>
   </message>
   <message>
    <source>Topology vector (published)</source>
@@ -2254,6 +2806,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>将以颜色表示类别的影像转换为标签图，按类别表的 HSV 范围（如论文所述）或按最近的类别颜色。
 
 不在任何范围内的像元无标签（0）。使用最近颜色时，除非某个类别为黑色，否则黑色无标签。</translation>
+  </message>
+  <message>
+   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}); a prior position could tell them apart.</source>
+   <translation>有两个地点的符合程度几乎相同（{score:.2f} 和 {runner_up:.2f}）；先验位置或可区分它们。</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -2392,6 +2948,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>窗口大小（地图单位）</translation>
   </message>
   <message>
+   <source>Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them.</source>
+   <translation>窗口大小（{size} px）和步长（{stride} px）至少须为一个像元；请增大。</translation>
+  </message>
+  <message>
    <source>Windows</source>
    <translation>窗口</translation>
   </message>
@@ -2410,6 +2970,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>With map correlation (slow)</source>
    <translation>使用地图相关（慢）</translation>
+  </message>
+  <message>
+   <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.</source>
+   <translation>横滚角 {roll_deg:g}°、俯仰角 {pitch_deg:g}° 时，影像一角偏离垂直方向 {steepest:.0f}°，超过 {most_deg:g}°，过于接近地平线；请使用更接近垂直向下的影像。</translation>
   </message>
   <message>
    <source>With the overview</source>
@@ -2490,6 +3054,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>as at places alike; none nearby failed</source>
    <translation>与相似地点相同；附近无失败</translation>
+  </message>
+  <message>
+   <source>at least {count} more are needed</source>
+   <translation>至少还需要 {count} 个</translation>
+  </message>
+  <message>
+   <source>at least {count} more is needed</source>
+   <translation>至少还需要 {count} 个</translation>
   </message>
   <message>
    <source>class</source>
@@ -2780,8 +3352,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>有时</translation>
   </message>
   <message>
+   <source>the database</source>
+   <translation>数据库</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>输出</translation>
+  </message>
+  <message>
+   <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are used.</source>
+   <translation>模型元数据中的 tile_size 为 {stated}，但网络接受 {width} × {height} 像元：将采用后者。</translation>
   </message>
   <message>
    <source>to (m)</source>
@@ -2794,6 +3374,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>too little evidence</source>
    <translation>证据不足</translation>
+  </message>
+  <message>
+   <source>unknown format</source>
+   <translation>未知格式</translation>
+  </message>
+  <message>
+   <source>unknown reason</source>
+   <translation>未知原因</translation>
   </message>
   <message>
    <source>very reliably</source>
@@ -2844,6 +3432,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{bytes} 字节。舍入：位置最多 {position:g} 地图单位，面积 {area:.3%}，向量每个元素 {vector:.4f}。</translation>
   </message>
   <message>
+   <source>{constellation} Map correlation has no fix either: {correlation:clause}</source>
+   <translation>{constellation} 地图相关也没有定位结果：{correlation:clause}</translation>
+  </message>
+  <message>
    <source>{count} images simulated in {seconds:.0f} s.</source>
    <translation>{seconds:.0f} 秒内模拟了 {count} 幅影像。</translation>
   </message>
@@ -2860,6 +3452,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{count} 个地标，中心 {x:.0f} {y:.0f}</translation>
   </message>
   <message>
+   <source>{count} other place fits almost as well as the best one.</source>
+   <translation>另有 {count} 个地点与最佳地点几乎同样相符。</translation>
+  </message>
+  <message>
+   <source>{count} other places fit almost as well as the best one.</source>
+   <translation>另有 {count} 个地点与最佳地点几乎同样相符。</translation>
+  </message>
+  <message>
    <source>{count} photos in {folder}</source>
    <translation>{count} 张照片位于 {folder}</translation>
   </message>
@@ -2874,6 +3474,18 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
    <translation>{count} 个点；其中 {share:.0%} 的预期成功率达 {threshold:.0%} 以上。</translation>
+  </message>
+  <message>
+   <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
+   <translation>{crs} 不以米为单位；请选择以米为单位的投影坐标参照系作为 TARGET_CRS。</translation>
+  </message>
+  <message>
+   <source>{database} can't tell longitude and latitude, which GGA sentences need.</source>
+   <translation>{database} 无法给出 GGA 语句所需的经纬度。</translation>
+  </message>
+  <message>
+   <source>{database} has no overview, which map correlation searches; export it with one.</source>
+   <translation>{database} 没有地图相关所搜索的概览图；请连同概览图一起导出。</translation>
   </message>
   <message>
    <source>{database}, images cut from {labels}</source>
@@ -2914,6 +3526,30 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.</source>
    <translation>{landmarks} 个地标中的 {kept} 个、{all_windows} 个窗口中的 {windows} 个位于该区域内。</translation>
+  </message>
+  <message>
+   <source>{key} has no polygon; leave it out to find the changes by comparing.</source>
+   <translation>{key} 没有多边形；如留空，则通过比较查找更改。</translation>
+  </message>
+  <message>
+   <source>{key} is not a raster that can be read; choose a label map.</source>
+   <translation>{key} 不是可读取的栅格；请选择标签图。</translation>
+  </message>
+  <message>
+   <source>{key} is not a raster that can be read; choose a photo or an orthophoto.</source>
+   <translation>{key} 不是可读取的栅格；请选择照片或正射影像。</translation>
+  </message>
+  <message>
+   <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
+   <translation>{key}：要素 {feature} 的区域无法转换到标签图的坐标参照系；请检查图层的坐标参照系。</translation>
+  </message>
+  <message>
+   <source>{key}: “{layer}” has no field “{name}”; its fields are {names}.</source>
+   <translation>{key}：“{layer}”没有字段“{name}”；其字段为 {names}。</translation>
+  </message>
+  <message>
+   <source>{key}: “{text}” is not a list of numbers such as 1;2.</source>
+   <translation>{key}：“{text}”不是形如 1;2 的数字列表。</translation>
   </message>
   <message>
    <source>{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.</source>
@@ -2964,6 +3600,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{name}（要素 {id} 和 {other}）：它们的像元相接，因此会合并成一个地标。</translation>
   </message>
   <message>
+   <source>{name} can't be written; choose another place, or see whether the disk is full.</source>
+   <translation>无法写入 {name}；请选择其他位置，或检查磁盘是否已满。</translation>
+  </message>
+  <message>
    <source>{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.</source>
    <translation>无法移除 {name}，可能正在使用；请重启 QGIS 后再次移除。</translation>
   </message>
@@ -2972,12 +3612,20 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>无法写入 {name}；请选择有写入权限的位置。</translation>
   </message>
   <message>
+   <source>{name} has no route: no line, and fewer than two waypoints; choose another one.</source>
+   <translation>{name} 中没有航线：没有线，且航点少于两个；请选择其他航线。</translation>
+  </message>
+  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}：IoU {iou:.1%}，标注像元 {pixels} 个</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{name} 的 {number:.0f} 个相接要素合并为一个多边形，采用要素 {id} 的属性。</translation>
+  </message>
+  <message>
+   <source>{output} exists and is no onboard file; remove it or choose another name.</source>
+   <translation>{output} 已存在且不是机载文件；请将其删除或选择其他名称。</translation>
   </message>
   <message>
    <source>{output} is replaced.</source>
@@ -3000,12 +3648,336 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>已安装 {package}，但它无法与 numpy {numpy} 一起使用：{reason}；已重新移除。</translation>
   </message>
   <message>
+   <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
+   <translation>{path} 将类别 {value} 称为“{name}”，而数据库称为“{known}”；请用数据库的类别表栅格化该地图。</translation>
+  </message>
+  <message>
+   <source>{path} can't be read as a route ({reason}).</source>
+   <translation>{path} 无法作为航线读取（{reason}）。</translation>
+  </message>
+  <message>
+   <source>{path} can't be read: {reason}.</source>
+   <translation>无法读取 {path}：{reason}。</translation>
+  </message>
+  <message>
+   <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
+   <translation>无法替换 {path}；它可能已在本程序或其他程序中打开：请关闭或删除它，或选择其他名称。</translation>
+  </message>
+  <message>
+   <source>{path} can't be run by onnxruntime {version}: {reason}.</source>
+   <translation>onnxruntime {version} 无法运行 {path}：{reason}。</translation>
+  </message>
+  <message>
+   <source>{path} can't be written: {reason}.</source>
+   <translation>无法写入 {path}：{reason}。</translation>
+  </message>
+  <message>
+   <source>{path} can't be written: {reason}; choose another place.</source>
+   <translation>无法写入 {path}：{reason}；请选择其他位置。</translation>
+  </message>
+  <message>
+   <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
+   <translation>{path} 未能完整写入：{reason}；请检查磁盘是否已满。</translation>
+  </message>
+  <message>
+   <source>{path} does not exist; choose a model file (.onnx).</source>
+   <translation>{path} 不存在；请选择模型文件 (.onnx)。</translation>
+  </message>
+  <message>
+   <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
+   <translation>{path} 处理 {width} × {height} 像元的影像时失败：{reason}。</translation>
+  </message>
+  <message>
+   <source>{path} gives the class number {number:g}, but it names {count} classes; take the names it was trained with.</source>
+   <translation>{path} 给出类别编号 {number:g}，但它只列出 {count} 个类别；请采用训练时的名称。</translation>
+  </message>
+  <message>
+   <source>{path} gives the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × {height} × {width}.</source>
+   <translation>{path} 对 {width} × {height} 像元的影像给出形状 {shape}；应为 1 × 类别数 × {height} × {width}。</translation>
+  </message>
+  <message>
+   <source>{path} gives values that are not numbers (NaN or infinite); it is damaged, or its standardization_mean and standardization_std are not those it was trained with.</source>
+   <translation>{path} 给出非数值（NaN 或无穷大）；文件已损坏，或其 standardization_mean 和 standardization_std 与训练时不同。</translation>
+  </message>
+  <message>
+   <source>{path} has 2 bands; a label map has one: save it without transparency.</source>
+   <translation>{path} 有 2 个波段；标签图只有一个：请保存为不带透明度。</translation>
+  </message>
+  <message>
+   <source>{path} has a line that is no waypoint: {line}</source>
+   <translation>{path} 中有一行不是航点：{line}</translation>
+  </message>
+  <message>
+   <source>{path} has a palette; convert it to an RGB image first.</source>
+   <translation>{path} 带有调色板；请先转换为 RGB 影像。</translation>
+  </message>
+  <message>
+   <source>{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.</source>
+   <translation>{path} 中有一个航点位于 {latitude}, {longitude}，这不是有效的纬度、经度。</translation>
+  </message>
+  <message>
+   <source>{path} has neither labels nor landmarks; build it again.</source>
+   <translation>{path} 既没有标签也没有地标；请重新构建。</translation>
+  </message>
+  <message>
+   <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
+   <translation>{path} 没有坐标参照系；请为该图层指定以米为单位的坐标参照系。</translation>
+  </message>
+  <message>
+   <source>{path} has no georeference, so its windows would have no place on the map.</source>
+   <translation>{path} 没有地理参照，因此其窗口在地图上没有位置。</translation>
+  </message>
+  <message>
+   <source>{path} has no mission; save it with QGroundControl as a plan.</source>
+   <translation>{path} 中没有任务；请用 QGroundControl 保存为计划。</translation>
+  </message>
+  <message>
+   <source>{path} has no overview that can be read ({reason}); build it again.</source>
+   <translation>{path} 没有可读取的概览图（{reason}）；请重新构建。</translation>
+  </message>
+  <message>
+   <source>{path} has no readable parameter crs; build it again.</source>
+   <translation>{path} 没有可读取的参数 crs；请重新构建。</translation>
+  </message>
+  <message>
+   <source>{path} has no readable parameter {reason}; build it again.</source>
+   <translation>{path} 没有可读取的参数 {reason}；请重新构建。</translation>
+  </message>
+  <message>
+   <source>{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core folder on this computer.</source>
+   <translation>{path} 的机载格式版本为 {version}，高于本 SemRef 可读取的版本（{known}）；请更新本机上 SemRef 的 core 文件夹。</translation>
+  </message>
+  <message>
+   <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
+   <translation>{path} 的像元为 {pixel_x:g} × {pixel_y:g}；请先重采样为正方形像元。</translation>
+  </message>
+  <message>
+   <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
+   <translation>{path} 的值为 {found}；标签图的类别值为 0 到 255。</translation>
+  </message>
+  <message>
+   <source>{path} has times in seconds and times with dates; use one of them throughout.</source>
+   <translation>{path} 中既有以秒计的时间，也有带日期的时间；请统一使用一种。</translation>
+  </message>
+  <message>
+   <source>{path} has vectors that are not {length} numbers long; build it again.</source>
+   <translation>{path} 的向量长度不是 {length} 个数；请重新构建。</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} band(s) and no palette; a color image has three bands.</source>
+   <translation>{path} 有 {bands} 个波段且没有调色板；彩色影像有三个波段。</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.</source>
+   <translation>{path} 有 {bands} 个波段；标签图只有一个：请先用“解码彩色标签”解码彩色影像。</translation>
+  </message>
+  <message>
+   <source>{path} has {bands} bands; a label map has one: decode its colors to class values first.</source>
+   <translation>{path} 有 {bands} 个波段；标签图只有一个：请先将其颜色解码为类别值。</translation>
+  </message>
+  <message>
+   <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
+   <translation>{path} 有 {count} 个地标，但有 {bounds} 个范围；请重新构建。</translation>
+  </message>
+  <message>
+   <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
+   <translation>{path} 有 {inputs} 个输入和 {outputs} 个输出；分割网络各有一个。</translation>
+  </message>
+  <message>
+   <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
+   <translation>{path} 有 {size} 像元，影像有 {image_size} 像元，且并非两者都有地理参照；请为两者指定地面位置，或使用与影像大小相同的标签。</translation>
+  </message>
+  <message>
+   <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
+   <translation>{path} 有 {width} × {height} 像元，超过待定位影像允许的大小（{most_million} 百万像元）；请裁剪到一张照片所显示的范围。</translation>
+  </message>
+  <message>
+   <source>{path} holds complex numbers; a network takes photos.</source>
+   <translation>{path} 包含复数；网络接受照片。</translation>
+  </message>
+  <message>
+   <source>{path} holds no results of “Localize images”; localize the images again.</source>
+   <translation>{path} 不包含“定位影像”的结果；请重新定位影像。</translation>
+  </message>
+  <message>
+   <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
+   <translation>{path} 中有其他图层（{layers}），将会丢失；请选择其他文件，或用“Save to GeoPackage”添加。</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a color label image has 8 bits a band.</source>
+   <translation>{path} 包含 {kind} 值；彩色标签影像每波段为 8 位。</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a label map holds whole numbers from 0 to 255.</source>
+   <translation>{path} 包含 {kind} 值；标签图包含 0 到 255 的整数。</translation>
+  </message>
+  <message>
+   <source>{path} holds {kind} values; a photo has 8 bits a band: convert it first.</source>
+   <translation>{path} 包含 {kind} 值；照片每波段为 8 位：请先转换。</translation>
+  </message>
+  <message>
+   <source>{path} holds {name} values; training tiles are made of 8- or 16-bit images.</source>
+   <translation>{path} 包含 {name} 值；训练图块由 8 位或 16 位影像制成。</translation>
+  </message>
+  <message>
+   <source>{path} is a file; choose a folder.</source>
+   <translation>{path} 是文件；请选择文件夹。</translation>
+  </message>
+  <message>
+   <source>{path} is a folder; give a file name.</source>
+   <translation>{path} 是文件夹；请给出文件名。</translation>
+  </message>
+  <message>
+   <source>{path} is a paletted TIFF of {bits} bits a pixel; save it with 8, or as PNG.</source>
+   <translation>{path} 是每像元 {bits} 位的调色板 TIFF；请保存为 8 位或 PNG。</translation>
+  </message>
+  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} 的版本对 SemRef 来说过旧，而 QGIS 会先找到它；请更新或移除它。</translation>
   </message>
   <message>
+   <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
+   <translation>{path} 已损坏或不完整（{reason}）；请重新构建或获取另一份副本。</translation>
+  </message>
+  <message>
+   <source>{path} is damaged or cut short: {reason}.</source>
+   <translation>{path} 已损坏或不完整：{reason}。</translation>
+  </message>
+  <message>
+   <source>{path} is damaged or cut short; copy it again.</source>
+   <translation>{path} 已损坏或不完整；请重新复制。</translation>
+  </message>
+  <message>
+   <source>{path} is damaged, cut short or no onboard file of SemRef ({name} is missing); fetch another copy or export it again.</source>
+   <translation>{path} 已损坏、不完整或不是 SemRef 的机载文件（缺少 {name}）；请获取另一份副本或重新导出。</translation>
+  </message>
+  <message>
+   <source>{path} is damaged, cut short or no onboard file of SemRef ({reason}); fetch another copy or export it again.</source>
+   <translation>{path} 已损坏、不完整或不是 SemRef 的机载文件（{reason}）；请获取另一份副本或重新导出。</translation>
+  </message>
+  <message>
+   <source>{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a newer onnxruntime or export the model with an older ir_version.</source>
+   <translation>{path} 为 ONNX 格式 {found}（IR 版本），但 onnxruntime {version} 最高读取 {known}；请安装更新的 onnxruntime，或以较旧的 ir_version 导出模型。</translation>
+  </message>
+  <message>
+   <source>{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS.</source>
+   <translation>{path} 使用 {crs}，数据库使用 {database_crs}；请将标签图重投影到数据库的坐标参照系。</translation>
+  </message>
+  <message>
+   <source>{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.</source>
+   <translation>{path} 使用 {crs}，不以米为单位；请栅格化或重投影到以米为单位的投影坐标参照系。</translation>
+  </message>
+  <message>
+   <source>{path} is larger than {most_mb} MB; no route is.</source>
+   <translation>{path} 大于 {most_mb} MB；航线不会这么大。</translation>
+  </message>
+  <message>
+   <source>{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.</source>
+   <translation>{path} 既不是 PNG、TIFF，也不是 JPEG；请将标签影像保存为 PNG。</translation>
+  </message>
+  <message>
+   <source>{path} is no JSON and so no plan of QGroundControl; save the plan again.</source>
+   <translation>{path} 不是 JSON，因此不是 QGroundControl 的计划；请重新保存计划。</translation>
+  </message>
+  <message>
+   <source>{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.</source>
+   <translation>{path} 不是相机表：其表头为“{first}”，但需要 image 列以及 {columns} 中的若干列。</translation>
+  </message>
+  <message>
+   <source>{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.</source>
+   <translation>{path} 不是 SemRef 的机载文件；请选择由“导出机载文件”生成的文件。</translation>
+  </message>
+  <message>
+   <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
+   <translation>{path} 不是 SemRef 的机载文件；请选择由 SemRef 导出的文件。</translation>
+  </message>
+  <message>
+   <source>{path} is no text and so no route; choose another file.</source>
+   <translation>{path} 不是文本，因此不是航线；请选择其他文件。</translation>
+  </message>
+  <message>
+   <source>{path} is no waypoint list: its first line is not “QGC WPL 110”.</source>
+   <translation>{path} 不是航点列表：其首行不是“QGC WPL 110”。</translation>
+  </message>
+  <message>
+   <source>{path} is not a GeoPackage; choose a database made by “Build reference database”.</source>
+   <translation>{path} 不是 GeoPackage；请选择由“构建参考数据库”生成的数据库。</translation>
+  </message>
+  <message>
+   <source>{path} is not a GeoPackage; choose a database that SemRef built.</source>
+   <translation>{path} 不是 GeoPackage；请选择由 SemRef 构建的数据库。</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
+   <translation>{path} 不是 SemRef 参考数据库（缺少 {missing}）；请选择由“构建参考数据库”生成的数据库。</translation>
+  </message>
+  <message>
+   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one that SemRef built.</source>
+   <translation>{path} 不是 SemRef 参考数据库（缺少 {missing}）；请选择由 SemRef 构建的数据库。</translation>
+  </message>
+  <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
    <translation>{path} 不是 SemRef 参考数据库；请选择由“构建参考数据库”生成的数据库。</translation>
+  </message>
+  <message>
+   <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
+   <translation>{path} 不是 ONNX 模型，或已损坏、不完整；请重新复制或导出。</translation>
+  </message>
+  <message>
+   <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
+   <translation>{path} 有旋转或镜像；请先重投影到正北朝上的格网。</translation>
+  </message>
+  <message>
+   <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
+   <translation>{path} 的权重保存在另一个缺失或不完整的文件中；请将其以原名放在模型旁边（{reason}）。</translation>
+  </message>
+  <message>
+   <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
+   <translation>{path} 没有列出任何一幅影像，例如 {image}；其 image 列应为影像的文件名。</translation>
+  </message>
+  <message>
+   <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
+   <translation>{path} 的输入形状为 {shape}；应为 1 × 3 × 高 × 宽（红、绿、蓝）。</translation>
+  </message>
+  <message>
+   <source>{path} takes {count} images at once; export it for one (or any number).</source>
+   <translation>{path} 一次接受 {count} 幅影像；请导出为一次一幅（或任意数量）。</translation>
+  </message>
+  <message>
+   <source>{path} takes {kind} values; a segmentation network takes floats.</source>
+   <translation>{path} 接受 {kind} 值；分割网络接受浮点数。</translation>
+  </message>
+  <message>
+   <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
+   <translation>{path} 使用版本 {found} 的 ONNX 算子（opset），但 onnxruntime {version} 最高支持 {known}；请安装更新的 onnxruntime，或以较旧的 opset 导出模型。</translation>
+  </message>
+  <message>
+   <source>{place}: no image is named; give each image one line.</source>
+   <translation>{place}：没有写出影像；请为每幅影像写一行。</translation>
+  </message>
+  <message>
+   <source>{place}: roll or pitch is empty; give both, or neither.</source>
+   <translation>{place}：roll 或 pitch 为空；请两个都给出或都不给出。</translation>
+  </message>
+  <message>
+   <source>{place}: the image {image} is named a second time; give each image one line.</source>
+   <translation>{place}：影像 {image} 重复出现；请为每幅影像只写一行。</translation>
+  </message>
+  <message>
+   <source>{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
+   <translation>{place}：time 为“{text}”；请给出秒数，或形如 2025-06-30T14:05:09.250 的日期和时间。</translation>
+  </message>
+  <message>
+   <source>{place}: {kinds} say the same thing twice; give one of them.</source>
+   <translation>{place}：{kinds} 重复表示同一内容；请只给出其中一个。</translation>
+  </message>
+  <message>
+   <source>{place}: {kind} is {value:g}, which no camera has.</source>
+   <translation>{place}：{kind} 为 {value:g}，没有相机是这样的。</translation>
+  </message>
+  <message>
+   <source>{place}: {name} is “{text}”, which is not a number.</source>
+   <translation>{place}：{name} 为“{text}”，不是数字。</translation>
   </message>
   <message>
    <source>{predicted} against {reference}</source>
@@ -3028,6 +4000,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{seconds:.0f} 秒。</translation>
   </message>
   <message>
+   <source>{setting} goes from {low:g} to {high:g}; give two numbers from {least:g} to {most:g}, the smaller one first.</source>
+   <translation>{setting} 从 {low:g} 到 {high:g}；请给出 {least:g} 到 {most:g} 之间的两个数，小的在前。</translation>
+  </message>
+  <message>
    <source>{share:.1%} of the pixels match no class.</source>
    <translation>{share:.1%} 的像元不匹配任何类别。</translation>
   </message>
@@ -3040,12 +4016,88 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>向右 {shift:.0f} m：{after}，而不是 {before}</translation>
   </message>
   <message>
+   <source>{shown} and {count} more</source>
+   <translation>{shown} 以及另外 {count} 项</translation>
+  </message>
+  <message>
+   <source>{shown}; {needed}.</source>
+   <translation>{shown}；{needed}。</translation>
+  </message>
+  <message>
+   <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
+   <translation>{source} 不识别数据库的类别 {missing}，只识别 {names}；请使用以数据库类别训练的模型。</translation>
+  </message>
+  <message>
    <source>{source} does not measure in meters; the result is in {target}.</source>
    <translation>{source} 不以米为单位；结果采用 {target}。</translation>
   </message>
   <message>
+   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or export it with their names.</source>
+   <translation>{source} 没有给出类别名称（元数据键 class_names）；请选择给出名称的模型，或连同名称一起导出。</translation>
+  </message>
+  <message>
+   <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
+   <translation>{source} 没有给出类别名称（元数据键 class_names）；请按网络输出的顺序在 CLASS_TABLE 中给出。</translation>
+  </message>
+  <message>
+   <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
+   <translation>{source} 的格式版本为 {version}，高于本 SemRef 可读取的版本（{known}）；请更新插件。</translation>
+  </message>
+  <message>
+   <source>{source} has no classes; it needs a header value,name,color,role and a line a class.</source>
+   <translation>{source} 没有类别；需要表头 value,name,color,role，并且每个类别一行。</translation>
+  </message>
+  <message>
+   <source>{source} has no landmark; build it with other classes or a smaller area.</source>
+   <translation>{source} 没有地标；请用其他类别或更小的面积构建。</translation>
+  </message>
+  <message>
+   <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
+   <translation>{source} 的 class_values 中有 {value}；类别值为 0 到 255 的整数。</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>
+   <translation>{source} 的 {key} 为“{text}”；应为每个输出一项的 JSON，例如 {{"0": …, "1": …}}。</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue, above 0.</source>
+   <translation>{source} 的 {key} 为“{text}”；应为红、绿、蓝三个大于 0 的数组成的列表。</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue.</source>
+   <translation>{source} 的 {key} 为“{text}”；应为红、绿、蓝三个数组成的列表。</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it.</source>
+   <translation>{source} 的 {key} 为“{text}”；应为 {least:g} 到 {most:g} 之间的数：请更正或删除。</translation>
+  </message>
+  <message>
+   <source>{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.</source>
+   <translation>{source} 是 {kind} 类型的模型（元数据键 model_type）；请选择 Segmentor。</translation>
+  </message>
+  <message>
+   <source>{source} lacks the column {missing}; its header is “{header}”.</source>
+   <translation>{source} 缺少列 {missing}；其表头为“{header}”。</translation>
+  </message>
+  <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} 未给出焦距，因此影像按原样处理。</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in CLASS_TABLE: {names}; take the names it was trained with.</source>
+   <translation>{source} 区分 {channels} 个类别，但 CLASS_TABLE 中有 {count} 个类别名称：{names}；请采用训练时的名称。</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in its metadata (class_names): {names}; take the names it was trained with.</source>
+   <translation>{source} 区分 {channels} 个类别，但其元数据 (class_names) 中有 {count} 个类别名称：{names}；请采用训练时的名称。</translation>
+  </message>
+  <message>
+   <source>{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; take the names it was trained with.</source>
+   <translation>{source} 区分 {channels} 个类别，但类别表中有 {count} 个类别名称：{names}；请采用训练时的名称。</translation>
+  </message>
+  <message>
+   <source>{source}, line {line}</source>
+   <translation>{source} 第 {line} 行</translation>
   </message>
   <message>
    <source>{threshold} or more expected</source>
@@ -3068,8 +4120,64 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>影像中有 {value} 个地标</translation>
   </message>
   <message>
+   <source>{where} can't be written: {reason}; choose another place.</source>
+   <translation>无法写入 {where}：{reason}；请选择其他位置。</translation>
+  </message>
+  <message>
+   <source>{where}: {fault}</source>
+   <translation>{where}：{fault}</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a number for draw_order.</source>
+   <translation>{where}：“{text}”不是 draw_order 的数字。</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a whole number for value.</source>
+   <translation>{where}：“{text}”不是 value 的整数。</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).</source>
+   <translation>{where}：“{text}”不是 OpenCV 范围内的“h s v”（h 0–180，s 和 v 0–255）。</translation>
+  </message>
+  <message>
    <source>{windows} windows, {references} landmarks.</source>
    <translation>{windows} 个窗口，{references} 个地标。</translation>
+  </message>
+  <message>
+   <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>
+   <translation>“{layer}”来自 {provider}；请先保存为 GeoTIFF。</translation>
+  </message>
+  <message>
+   <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
+   <translation>“{layer}”包含 {kind} 几何图形；标注图层包含多边形。</translation>
+  </message>
+  <message>
+   <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>
+   <translation>“{output}”与“{other}”是同一个文件 {path}；请选择两个文件。</translation>
+  </message>
+  <message>
+   <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
+   <translation>“{output}”与“{input}”是同一个文件 {path}，该文件将会丢失；请为“{output}”选择其他位置。</translation>
+  </message>
+  <message>
+   <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>
+   <translation>“{source}”有类别表中没有的类别：{unknown}；请将其添加到表中（{classes}），或舍弃这些要素。</translation>
+  </message>
+  <message>
+   <source>“{source}” has no feature with a class; fill its class field first.</source>
+   <translation>“{source}”没有带类别的要素；请先填写其类别字段。</translation>
+  </message>
+  <message>
+   <source>“{source}” has no polygon with area and class; there is nothing to rasterize.</source>
+   <translation>“{source}”没有带面积和类别的多边形；没有可栅格化的内容。</translation>
+  </message>
+  <message>
+   <source>“{source}” has no polygon with area and class; there is nothing to repair.</source>
+   <translation>“{source}”没有带面积和类别的多边形；没有可修复的内容。</translation>
+  </message>
+  <message>
+   <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
+   <translation>“{where}”不是本机的 UDP 端口；请写成 udp:PORT，PORT 为 1 到 65535。</translation>
   </message>
  </context>
 </TS>

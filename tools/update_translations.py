@@ -38,13 +38,26 @@ def step_texts(source: str) -> List[str]:
     return found
 
 
+def template_texts(source: str) -> List[str]:
+    """The English templates in the tables that are named ``SENTENCES…``, both forms of a plural included."""
+    found = []
+    for node in ast.parse(source).body:
+        target = node.targets[0] if isinstance(node, ast.Assign) else getattr(node, "target", None)
+        if isinstance(target, ast.Name) and target.id.startswith("SENTENCES") and isinstance(node.value, ast.Dict):
+            for value in node.value.values:
+                # A template, the two of Plural(…), or the second of (parameter key, template).
+                parts = value.args if isinstance(value, ast.Call) else getattr(value, "elts", [None, value])[1:]
+                found += [ast.literal_eval(part) for part in parts]
+    return found
+
+
 def all_texts() -> List[str]:
     """All texts that a user may read, sorted, each once."""
     found = []
     for room in ROOMS:
         for path in sorted((ROOT / room).rglob("*.py")):
             source = path.read_text(encoding="utf-8")
-            found += texts_of(source) + step_texts(source)
+            found += texts_of(source) + step_texts(source) + template_texts(source)
     return sorted(set(found))
 
 
