@@ -95,15 +95,24 @@ def query_triangles(query: SeenLandmarks, settings: ConstellationSettings) -> tu
 def find_seeds(
     index: ConstellationIndex, query: SeenLandmarks, triangles: tuple, prior: Optional[Prior], cap: int
 ) -> Seeds:
-    """The most voted poses of an image; triangles as of ``query_triangles``; at most ``cap`` of the index's are looked
-    at, those of the rarest first."""
+    """The most voted poses of an image; triangles as of ``query_triangles``.
+
+    At most ``cap`` triangles of the index are looked at, those of the rarest first; where they are more, only those
+    where the prior has the image are counted.
+    """
     triple, numbers, place = triangles
     settings = index.settings
     reach = np.column_stack([place, place, *[np.full(len(place), settings.area_tolerance)] * 3])
     which, first, last = key_ranges(index, numbers, query.ranks[triple], reach)
+    near = None
+    if (last - first).sum() > cap:
+        near = _triangles_near(index, query, prior)
+        if near is not None:
+            # From here on stretches of ``near`` instead of stretches of the index.
+            first, last = np.searchsorted(near, first), np.searchsorted(near, last)
     which, first, last, capped = _rarest(which, first, last, len(triple), cap)
     stretch, hits = expand_ranges(first, last)
-    source = which[stretch]
+    source, hits = which[stretch], hits if near is None else near[hits]
     agree = like_triangles(index, hits, source, numbers, reach)
     source, hits = source[agree], hits[agree]
     members = index.members(hits)
@@ -113,6 +122,18 @@ def find_seeds(
     centers, turns = fit_similarity(image, index.points[members], np.ones(image.shape))
     kept = _allowed(index, centers, turns, prior)
     return _clusters(centers[kept], turns[kept], image[kept].mean(axis=1), query.diagonal, settings, capped)
+
+
+def _triangles_near(index: ConstellationIndex, query: SeenLandmarks, prior: Optional[Prior]) -> Optional[np.ndarray]:
+    """Ascending triangles of the index that an image may show at a prior's position; None without one."""
+    if prior is None or prior.position is None or prior.radius is None or prior.pixel_size_range is None:
+        return None
+    # Objects lie within half a diagonal of the center; the rest is for triangles that fit only nearly.
+    reach = prior.radius + query.diagonal * prior.pixel_size_range[1]
+    center, corner = complex(*prior.position) - index.origin, complex(reach, reach)
+    inside = np.zeros(len(index), bool)
+    inside[index.within(center - corner, center + corner)] = True
+    return np.flatnonzero(inside[index.anchors()])
 
 
 def _rarest(which: np.ndarray, first: np.ndarray, last: np.ndarray, count: int, cap: int):

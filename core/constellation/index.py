@@ -81,6 +81,10 @@ class ConstellationIndex:
         triple = np.column_stack([anchors, chosen])
         return np.take_along_axis(triple, ORDERS[codes % len(ORDERS)], axis=1)
 
+    def anchors(self) -> np.ndarray:
+        """(T,) the object that each triangle was made of with two of its neighbors."""
+        return self.triangles // (len(neighbor_pairs(self.neighbors.shape[1])) * len(ORDERS))
+
     def within(self, low: complex, high: complex) -> np.ndarray:
         """(M,) objects in the box between two corners."""
         first, last = np.searchsorted(self.eastings, (low.real, high.real))

@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+from semref.core.constellation.hypotheses import find_seeds, query_triangles
 from semref.core.constellation.index import build_index
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.constellation.solver import localize, make_query, matches_at
@@ -322,3 +323,21 @@ def test_noise_is_measured_without_bias_from_few_matches_or_many(count):
 
 def test_a_few_exact_matches_do_not_make_the_noise_vanish():
     assert noise_factor(np.zeros(4), 4, CONSTELLATION) > 0.7 > noise_factor(np.zeros(40), 4, CONSTELLATION)
+
+
+@pytest.mark.parametrize("place", [(700, 2200), (2300, 800)])
+def test_a_cap_does_not_count_triangles_that_a_prior_excludes(ground, place):
+    view = seen_from(*place, 70.0, 1.1)
+    objects = ground.see(view, NOISE, 5)
+    query = make_query(objects, ground.index, SIZE, SIZE)
+    triangles = query_triangles(query, CONSTELLATION)
+    position = (ORIGIN[0] + view.position[0] + 40, ORIGIN[1] + view.position[1] - 30)
+    prior = Prior(position=position, radius=100.0, pixel_size_range=(0.9, 1.3))
+    everything = find_seeds(ground.index, query, triangles, prior, 10**9)
+    cap = 20_000
+    anywhere = find_seeds(ground.index, query, triangles, dataclasses.replace(prior, radius=None), cap)
+    there = find_seeds(ground.index, query, triangles, prior, cap)
+    assert (anywhere.capped, there.capped, everything.capped) == (True, False, False)
+    assert len(there.votes)
+    for name in ("centers", "turns", "focuses", "votes"):
+        np.testing.assert_allclose(getattr(there, name), getattr(everything, name), rtol=1e-12)
