@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import gc
 import importlib.util
 import os
 import sys
@@ -28,7 +29,8 @@ def qgis_session() -> Iterator[object]:
     """A QgsApplication in a fresh profile with SemRef's provider registered; gives the provider."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     with tempfile.TemporaryDirectory(prefix="semref-profile-") as home:
-        os.environ["QGIS_CUSTOM_CONFIG_PATH"] = home
+        for variable in ("QGIS_CUSTOM_CONFIG_PATH", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
+            os.environ[variable] = os.path.join(home, variable.lower())
         os.environ.setdefault("XDG_RUNTIME_DIR", home)
         from qgis.core import QgsApplication, QgsProject
 
@@ -43,9 +45,10 @@ def qgis_session() -> Iterator[object]:
         from semref.processing.provider import register_provider
 
         provider = register_provider(QgsApplication.processingRegistry())
-        try:
-            yield provider
-        finally:
-            QgsProject.instance().clear()
-            QgsApplication.processingRegistry().removeProvider("semref")
-            application.exitQgis()
+        # Not in a finally: after an error its traceback still holds objects of QGIS, and quitting would crash.
+        yield provider
+        QgsProject.instance().clear()
+        QgsApplication.processingRegistry().removeProvider("semref")
+        del provider
+        gc.collect()
+        application.exitQgis()

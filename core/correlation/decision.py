@@ -3,7 +3,7 @@
 Two opponents: the best other place of the map, and the best place of the mirrored image. The first tells whether the
 map has two places alike; the second what chance gives for an image with these classes on this map. The thresholds and
 curves were fitted on trials in the northern half of Liechtenstein and frozen before the southern half was tried
-(tools/measure_correlation.py).
+(docs/calibration.md).
 """
 
 from __future__ import annotations

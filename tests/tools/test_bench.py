@@ -11,9 +11,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from semref.core.database.build import BuildSettings
 from semref.core.evaluation.rates import wilson
+from semref.core.evaluation.trial import Query, judge
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.catalogue import CatalogueBuilder
+from semref.core.localization import Localization, Method, Place, Status
+from semref.core.simulation.views import View
 from semref.core.windows.describe import describe_windows
 from semref.core.windows.grid import WindowGrid
 
@@ -90,57 +94,89 @@ def bench(monkeypatch):
     places = [str(BENCH)]
     spec = importlib.util.spec_from_file_location("bench", BENCH / "__init__.py", submodule_search_locations=places)
     monkeypatch.setitem(sys.modules, "bench", importlib.util.module_from_spec(spec))
+    monkeypatch.syspath_prepend(str(BENCH.parent))  # for qgis_session
     return lambda name: importlib.import_module(f"bench.{name}")
 
 
-def outcome(bench, status="fix", error_m=1.0, objects=30):
-    return bench("localization_trials").Outcome(status, objects, objects, 0.05, 1000.0, error_m, 0.1, 0.001, 0.5)
+def trial(status=Status.FIX, error=1.0, landmarks=30, within=10.0, **view):
+    """A judged image, 1,000 m across, whose fix is so far off."""
+    query = Query(View(0.0, 0.0, 0.0, 1.0, 1000, 1000, **view))
+    ellipse = SimpleNamespace(semi_major=20.0, semi_minor=20.0, orientation_deg=0.0)
+    found = Localization(
+        status,
+        Method.CONSTELLATION,
+        landmarks,
+        best=Place((error, 0.0), 0.1, 1.001),
+        covariance=SimpleNamespace(ellipse_95=ellipse),
+    )
+    return judge(query, Method.CONSTELLATION, found, within, landmarks, 0.05)
 
 
-@pytest.mark.parametrize(("pixel", "heading_deg"), [(1.0, 350.0), (10.0, 10.0)])
-def test_errors_are_those_from_the_truth_in_map_units(bench, pixel, heading_deg):
-    trials = bench("localization_trials")
-    area = trials.QueryMap.__new__(trials.QueryMap)
-    area.origin, area.pixel_size = (5000.0, 9000.0), pixel
-    view = SimpleNamespace(x=100.0, y=-50.0, heading_deg=heading_deg, pixel_size=1.25, width_px=640)
-    x, y = 5000 + 100 * pixel + 3, 9000 - 50 * pixel - 4
-    ellipse = SimpleNamespace(semi_major=10.0, semi_minor=10.0, orientation_deg=0.0)
-    place = SimpleNamespace(position=(x, y), heading_deg=0.0, pixel_size_m=1.25 * pixel * 1.01)
-    found = SimpleNamespace(status="fix", references=7, covariance=SimpleNamespace(ellipse_95=ellipse))
-    judged = area.judge(view, found, place, 12, 0.1)
-    assert judged.error_m == pytest.approx(5) and judged.ratio == pytest.approx(0.5)
-    assert judged.heading_deg == pytest.approx(10) and judged.scale == pytest.approx(0.01)
-    assert (judged.objects, judged.references, judged.footprint_m) == (12, 7, 800 * pixel)
+def test_a_row_counts_right_wrong_and_refused(bench):
+    ground = bench("ground")
+    found = [trial(error=error) for error in (1, 9.9, 10.1)] + [trial(Status.NO_MATCH)]
+    cells = dict(zip(ground.COLUMNS, ground.cells(found, "x")))
+    counts = [cells[name].split(",")[0] for name in ("right fixes", "wrong fixes", "in the 95 % radius")]
+    assert counts == ["2/4", "1/4", "2/2"] and cells["no fix"] == "1 no_match"
+    assert cells["ms median, p95"] == "50, 50" and cells["median error, heading, scale"].startswith("5.45 m (0.545 %)")
 
 
-def test_without_a_fix_there_is_no_error_and_nothing_right(bench):
-    trials = bench("localization_trials")
-    area = trials.QueryMap.__new__(trials.QueryMap)
-    area.pixel_size = 1.0
-    view = SimpleNamespace(x=0.0, y=0.0, heading_deg=0.0, pixel_size=1.0, width_px=10)
-    judged = area.judge(view, SimpleNamespace(status="no_match", references=7), None, 12, 0.1)
-    assert np.isnan(judged.error_m) and not judged.is_right(np.inf)
-
-
-def test_a_row_of_localization_counts_right_wrong_and_refused(bench):
-    localization = bench("localization")
-    found = [outcome(bench, error_m=e) for e in (1, 9.9, 10.1)] + [outcome(bench, "no_match", np.nan)]
-    cells = localization.row(localization.Case("x"), found)
-    assert [cell.split(",")[0] for cell in cells[2:4]] == ["2/4", "1/4"] and cells[-1] == "1 no_match"
-    tilted = localization.Case("x", wanted=localization.Wanted(tilt_deg=5.0))
-    assert localization.row(tilted, found)[2].startswith("3/4")
+def test_of_mirrored_images_nothing_is_right(bench):
+    ground = bench("ground")
+    cells = dict(zip(ground.COLUMNS, ground.cells([trial(is_mirrored=True)], "x")))
+    assert cells["right fixes"] == "–" and cells["wrong fixes"].startswith("1/1")
 
 
 def test_a_method_without_heading_is_told_by_its_position_alone(bench):
-    trials = bench("localization_trials")
-    told = trials.Outcome("fix", 9, 9, 0.1, 1000.0, 20.0)
-    assert trials.accuracy([]) == ("–", "–") and trials.accuracy([told]) == ("20.00 m (2.000 %)", "–")
+    ground = bench("ground")
+    found = Localization(Status.FIX, Method.TOPOLOGY_VECTOR, best=Place((20.0, 0.0)))
+    told = judge(Query(View(0.0, 0.0, 0.0, 1.0, 1000, 1000)), Method.TOPOLOGY_VECTOR, found)
+    assert ground.accuracy([]) == ("–", "–") and ground.accuracy([told]) == ("20.00 m (2.000 %)", "–")
 
 
-def test_results_of_two_dates_are_grouped_by_the_objects_in_view(bench):
+@pytest.fixture
+def strip(bench):
+    """A map of two rows of houses, 400 pixels wide and high, with a database of it."""
+    labels = np.full((400, 400), 2, np.uint8)
+    rng = np.random.default_rng(4)
+    for column, row in rng.integers(10, 380, (80, 2)):
+        labels[row : row + rng.integers(6, 12), column : column + rng.integers(6, 12)] = 1
+    table = "value,name,color,role\n1,building,#ff0000,reference\n2,grass,#00ff00,background\n"
+    return bench("ground").memory_ground(labels, table, BuildSettings(200, 50, 9))
+
+
+def test_images_come_from_their_half_and_the_other_half_is_all_that_a_known_elsewhere_map_has(bench, strip):
+    ground = bench("ground")
+    south = ground.Ground(strip.labels_hw, strip.database, "south")
+    image = south.draw(ground.Wanted(landmarks=(5, 10**9)), np.random.default_rng(1))
+    assert image.view.y <= south.middle and image.landmarks >= 5 and image.query.can_be_right
+    ground.REACH_PX = 20
+    other = south.known_elsewhere()
+    assert other.extent == south.extent and 0 < len(other.database.references) < len(south.database.references)
+    assert (other.database.references.positions[:, 1] > south.middle + 20).all()
+    assert other.database.overview[:40].any() and not other.database.overview[55:].any()
+
+
+def test_a_clean_image_of_the_map_is_found_where_it_was_cut(bench, strip):
+    ground = bench("ground")
+    case = ground.Case("x", wanted=ground.Wanted((1.0, 1.0)), right_within=2.0)
+    found = strip.attempt(case, np.random.default_rng(2))
+    assert found.is_right and found.error < 2 and found.landmarks >= 20
+
+
+def test_a_map_without_such_images_is_left_out_of_the_table(bench, strip, monkeypatch, capsys):
+    ground, inputs = bench("ground"), bench("inputs")
+    monkeypatch.setattr(ground, "LARGEST_TRIES", 3)
+    run = inputs.Run(None, BENCH, BENCH, 1, True, only=("none",))
+    cases = [ground.Case("none such", wanted=ground.Wanted(landmarks=(10**6, 10**7))), ground.Case("unwanted")]
+    assert list(ground.tried(run, strip, cases, 1, 1)) == []
+    assert "none such: not measured" in capsys.readouterr().err
+
+
+def test_results_of_two_dates_are_grouped_by_the_landmarks_in_view(bench):
     two_dates = bench("two_dates")
-    found = [outcome(bench, objects=5), outcome(bench, objects=20), outcome(bench, error_m=500.0, objects=39)]
-    rows = two_dates._by_objects({"constellation": found}).splitlines()[2:]
+    found = [trial(landmarks=5), trial(landmarks=20), trial(error=500.0, landmarks=39)]
+    rows = two_dates._by_landmarks({"constellation": found}).splitlines()[2:]
     assert [row.split("|")[2].split(",")[0].strip() for row in rows] == ["1/1", "–", "1/2", "–"]
     assert "; 1 wrong" in rows[2]
 

@@ -1,12 +1,13 @@
 """Benchmarks of SemRef; each prints Markdown and can write it into its section of a page in docs/.
 
-    .venv/bin/python tools/bench NAME... [--data FOLDER] [--work FOLDER] [--repetitions N] [--count N] [--write]
+    .venv/bin/python tools/bench NAME... [--data FOLDER] [--work FOLDER] [--repetitions N] [--count N] [--only CASES]
+                                         [--write]
 
-NAME is one of rasterize, build, memory, matching, sizes, published, localization, two_dates, elsewhere,
-catalogue_sizes, correlation_times, astroalign, segment, annotation, update, or all. Times are compared within one
-run: the candidates take turns, and the ratio of each turn is what counts. Without the real data (--data,
-../shared/data) the sample area of tools/make_sample.py is measured instead, and the text says so. --work keeps label
-maps and databases from one run for the next; without it they go into a temporary folder that is removed.
+NAME is one of those in NAMES below, or all; each is a module of this folder. Times are compared within one run: the
+candidates take turns, and the ratio of each turn is what counts. Without the real data (--data, ../shared/data) the
+sample area of tools/make_sample.py is measured instead, and the text says so. --work keeps label maps and databases
+from one run for the next; without it they go into a temporary folder that is removed. The dock needs a window:
+xvfb-run -a -s "-screen 0 1600x1000x24" .venv/bin/python tools/bench dock
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import importlib
+import os
 import sys
 import tempfile
 from pathlib import Path
@@ -35,26 +37,48 @@ NAMES = (
     "two_dates",
     "elsewhere",
     "catalogue_sizes",
-    "correlation_times",
     "astroalign",
+    "correlation",
+    "automatic",
+    "attitude",
+    "photos",
+    "assessment",
+    "onboard",
     "segment",
     "annotation",
     "update",
+    "dock",
 )
 MINIMUM_REPETITIONS = 5
 
 
 def main(arguments: list[str] | None = None) -> int:
     options = parse(arguments)
-    from bench import inputs, machine, page, plugin
+    from bench import inputs, machine, page, plugin, summary
 
+    if "dock" in options.names and os.environ.get("DISPLAY"):
+        # Elsewhere windows are never seen.
+        os.environ["QT_QPA_PLATFORM"] = "xcb"
     with contextlib.ExitStack() as stack:
         work = options.work or Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="semref-bench-")))
         work.mkdir(parents=True, exist_ok=True)
         stack.enter_context(plugin.qgis())
         area = inputs.main_area(options.data, work, options.sample)
         print(area.sentence, file=sys.stderr)
-        run = inputs.Run(area, options.data, work, options.repetitions, options.quick, options.count)
+        run = inputs.Run(
+            area,
+            options.data,
+            work,
+            options.repetitions,
+            options.quick,
+            options.count,
+            options.only,
+            options.half,
+            options.model,
+            options.tile,
+            options.python,
+            options.pictures,
+        )
         for name in options.names:
             benchmark = importlib.import_module(f"bench.{name}")
             before = machine.load()
@@ -66,6 +90,9 @@ def main(arguments: list[str] | None = None) -> int:
                 print(f"\n## {section}\n\n{text}", flush=True)
                 if options.write:
                     page.write_section(ROOT / "docs" / benchmark.PAGE, section, text)
+        if options.write:
+            path = ROOT / "docs" / "benchmarks.md"
+            page.write_section(path, summary.NAME, summary.summary(path.read_text(encoding="utf-8")))
     return 0
 
 
@@ -76,18 +103,32 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--work", type=Path, help="folder that keeps label maps and databases between runs")
     parser.add_argument("--repetitions", type=int, default=MINIMUM_REPETITIONS, help="turns; default %(default)s")
     parser.add_argument("--count", type=int, help="images or trials a case, for benchmarks that localize")
+    parser.add_argument("--only", default="", help="cases whose names contain one of these, separated by commas")
+    parser.add_argument("--half", default="south", choices=("north", "south"), help="of Liechtenstein, for images")
+    parser.add_argument("--model", type=Path, help="photos: a network that was not trained on --tile of dubai_aerial")
+    parser.add_argument("--tile", type=int, default=6, help="photos: default %(default)s")
+    parser.add_argument("--python", default=sys.executable, help="onboard: one without QGIS makes the proof")
+    parser.add_argument("--pictures", type=Path, help="assessment: folder for the documentation's pictures")
     parser.add_argument("--sample", action="store_true", help="measure the sample area though the real data is here")
     parser.add_argument("--quick", action="store_true", help="smaller cases, to try the benchmark itself")
     parser.add_argument("--write", action="store_true", help="write the results into docs/")
     options = parser.parse_args(arguments)
     if "all" in options.names:
         options.names = list(NAMES)
-    options.shown = "".join(f" --{flag}" for flag in ("sample", "quick") if getattr(options, flag))
-    if options.repetitions != MINIMUM_REPETITIONS:
-        options.shown += f" --repetitions {options.repetitions}"
-    if options.count:
-        options.shown += f" --count {options.count}"
+    options.only = tuple(part for part in options.only.split(",") if part)
+    options.shown = _shown(options, parser)
     return options
+
+
+def _shown(options: argparse.Namespace, parser: argparse.ArgumentParser) -> str:
+    """The options that change what is measured, as the footer tells them."""
+    shown = "".join(f" --{flag}" for flag in ("sample", "quick") if getattr(options, flag))
+    for name in ("repetitions", "count", "half", "tile"):
+        if getattr(options, name) != parser.get_default(name):
+            shown += f" --{name} {getattr(options, name)}"
+    if options.only:
+        shown += f" --only '{','.join(options.only)}'"
+    return shown + (f" --model {options.model.name}" if options.model else "")
 
 
 if __name__ == "__main__":

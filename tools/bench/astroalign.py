@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Optional
@@ -18,7 +18,7 @@ import cv2
 import numpy as np
 
 from bench import inputs, page
-from bench.localization_trials import rate
+from bench.ground import GOAL, HARD, NONE, Case, Ground, Wanted, chosen
 
 if TYPE_CHECKING:
     from semref.core.landmarks.landmarks import Landmarks
@@ -31,7 +31,11 @@ QUICK_COUNT = 3
 WHOLE_COUNT = 2
 """Attempts of astroalign with the whole catalogue; each takes as long as it may."""
 
-NOISES = ("clean", "goal", "hard")
+CASES = (
+    Case("no noise, scale 0.5–2", NONE, wanted=Wanted(scales=(0.5, 2.0))),
+    Case("20 / 20 / 5 %", GOAL),
+    Case("40 / 40 / 10 %", HARD),
+)
 PIECES = (1.0, 2.0)
 """Edges of the piece of the catalogue around the true place, in footprints."""
 
@@ -81,8 +85,6 @@ class Answer:
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
-    import measure_constellation as constellation
-
     if run.area.name == "sample":
         return {"astroalign": "Not measured: the real data is not here."}
     try:
@@ -91,13 +93,16 @@ def measure(run: inputs.Run) -> dict[str, str]:
         return {"astroalign": f"Not measured: pip could not install astroalign: {error.stderr.strip()[-200:]}"}
     cv2.setNumThreads(1)
     count = run.how_many(COUNT, QUICK_COUNT)
-    area = constellation.Area(inputs.read_labels(run.label_map()), "south")
+    ground = Ground.of(run)
     rows = []
-    for number, noise in enumerate(NOISES):
+    for number, case in enumerate(CASES):
+        if not run.wants(case.name):
+            continue
         rng = np.random.default_rng([SEED, number])
-        queries = [Query(*area.query(constellation.ROWS[noise], rng)) for _ in range(count)]
-        for cells in _compared(astroalign, area.references(), queries, noise == NOISES[0], run.quick):
-            rows.append([constellation.ROWS[noise].name, *cells])
+        images = [ground.draw(case.wanted, rng) for _ in range(count)]
+        queries = [Query(image.view, ground.spoiled_landmarks(image, case.noise, rng)) for image in images]
+        for cells in _compared(astroalign, ground.database.references, queries, number == 0, run.quick):
+            rows.append([case.name, *cells])
             print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
     header = [
         "images",
@@ -171,8 +176,8 @@ def judged(queries: list[Query], answers: list[Answer]) -> list[str]:
     late = sum(a.timed_out for a in answers)
     median, high = np.percentile([a.seconds for a in answers], [50, 95])
     return [
-        rate(right, total),
-        rate(len(errors) - right, total),
+        page.rate(right, total),
+        page.rate(len(errors) - right, total),
         str(total - len(errors) - late),
         str(late),
         f"{median:.2g}, {high:.2g}",
@@ -229,7 +234,7 @@ def _index(references):
 
 
 def _piece(references, view, edge: float):
-    """The catalogue's objects in an upright square around a view."""
+    """The catalogue's landmarks in an upright square around a view."""
     away = np.abs(references.positions - view.position).max(axis=1)
     near = away < edge * IMAGE_PX * view.pixel_size / 2
-    return replace(references, **{name: getattr(references, name)[near] for name in vars(references)})
+    return chosen(references, near)

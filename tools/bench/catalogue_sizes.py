@@ -1,4 +1,4 @@
-"""The constellation in catalogues of 10⁴, 10⁵ and 10⁶ objects: time to index them, time of a query."""
+"""The constellation in catalogues of 10⁴, 10⁵ and 10⁶ landmarks: time to index them, time of a query."""
 
 from __future__ import annotations
 
@@ -9,73 +9,87 @@ import cv2
 import numpy as np
 
 from bench import inputs, page
-from bench.localization_trials import rate
+from bench.ground import GOAL, HARD, Case, Ground
+from semref.core.constellation.index import ConstellationIndex, build_index
+from semref.core.database.model import MapLandmarks
 
 PAGE = "benchmarks.md"
 SEED = 1671
 COUNT = 100
 QUICK_COUNT = 3
 GOALS_MS = {10_000: 100, 100_000: 300, 1_000_000: 1000}
-NOISES = ("goal", "hard")
+CASES = (
+    Case("20 / 20 / 5 %", GOAL, as_landmarks=True, right_within=10.0),
+    Case("40 / 40 / 10 %", HARD, as_landmarks=True, right_within=10.0),
+)
+COLUMNS = (
+    "landmarks",
+    "images",
+    "ms median",
+    "p95",
+    "goal p95",
+    "right fixes",
+    "wrong fixes",
+    "search capped",
+    "s to index",
+    "time per landmark × the first row's",
+)
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
-    import measure_constellation as constellation
-
     if run.area.name == "sample":
         return {"catalogue sizes": "Not measured: the real data is not here."}
     cv2.setNumThreads(1)
     count = run.how_many(COUNT, QUICK_COUNT)
-    area = constellation.Area(inputs.read_labels(run.label_map()), "south")
+    ground = Ground.of(run)
     rows, first = [], None
     for size, goal in list(GOALS_MS.items())[: 1 if run.quick else None]:
-        seconds, index = _built(constellation.tiled(area, size, SEED))
+        if not run.wants(f"{size:,}"):
+            continue
+        seconds, index = _built(tiled(ground, size))
         each = seconds / len(index)
         first = first or each
-        for noise in NOISES:
+        for case in CASES:
             rng = np.random.default_rng([SEED, size])
-            row = constellation.ROWS[noise]
-            outcomes = [constellation.trial(area, row, index, rng, None) for _ in range(count)]
-            median, high = 1000 * np.percentile([outcome.seconds for outcome in outcomes], [50, 95])
-            right = sum(outcome.right for outcome in outcomes)
-            wrong = sum(outcome.status == "fix" for outcome in outcomes) - right
-            rows.append(
-                [
-                    f"{len(index):,}",
-                    row.name,
-                    f"{median:.0f}",
-                    f"{high:.0f}",
-                    f"≤ {goal}",
-                    rate(right, count),
-                    rate(wrong, count),
-                    f"{seconds:.1f}",
-                    f"{each / first:.2f}",
-                ]
-            )
+            trials = [ground.attempt(case, rng, index) for _ in range(count)]
+            median, high = 1000 * np.percentile([t.seconds for t in trials], [50, 95])
+            numbers = [sum(t.is_right for t in trials), sum(t.is_wrong for t in trials)]
+            capped = sum(t.result.search_capped for t in trials)
+            rows.append([f"{len(index):,}", case.name, f"{median:.0f}", f"{high:.0f}", f"≤ {goal}"])
+            rows[-1] += [page.rate(number, count) for number in (*numbers, capped)]
+            rows[-1] += [f"{seconds:.1f}", f"{each / first:.2f}"]
             print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
-    header = [
-        "objects",
-        "images",
-        "ms median",
-        "p95",
-        "goal p95",
-        "right fixes",
-        "wrong fixes",
-        "s to index",
-        "time per object × the first row's",
-    ]
-    return {"catalogue sizes": f"{_ABOUT.format(count=count)}\n\n{page.table(header, rows)}"}
+    return {"catalogue sizes": f"{_ABOUT.format(count=count)}\n\n{page.table(COLUMNS, rows)}"}
 
 
 _ABOUT = """\
-One query of the constellation after its objects are found, processor time of one core, {count} images a row from
+One query of the constellation after its landmarks are found, processor time of one core, {count} images a row from
 the southern half of Liechtenstein. Larger catalogues: the country with altered copies of itself beside it (other
 places, other sizes). Indexing happens once, when a database is first used."""
 
 
-def _built(references):
-    from semref.core.constellation.index import build_index
+def tiled(ground: Ground, size: int) -> MapLandmarks:
+    """The map and as many altered copies of it beside each other as make ``size`` landmarks: other places and areas."""
+    own = ground.database.references
+    rng = np.random.default_rng([SEED, 9])
+    copies = -(-size // len(own))
+    side = int(np.ceil(np.sqrt(copies)))
+    left, bottom, right, top = ground.frame.extent
+    positions, areas = [own.positions], [own.areas_m2]
+    for number in range(1, copies):
+        step = (number % side * (right - left + 100), number // side * (top - bottom + 100))
+        positions.append(own.positions + step + rng.normal(0, 30, own.positions.shape))
+        areas.append(own.areas_m2 * np.exp(rng.normal(0, 0.3, len(own))))
+    count = size if copies > 1 else len(own)
+    return MapLandmarks(
+        np.concatenate(positions)[:count],
+        np.tile(own.classes, copies)[:count],
+        np.concatenate(areas)[:count],
+        np.tile(own.touches_edge, copies)[:count],
+    )
 
+
+def _built(references: MapLandmarks) -> tuple[float, ConstellationIndex]:
     started = time.process_time()
     index = build_index(references, 1.0)
     return time.process_time() - started, index

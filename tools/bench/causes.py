@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from bench import page
-from bench.rates import share
-from bench.trials import Ground
-from semref.core.sample.pictures import Picture as View
+from bench.ground import Ground
+from bench.page import share
+from semref.core.simulation.views import View, image_coordinates, map_coordinates
 
 CASES = (
     ("rotation 30°", 30, 1.0),
@@ -18,8 +18,8 @@ CASES = (
     ("view radius 0.65 ×", 0, 0.65),
 )
 
-SAME_WITHIN_PX = 4.0
-"""Centers of one object in two pictures differ by less than this (map pixels), unless the object itself changed."""
+SAME_WITHIN_M = 4.0
+"""Centers of one object in two pictures differ by less than this, unless the object itself changed."""
 
 NEAR_THRESHOLD = 1.6
 """Objects up to this many times the larger of both minimum areas may fall below it when pixels or the view change."""
@@ -37,9 +37,9 @@ def measure(ground: Ground, windows: np.ndarray) -> str:
     for title, heading, scale in CASES:
         reasons = []
         for window in windows:
-            view = ground.view(window, heading, scale)
-            if not ground.try_view(view).right:
-                reasons.append(_reasons(ground, ground.view(window), view))
+            view = ground.view_on(window, heading, scale)
+            if not ground.try_vector(view).is_right:
+                reasons.append(_reasons(ground, ground.view_on(window), view))
         wrong = len(reasons)
         row = [title, share(wrong, len(windows))]
         row += [sum(reason in found for found in reasons) for reason in (THRESHOLD, BORDER, OTHER, SAME)]
@@ -55,7 +55,7 @@ def _reasons(ground: Ground, window: View, view: View) -> set[str]:
     least = NEAR_THRESHOLD * max(first["least"], second["least"])
     for one, other in ((first, second), (second, first)):
         for k in range(len(one["classes"])):
-            near = np.hypot(*(other["places"] - one["places"][k]).T) <= SAME_WITHIN_PX
+            near = np.hypot(*(other["places"] - one["places"][k]).T) <= SAME_WITHIN_M
             if (near & (other["classes"] == one["classes"][k])).any():
                 continue
             if one["touches"][k] or _leaves(ground, view if one is first else window, one["corners"][k]):
@@ -68,44 +68,36 @@ def _reasons(ground: Ground, window: View, view: View) -> set[str]:
 
 
 def _kept(ground: Ground, view: View, everything: bool = False) -> dict:
-    """The objects nearest to a view's center, in map pixels: places, corners of boxes, classes, areas, touches."""
+    """The objects nearest to a view's center, in map units: places, corners of boxes, classes, areas, touches."""
     described = ground.localizer.describe(ground.cut(view), ground.database.parameters.window_size)
-    objects, size = described.objects, ground.size_px
-    offsets = objects.centers_xy - size / 2
+    objects = described.objects
     if not everything:
-        nearest = np.argsort(np.hypot(*offsets.T), kind="stable")[: ground.database.parameters.references_per_vector]
-        objects, offsets = objects.select(nearest), offsets[nearest]
-    corners = objects.bounds[:, [[0, 1], [2, 1], [2, 3], [0, 3]]] - size / 2
-    least = ground.database.parameters.minimum_area / ground.pixel_size**2 * view.scale**2
+        away = np.hypot(*(objects.centers_xy - ground.size_px / 2).T)
+        objects = objects.select(np.argsort(away, kind="stable")[: ground.database.parameters.references_per_vector])
+    corners = objects.bounds[:, [[0, 1], [2, 1], [2, 3], [0, 3]]]
     return {
-        "places": _on_map(view, offsets),
+        "places": _on_map(view, objects.centers_xy),
         "corners": _on_map(view, corners),
         "classes": objects.classes,
-        "areas": objects.areas_px * view.scale**2,
+        "areas": objects.areas_px * view.pixel_size**2,
         "touches": objects.touches_edge,
-        "least": least,
+        "least": ground.database.parameters.minimum_area * (view.pixel_size / ground.frame.pixel_size) ** 2,
     }
 
 
-def _on_map(view: View, offsets: np.ndarray) -> np.ndarray:
-    """Map pixels (…, 2) of offsets (…, 2) from a view's center in its own pixels."""
-    turn = np.deg2rad(view.heading_deg)
-    c, s = np.cos(turn) * view.scale, np.sin(turn) * view.scale
-    right, down = offsets[..., 0], offsets[..., 1]
-    return np.stack([view.column + c * right - s * down, view.row + s * right + c * down], axis=-1)
+def _on_map(view: View, points: np.ndarray) -> np.ndarray:
+    """Map coordinates (…, 2) of pixel coordinates (…, 2)."""
+    return np.stack(map_coordinates(view, points[..., 0], points[..., 1]), axis=-1)
 
 
 def _leaves(ground: Ground, view: View, corners: np.ndarray) -> bool:
-    """Whether an object with these corners (4, 2) of its box, in map pixels, reaches over the border of a view."""
-    turn = np.deg2rad(view.heading_deg)
-    right, down = (corners - (view.column, view.row)).T / view.scale
-    c, s = np.cos(turn), np.sin(turn)
-    inside = np.abs(np.stack([c * right + s * down, c * down - s * right])) <= ground.size_px / 2
+    """Whether an object with these corners (4, 2) of its box, map coordinates, reaches over the border of a view."""
+    inside = np.abs(image_coordinates(view, corners) - ground.size_px / 2) <= ground.size_px / 2
     return not inside.all()
 
 
 def _kept_elsewhere(ground: Ground, view: View, one: dict, k: int) -> bool:
     """Whether the object is there in the other picture too and was only pushed out of the kept ones by another."""
     other = _kept(ground, view, everything=True)
-    near = np.hypot(*(other["places"] - one["places"][k]).T) <= SAME_WITHIN_PX
+    near = np.hypot(*(other["places"] - one["places"][k]).T) <= SAME_WITHIN_M
     return bool((near & (other["classes"] == one["classes"][k])).any())

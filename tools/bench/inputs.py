@@ -18,6 +18,13 @@ REFERENCE_CLASSES = ("building", "bare_land", "water")
 PIXEL_SIZE = 1.0
 MINIMUM_AREA = 100.0
 
+TILES = "dubai_aerial"
+TILE_CLASSES = (
+    "value,name,color,role\n1,building,#3c1098,reference\n2,land_unpaved,#8429f6,reference\n3,road,#6ec1e4,reference\n"
+    "4,vegetation,#fedd3a,reference\n5,water,#e2a929,reference\n"
+)
+"""Annotated aerial photos, and the class table of their labels."""
+
 _TILE_ROWS = 256
 
 
@@ -36,7 +43,22 @@ class Area:
 
 @dataclass(frozen=True)
 class Run:
-    """What a benchmark gets: the area, where real data and intermediate files are, how often to repeat or to try."""
+    """What a benchmark gets.
+
+    Attributes:
+        area: what is measured
+        data: folder of the real data
+        work: folder of intermediate files
+        repetitions: turns of what is timed
+        quick: smaller cases, to try the benchmark itself
+        count: images or trials a case; None for as many as the benchmark wants
+        only: parts of names of the cases wanted; all if empty
+        half: of Liechtenstein that images are cut from; constants were fitted on the northern one
+        model: segmentation model, for photos
+        tile: of dubai_aerial that the model was not trained on
+        python: runs ``python -m core``; one without QGIS makes the proof
+        pictures: folder for pictures of the documentation; None for none
+    """
 
     area: Area
     data: Path
@@ -44,6 +66,16 @@ class Run:
     repetitions: int
     quick: bool
     count: Optional[int] = None
+    only: tuple[str, ...] = ()
+    half: str = "south"
+    model: Optional[Path] = None
+    tile: int = 6
+    python: str = sys.executable
+    pictures: Optional[Path] = None
+
+    def wants(self, case: str) -> bool:
+        """Whether a case is among those to be measured."""
+        return not self.only or any(part.casefold() in case.casefold() for part in self.only)
 
     def how_many(self, full: int, quick: int) -> int:
         """Trials a case: what --count says, else as many as the benchmark wants."""

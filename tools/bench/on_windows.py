@@ -6,23 +6,22 @@ import cv2
 import numpy as np
 
 from bench import inputs, plugin
-from bench.rates import share
-from bench.trials import Ground
+from bench.ground import Ground
+from bench.page import share
 
 
 def measure(run: inputs.Run, ground: Ground, windows: np.ndarray) -> str:
     folder = run.work / "on_windows"
     folder.mkdir(exist_ok=True)
-    views = [ground.view(window) for window in windows]
-    pictures = [ground.cut(view) for view in views]
-    for view, picture in zip(views, pictures):
-        cv2.imwrite(str(folder / view.name), picture)
+    names = [str(ground.database.windows.names[window]) for window in windows]
+    pictures = [ground.cut(ground.view_on(window)) for window in windows]
+    for name, picture in zip(names, pictures):
+        cv2.imwrite(str(folder / f"{name}.png"), picture)
     output = folder / "positions.gpkg"
     parameters = {"DATABASE": str(run.database(run.area.stride)), "IMAGES": str(folder), "METHOD": 1}
     plugin.run_algorithm("localizeimages", {**parameters, "OUTPUT": str(output)})
     rows = _rows(output)
-    found = [rows[view.name] for view in views]
-    names = [str(ground.database.windows.names[window]) for window in windows]
+    found = [rows[f"{name}.png"] for name in names]
     same = [_same(row, ground.localizer.localize_by_topology_vector(p)) for row, p in zip(found, pictures)]
     same_pixels = [np.array_equal(p, _window_labels(ground, w)) for p, w in zip(pictures, windows)]
     right = [row["window"] == name for row, name in zip(found, names)]
@@ -66,5 +65,5 @@ def _same(row: dict, result) -> bool:
 
 
 def _window_labels(ground: Ground, window: int) -> np.ndarray:
-    column, row = (int(part) for part in str(ground.database.windows.names[window]).split("_"))
+    column, row = ground.database.windows.first_pixels[window]
     return ground.labels_hw[row : row + ground.size_px, column : column + ground.size_px]

@@ -12,6 +12,20 @@ def table(header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
     return "\n".join(lines + [_line(row) for row in rows])
 
 
+def rate(successes: int, trials: int) -> str:
+    """“299/300, 100 % (98–100)”: count, rate and its 95 % interval; “–” without trials."""
+    return f"{successes}/{trials}, {share(successes, trials)}" if trials else "–"
+
+
+def share(successes: int, trials: int) -> str:
+    """“97 % (92–99)”: rate and interval in percent, with a decimal beyond 500 trials."""
+    from semref.core.evaluation.rates import wilson
+
+    digits = 0 if trials <= 500 else 1
+    low, high = wilson(successes, trials)
+    return f"{100 * successes / max(trials, 1):.{digits}f} % ({100 * low:.{digits}f}–{100 * high:.{digits}f})"
+
+
 def _line(cells: Sequence[object]) -> str:
     return "| " + " | ".join(str(cell) for cell in cells) + " |"
 

@@ -1,82 +1,81 @@
-"""Measures the dock in a real window: how long QGIS's main thread stands still, and whether anything grows.
+"""The dock in a real window: how long QGIS's main thread stands still, and whether anything grows.
 
-    xvfb-run -a -s "-screen 0 1600x1000x24" python tools/measure_dock.py stalls [--images 20]
-    xvfb-run -a -s "-screen 0 1600x1000x24" python tools/measure_dock.py growth [--rounds 20] [--images 200]
+    xvfb-run -a -s "-screen 0 1600x1000x24" .venv/bin/python tools/bench dock
 
-``stalls``: photos of the sample area, with the model that ships: segmented, localized, then shown one after the other,
+Stalls: photos of the sample area, with the model that ships: segmented, localized, then shown one after the other,
 laid on the map, kept, inspected; a timer beats every 5 ms, and the longest time between two beats is the stall. In the
 first round QGIS and Python load what they need for the first time; the second is what a user feels from then on.
-``growth``: the plugin loaded and unloaded --rounds times, each time localizing and showing an image; then
---images label images localized and shown one by one in one dock: widgets, items on the canvas, layers and
-memory after each. Prints Markdown. --folder keeps the sample area for the next time.
+Growth: the plugin loaded and unloaded again and again, each time localizing and showing an image; then label images
+localized and shown one by one in one dock.
 """
 
 from __future__ import annotations
 
-import argparse
 import gc
 import importlib.util
 import os
 import sys
-import tempfile
-import threading
 import time
-import traceback
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parent))
-from bench.machine import footer, load
-from qgis_session import ROOT, qgis_session
+from bench import inputs, page, plugin
 
+PAGE = "benchmarks.md"
+AREA = "The sample area."
+WINDOW = True
+"""It needs a real window: without DISPLAY nothing is measured."""
+
+PHOTOS, IMAGES, ROUNDS = 20, 200, 20
+QUICK_PHOTOS, QUICK_IMAGES, QUICK_ROUNDS = 2, 3, 2
 BEAT_MS = 5
 WAIT_S = 600
 CUT_PX = 640
 WINDOW_WH = (1500, 950)
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=("stalls", "growth"))
-    parser.add_argument("--images", type=int)
-    parser.add_argument("--rounds", type=int, default=20)
-    parser.add_argument("--folder", type=Path)
-    parser.add_argument("--tell", type=float, default=0.0, metavar="MS", help="tell where longer stalls come from")
-    arguments = parser.parse_args()
+def measure(run: inputs.Run) -> dict[str, str]:
     if not os.environ.get("DISPLAY"):
-        parser.error("There is no display; run it under xvfb-run.")
-    # In qgis_session "offscreen" is only the default: here windows are real.
-    os.environ["QT_QPA_PLATFORM"] = "xcb"
-    before = load()
-    with tempfile.TemporaryDirectory(prefix="semref-dock-") as temporary, qgis_session() as provider:
-        from qgis.core import QgsApplication
+        reason = "Not measured: there is no display; run it under xvfb-run."
+        return {"dock stalls": reason, "dock growth": reason}
+    from qgis.core import QgsApplication
 
-        folder = arguments.folder or Path(temporary)
-        make_sample(folder)
-        # The plugin registers its own.
-        QgsApplication.processingRegistry().removeProvider(provider)
-        if arguments.what == "stalls":
-            measure_stalls(folder, arguments.images or 20, arguments.tell / 1000)
-        else:
-            measure_growth(folder, arguments.images or 200, arguments.rounds)
-        from semref.processing.provider import register_provider
+    from semref.processing.provider import register_provider
 
-        # qgis_session takes one away when it ends.
-        kept = register_provider(QgsApplication.processingRegistry())
-        command = f"tools/measure_dock.py {arguments.what}"
-        print(footer(command, "The sample area.", before), flush=True)
-        del kept
+    folder = run.work / "dock"
+    folder.mkdir(exist_ok=True)
+    make_sample(folder)
+    registry = QgsApplication.processingRegistry()
+    registry.removeProvider("semref")  # The plugin registers its own.
+    measured = {}
+    if run.wants("stalls"):
+        stalls = measure_stalls(folder, run.how_many(PHOTOS, QUICK_PHOTOS))
+        measured["dock stalls"] = f"{_STALLS}\n\n{stalls}"
+    if run.wants("growth"):
+        rounds = QUICK_ROUNDS if run.quick else ROUNDS
+        growth = measure_growth(folder, run.how_many(IMAGES, QUICK_IMAGES), rounds)
+        measured["dock growth"] = f"{_GROWTH}\n\n{growth}"
+    # The session takes one away when it ends.
+    _KEPT.append(register_provider(registry))
+    return measured
+
+
+_KEPT: list[object] = []
+_STALLS = """\
+In a real window (1,500 × 950) with the sample project's layers on the canvas. A timer beats every 5 ms in QGIS's main
+thread; a stall is the longest time between two beats, own work the longest processor time of the thread between two.
+Goal: ≤ 100 ms."""
+
+_GROWTH = "Widgets, items on the canvas, layers of the project, resident memory of QGIS."
 
 
 def make_sample(folder: Path) -> None:
     """Area, label map and database of *Open the sample project*; what is there is kept."""
-    import processing
-
     from semref.ui.sample_project import steps
 
     for step in steps(folder):
         if not step.result.exists():
             print(step.text, file=sys.stderr, flush=True)
-            processing.run(step.algorithm, step.parameters)
+            plugin.run_algorithm(step.algorithm.partition(":")[2], step.parameters)
 
 
 # --- the window ---
@@ -86,7 +85,8 @@ def make_window():
     """What a plugin uses of QGIS's window, as the tests have it, with a canvas in the sample's CRS."""
     from qgis.core import QgsCoordinateReferenceSystem
 
-    spec = importlib.util.spec_from_file_location("semref_gui_tests", ROOT / "tests" / "gui" / "conftest.py")
+    fixtures = inputs.TOOLS.parent / "tests" / "gui" / "conftest.py"
+    spec = importlib.util.spec_from_file_location("semref_gui_tests", fixtures)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     interface = module.make_interface()
@@ -100,9 +100,9 @@ def load_plugin(interface):
     """The plugin, its dock not opened yet."""
     from semref.plugin import SemRefPlugin
 
-    plugin = SemRefPlugin(interface)
-    plugin.initGui()
-    return plugin
+    loaded = SemRefPlugin(interface)
+    loaded.initGui()
+    return loaded
 
 
 def open_dock(interface):
@@ -153,8 +153,7 @@ class Heartbeat:
     On a machine that does other things as well the first holds what those took; the second is the thread's own.
     """
 
-    def __init__(self, told_s: float) -> None:
-        """``told_s``: stalls longer than this are told with what Python was doing; 0 for none."""
+    def __init__(self) -> None:
         from qgis.PyQt.QtCore import Qt, QTimer
 
         self._longest = [0.0, 0.0]
@@ -163,8 +162,6 @@ class Heartbeat:
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._beat)
         self._timer.start(BEAT_MS)
-        if told_s:
-            threading.Thread(target=self._tell, args=(told_s,), daemon=True).start()
 
     def _beat(self) -> None:
         now = time.perf_counter(), time.thread_time()
@@ -177,22 +174,9 @@ class Heartbeat:
         longest, self._longest = self._longest, [0.0, 0.0]
         return tuple(1000 * seconds for seconds in longest)
 
-    def _tell(self, told_s: float) -> None:
-        """In a thread of its own: where Python's threads are at each stall. Only one of them runs Python at a time, so
-        that another one's long call may be what the main thread waits for."""
-        told = None
-        while True:
-            time.sleep(0.01)
-            if time.perf_counter() - self._last[0] > told_s and self._last != told:
-                told = self._last
-                for frame in sys._current_frames().values():
-                    frames = traceback.extract_stack(frame)[-4:]
-                    stack = " < ".join(f"{Path(f.filename).name}:{f.lineno} {f.name}" for f in reversed(frames))
-                    print(f"stall: {stack}", file=sys.stderr)
-                print(flush=True, file=sys.stderr)
 
-
-def measure_stalls(folder: Path, count: int, told_s: float) -> None:
+def measure_stalls(folder: Path, count: int) -> str:
+    """A row for each step: the longest stall, the first and the second time."""
     from qgis.core import QgsProject
 
     from semref.ui.sample_project import fill_project
@@ -207,26 +191,23 @@ def measure_stalls(folder: Path, count: int, told_s: float) -> None:
     photos = [photos[n % len(photos)] for n in range(count)]
     rows: dict = {}
     for _ in range(2):
-        for name, longest in stall_round(interface, folder, photos, told_s):
+        for name, longest in stall_round(interface, folder, photos):
             print(name, longest, file=sys.stderr, flush=True)
             rows.setdefault(name, []).append(longest)
-    print("| step | longest stall, first time (ms) | of it the thread’s own work | again (ms) | own work |")
-    print("|---|---:|---:|---:|---:|")
-    for name, (first, again) in rows.items():
-        print(f"| {name} | {first[0]:.0f} | {first[1]:.0f} | {again[0]:.0f} | {again[1]:.0f} |")
-    print(flush=True)
+    header = ["step", "longest stall, first time (ms)", "of it the thread’s own work", "again (ms)", "own work"]
+    return page.table(header, [[name, *(f"{ms:.0f}" for ms in (*both[0], *both[1]))] for name, both in rows.items()])
 
 
-def stall_round(interface, folder: Path, photos: list, told_s: float):
+def stall_round(interface, folder: Path, photos: list):
     """(step, milliseconds) one after the other, in a plugin loaded for it."""
     from qgis.core import QgsProject
 
     from semref.ui.sample_project import DATABASE_FILE, MODEL
 
-    heart = Heartbeat(told_s)
+    heart = Heartbeat()
     settle(3.0)
     yield "nothing", heart.take()
-    plugin = load_plugin(interface)
+    loaded = load_plugin(interface)
     settle(2.0)
     yield "load the plugin", heart.take()
     dock = open_dock(interface)
@@ -262,7 +243,7 @@ def stall_round(interface, folder: Path, photos: list, told_s: float):
         dock.content.inspect.after.click()
         settle(0.05)
     yield "inspect eleven windows", heart.take()
-    plugin.unload()
+    loaded.unload()
     settle()
     yield "unload the plugin", heart.take()
 
@@ -283,40 +264,39 @@ def linked(photos: list, folder: Path) -> list:
 # --- growth ---
 
 
-def measure_growth(folder: Path, count: int, rounds: int) -> None:
+def measure_growth(folder: Path, count: int, rounds: int) -> str:
+    """Widgets, items, layers and memory after each step of use."""
     from semref.ui.sample_project import DATABASE_FILE
 
     interface = make_window()
     images = label_images(folder, count)
     database = str(folder / DATABASE_FILE)
-    print("| after | widgets | items on the canvas | layers | resident memory (MiB) |")
-    print("|---|---:|---:|---:|---:|")
-    print_counts(interface, "nothing yet")
+    rows = [counts(interface, "nothing yet")]
     for number in range(1, rounds + 1):
-        plugin, dock = load_plugin(interface), open_dock(interface)
+        loaded, dock = load_plugin(interface), open_dock(interface)
         dock.prepare(database, "", images[:1])
         localize(dock)
         show(dock, 0)
         dock.inspect_window("1440_1120")
         turn_events(lambda: dock.content.inspect.numbers.rowCount() > 0)
-        plugin.unload()
-        del plugin, dock
+        loaded.unload()
+        del loaded, dock
         settle()
         if number in {1, 2, 5, 10, 15, 20} or number % 20 == 0:
-            print_counts(interface, f"{number} × loaded, used and unloaded")
-    plugin, dock = load_plugin(interface), open_dock(interface)
+            rows.append(counts(interface, f"{number} × loaded, used and unloaded"))
+    loaded, dock = load_plugin(interface), open_dock(interface)
     dock.prepare(database, "", images)
     localize(dock)
     settle()
-    print_counts(interface, f"{count} images localized in one dock")
+    rows.append(counts(interface, f"{count} images localized in one dock"))
     for number in range(1, count + 1):
         show(dock, number - 1)
         if number in {1, 10, 50} or number % 50 == 0:
-            print_counts(interface, f"{number} of them shown")
-    plugin.unload()
+            rows.append(counts(interface, f"{number} of them shown"))
+    loaded.unload()
     settle()
-    print_counts(interface, "the dock unloaded")
-    print(flush=True)
+    rows.append(counts(interface, "the dock unloaded"))
+    return page.table(["after", "widgets", "items on the canvas", "layers", "resident memory (MiB)"], rows)
 
 
 def label_images(folder: Path, count: int) -> list:
@@ -342,20 +322,18 @@ def label_images(folder: Path, count: int) -> list:
     return paths
 
 
-def print_counts(interface, after: str) -> None:
+def counts(interface, after: str) -> list[str]:
+    """A row of the table of growth."""
     from qgis.core import QgsProject
     from qgis.PyQt.QtWidgets import QApplication
 
     gc.collect()
     items = len(interface.canvas.scene().items())
     widgets, layers = len(QApplication.allWidgets()), len(QgsProject.instance().mapLayers())
-    print(f"| {after} | {widgets} | {items} | {layers} | {resident_mib():.0f} |", flush=True)
+    print(f"  {after}: {widgets}, {items}, {layers}", file=sys.stderr, flush=True)
+    return [after, str(widgets), str(items), str(layers), f"{resident_mib():.0f}"]
 
 
 def resident_mib() -> float:
     pages = int(Path("/proc/self/statm").read_text(encoding="utf-8").split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
-
-
-if __name__ == "__main__":
-    main()

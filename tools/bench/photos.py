@@ -1,0 +1,142 @@
+"""The road from photo to fix: photo → segmentation network → label image → position.
+
+Photos of the sample area (its seed is none of the training seeds of the model that ships), and with `--model` turned
+crops of a photo of dubai_aerial (`--tile`) that this model was not trained on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import cv2
+import numpy as np
+
+from bench import inputs, page
+from bench.correlation import ON_A_TILE
+from bench.ground import COLUMNS, Ground, Image, cells, memory_ground, tile_ground, tile_paths
+from semref.core.database.build import BuildSettings
+from semref.core.evaluation.trial import Query, Trial
+from semref.core.labels.image_source import ArrayImage
+from semref.core.localization import Method
+from semref.core.sample import photo, pictures
+from semref.core.sample.classes import CLASSES
+from semref.core.sample.landscape import make_landscape
+from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.photo_labels import PhotoLabels
+from semref.core.simulation.views import View
+from semref.storage.sample_files import grid_of, rasterize
+
+PAGE = "benchmarks.md"
+AREA = "The sample area, and dubai_aerial where named."
+SEED = 1671
+COUNT, TILE_COUNT, QUICK_COUNT = 200, 50, 2
+METHODS = (Method.CONSTELLATION, Method.AUTOMATIC)
+SAMPLE_RIGHT_M = 10.0
+SHIPPED = inputs.TOOLS.parent / "models" / "sample_area.onnx"
+TRUE_LABELS = "true labels"
+
+
+def measure(run: inputs.Run) -> dict[str, str]:
+    sections = {}
+    if run.wants("photos of the sample area"):
+        sections["photos of the sample area"] = _sample(run)
+    path = run.data / "dubai_aerial" / f"tile{run.tile}_label.tif"
+    if run.model and run.wants("real photos"):
+        known = path in tile_paths(run)
+        sections["real photos"] = _tile(run, path) if known else f"Not measured: the real data is not here: {path.name}"
+    return sections
+
+
+class Network:
+    """A segmentation model whose classes are those of a ground's database."""
+
+    def __init__(self, path: object, ground: Ground) -> None:
+        self._model = SegmentationModel(str(path), 1)
+        self._values = self._model.classes.values_in(ground.database.class_table, "The model")
+
+    def labels(self, photo_hw3: np.ndarray) -> np.ndarray:
+        """(H, W) uint8, as semref:segmentimage makes them."""
+        return PhotoLabels(self._model, ArrayImage(photo_hw3), self._values).found()
+
+
+def _sample(run: inputs.Run) -> str:
+    count = run.how_many(COUNT, QUICK_COUNT)
+    landscape = make_landscape(SEED)
+    labels = rasterize(landscape, 1.0)
+    classes = [f"{c.value},{c.name},{c.color},{c.role}" for c in CLASSES]
+    ground = memory_ground(labels, "\n".join(["value,name,color,role", *classes]), BuildSettings(640, 160, 50))
+    area_photo = photo.render(landscape, grid_of(landscape, 1.0), 1.0)
+    network = Network(SHIPPED, ground)
+    trials: dict[str, list[Trial]] = {method: [] for method in METHODS}
+    for picture in pictures.plan_photos(labels.shape, SEED, count):
+        seen = photo.shoot(area_photo, picture, SEED)
+        jpeg = cv2.imencode(".jpg", seen[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])[1]
+        found = network.labels(np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1]))
+        image = Image(Query(picture.view(len(seen))), found)
+        for method in METHODS:
+            trials[method].append(ground.try_image(image, method, SAMPLE_RIGHT_M))
+    rows = [cells(tried, method) for method, tried in trials.items()]
+    agreement = _agreement(ground, network.labels(area_photo))
+    return f"{_SAMPLE.format(limit=SAMPLE_RIGHT_M)}\n\n{page.table(COLUMNS, rows)}\n\n{agreement}"
+
+
+_SAMPLE = """\
+Rendered photos of the sample area (a landscape that the shipped model has not seen), 640 px, off-grid, any heading,
+0.8–1.25 m, JPEG. Right: within {limit:g} m. Database of the true label map."""
+
+
+def _tile(run: inputs.Run, path: object) -> str:
+    ground = tile_ground(path)
+    picture = inputs.read_labels(str(path).replace("_label", "_image"))
+    picture = np.ascontiguousarray(np.moveaxis(picture[:3], 0, 2))
+    network = Network(run.model, ground)
+    rows = []
+    large: dict[tuple, list[Trial]] = {}
+    for number, edge in enumerate(ON_A_TILE.sizes_px):
+        rng = np.random.default_rng([SEED, number])
+        wanted = replace(ON_A_TILE, sizes_px=(edge,), labeled=0.0)
+        images = [ground.draw(wanted, rng) for _ in range(run.how_many(TILE_COUNT, QUICK_COUNT))]
+        predicted = [replace(i, labels_hw=network.labels(seen(ground, picture, i.view))) for i in images]
+        for source, given in (("network", predicted), (TRUE_LABELS, images)):
+            for method in METHODS:
+                trials = [ground.try_image(image, method) for image in given]
+                rows.append(cells(trials, f"tile {run.tile}, {edge} px, {source}, {method}"))
+                if edge >= 512:
+                    large.setdefault((source, method), []).extend(trials)
+    rows += [
+        cells(trials, f"tile {run.tile}, ≥ 512 px, {source}, {method}") for (source, method), trials in large.items()
+    ]
+    about = _TILE.format(tile=run.tile, model=run.model.name)
+    return f"{about}\n\n{page.table(COLUMNS, rows)}\n\n{_agreement(ground, network.labels(picture))}"
+
+
+_TILE = """\
+`{model}` on tile {tile} of dubai_aerial, which it was not trained on (`tools/train_dubai.py`): off-grid, turned crops
+at 0.9–1.1 of the tile's pixels, pixel size searched over 0.7–1.4; database of the annotated labels, all classes as
+landmarks; errors in pixels. Right: within 2 % of the edge. “{true}”: what no network could improve. Goal: ≥ 90 % right
+and ≤ 0.5 % wrong at ≥ 512 px.""".replace("{true}", TRUE_LABELS)
+
+
+def seen(ground: Ground, photo_hw3: np.ndarray, view: View) -> np.ndarray:
+    """What the view shows of a photo with the ground's pixels, (H, W, 3), by linear interpolation."""
+    turn, center = np.radians(view.heading_deg), ground.frame.to_pixels(view.position)
+    cosine, sine = np.cos(turn), np.sin(turn)
+    matrix = view.pixel_size / ground.frame.pixel_size * np.array([[cosine, -sine], [sine, cosine]])
+    offset = center - 0.5 - matrix @ ((np.array(view.shape_hw[::-1]) - 1) / 2)
+    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+    return cv2.warpAffine(photo_hw3, np.column_stack([matrix, offset]), view.shape_hw[::-1], flags=flags)
+
+
+def _agreement(ground: Ground, predicted: np.ndarray) -> str:
+    """Intersection over union a class; 0 counts only as what the network may answer where a class is."""
+    labels, known = ground.labels_hw, ground.labels_hw > 0
+    rows: list[Sequence[object]] = []
+    found: list[float] = []
+    for entry in ground.database.class_table:
+        truth, answer = labels == entry.value, (predicted == entry.value) & known
+        found.append((truth & answer).sum() / max((truth | answer).sum(), 1))
+        rows.append([entry.name, f"{truth.mean():.1%}", f"{found[-1]:.3f}"])
+    rows.append(["mean", "", f"{np.mean(found):.3f}"])
+    right = (predicted == labels)[known].mean()
+    return f"{page.table(['class', 'share of the ground', 'IoU'], rows)}\n\nPixels with the right class: {right:.1%}."

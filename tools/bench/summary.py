@@ -1,0 +1,98 @@
+"""The table that docs/benchmarks.md begins with: figure, goal, measured, command; read from the page's sections."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from bench import page
+
+NAME = "summary"
+COLUMNS = ("figure", "goal", "measured", "command")
+
+
+@dataclass(frozen=True)
+class Line:
+    """A figure and where it stands.
+
+    Attributes:
+        figure: in words
+        goal: in words
+        section: that has it
+        row: words that its row's first cells contain, parted by `|`
+        column: words that its column contains; of several columns the first counts
+        bench: that writes the section
+    """
+
+    figure: str
+    goal: str
+    section: str
+    row: str
+    column: str
+    bench: str
+
+
+LINES = (
+    Line("rasterizing, times `gdal_rasterize`", "≤ 1.2", "rasterize", "running QGIS", "× `gdal", "rasterize"),
+    Line("building, stride 350 m, times faster than a plain loop", "≥ 3", "build", "1280 / 350", "same work", "build"),
+    Line("building, stride 50 m", "≥ 10", "build", "1280 / 50", "2 threads", "build"),
+    Line("peak memory of building 5 Gpx", "≤ 1.5 GB", "memory", "99,424", "peak", "memory"),
+    Line("right at 20 / 20 / 5 %", "≥ 99.5 %", "localization", "20 % missed", "right", "localization"),
+    Line("wrong at 20 / 20 / 5 %", "≤ 0.05 %", "localization", "20 % missed", "wrong", "localization"),
+    Line("right at 40 / 40 / 10 %", "≥ 95 %", "localization", "40 / 40 / 10 %", "right", "localization"),
+    Line("95 % radius holds, any heading", "93–97 %", "localization", "20 % missed", "in the 95", "localization"),
+    Line("95 % radius holds, right angles", "93–97 %", "localization", "rotation 90", "in the 95", "localization"),
+    Line("a query, ms (median, p95)", "p95 ≤ 100", "localization", "20 % missed", "ms median", "localization"),
+    Line("fixes of images from elsewhere", "0 of 30,000", "elsewhere", "all", "fixes", "elsewhere"),
+    Line(
+        "a map of another date, 6.4 km, automatic", "≥ 99.5 %", "two dates", "6.4 km, 2018|auto", "right", "two_dates"
+    ),
+    Line("map correlation, strong noise", "–", "map correlation", "Liechtenstein|strong", "right", "correlation"),
+    Line("automatic, strong noise", "–", "automatic", "strong", "right", "automatic"),
+    Line("tilted by 20°, leveled: right", "–", "tilted cameras", "20°, leveled", "right", "attitude"),
+    Line("photos of the sample area, automatic", "≥ 90 %", "photos of the sample area", "automatic", "right", "photos"),
+    Line(
+        "real photos ≥ 512 px of a town, automatic", "≥ 90 %", "real photos", "tile 4|≥ 512 px|auto", "right", "photos"
+    ),
+    Line(
+        "real photos ≥ 512 px of a shore, automatic", "≥ 90 %", "real photos", "tile 6|≥ 512 px|auto", "right", "photos"
+    ),
+    Line("assessment: right fixes, expected", "as measured", "assessment", "right fixes", "expected", "assessment"),
+    Line("assessment: right fixes, measured", "as expected", "assessment", "right fixes", "measured", "assessment"),
+    Line("onboard file, bytes a window", "≤ 40", "onboard file", "without", "a window", "onboard"),
+    Line("onboard file, bytes a landmark", "≤ 6", "onboard file", "without", "a landmark", "onboard"),
+    Line("update, share of a rebuild", "≤ 5 %", "update", "changed areas", "share", "update"),
+    Line("segmenting, times bare onnxruntime", "≥ 0.9", "segment", "multiplications", "ratio", "segment"),
+    Line("longest stall of the dock, ms", "≤ 100", "dock stalls", "load the plugin", "first time", "dock"),
+)
+
+
+def summary(text: str) -> str:
+    """The table, from a page's sections."""
+    rows = [
+        [line.figure, line.goal, measured(section_of(text, line.section), line), f"`tools/bench {line.bench}`"]
+        for line in LINES
+    ]
+    return page.table(COLUMNS, rows)
+
+
+def section_of(text: str, name: str) -> str:
+    """What stands between the markers of a section; nothing where there are none."""
+    found = re.search(rf"<!-- bench:{name} -->(.*?)<!-- /bench:{name} -->", text, re.DOTALL)
+    return found.group(1) if found else ""
+
+
+def measured(section: str, line: Line) -> str:
+    """The cell of the section's tables that a line means; “–” where there is none."""
+    header: list[str] = []
+    for row in section.splitlines():
+        cells = [cell.strip() for cell in row.strip().strip("|").split(" | ")] if row.startswith("|") else []
+        if not cells:
+            header = []
+        elif not header:
+            header = cells
+        elif all(part in " ".join(cells[:2]) for part in line.row.split("|")):
+            found = [cell for name, cell in zip(header, cells) if line.column in name]
+            if found and found[0]:
+                return found[0].replace("**", "")
+    return "–"
