@@ -1,0 +1,1 @@
+"""Commands that set what the solvers are told (docs/calibration.md)."""

@@ -1,0 +1,60 @@
+"""Trials that the solvers' settings were set on (docs/calibration.md), on the northern half of Liechtenstein.
+
+    .venv/bin/python tools/calibration NAME [--data FOLDER] [--work FOLDER] [--count N] [--only CASES] [--half north]
+
+NAME is one of
+    constellation  the rows of tools/bench localization, and the margins of right and of wrong places
+    correlation    map correlation with poor labels: margins, the confidence curve that fits them, radius
+    radius         poses refined from beside the right place, also on aerial label maps: error over deviation
+    agreement      what each road says of the other's best place, right and wrong
+
+They print what a setting is chosen from; nothing is changed. Figures to quote are those of tools/bench, whose images
+come from the southern half.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import sys
+import tempfile
+from pathlib import Path
+
+TOOLS = Path(__file__).resolve().parents[1]
+ROOT = TOOLS.parent
+
+# Only packages on the path: a file of ours must not hide a module of the same name.
+sys.path[0] = str(TOOLS)
+
+NAMES = ("constellation", "correlation", "radius", "agreement")
+COUNTS = {"constellation": 300, "correlation": 100, "radius": 50, "agreement": 100}
+
+
+def main(arguments: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser("tools/calibration", description=__doc__.splitlines()[0])
+    parser.add_argument("name", choices=NAMES)
+    parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="the real data's folder")
+    parser.add_argument("--work", type=Path, help="folder that keeps label maps and databases between runs")
+    parser.add_argument("--count", type=int, help=f"images a case; by default {COUNTS}")
+    parser.add_argument("--only", default="", help="cases whose names contain one of these, separated by commas")
+    parser.add_argument("--half", default="north", choices=("north", "south"))
+    options = parser.parse_args(arguments)
+    from bench import inputs, plugin
+
+    with contextlib.ExitStack() as stack:
+        work = options.work or Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="semref-calibration-")))
+        work.mkdir(parents=True, exist_ok=True)
+        stack.enter_context(plugin.qgis())
+        area = inputs.main_area(options.data, work)
+        only = tuple(part for part in options.only.split(",") if part)
+        count = options.count or COUNTS[options.name]
+        run = inputs.Run(area, options.data, work, 1, False, count, only, options.half)
+        print(area.sentence)
+        from calibration import trials
+
+        print(getattr(trials, options.name)(run))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
