@@ -6,12 +6,12 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-
 from bench import inputs, localization, page
 from bench.automatic import CASES as AUTOMATIC_CASES
 from bench.automatic import POOR_CASES
 from bench.correlation import AERIAL, COUNTRY, ELSEWHERE, SEED, country, place_is_right, tried_on_tiles
 from bench.ground import Case, Ground, Image, tile_ground, tile_paths, tried
+
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.correlation.decision import position_error_95, smaller_lead
 from semref.core.correlation.places import finest_pose, image_evidence, reduced_image
