@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from .sentences import Sentence, english
 
 
@@ -19,7 +17,7 @@ class SemRefError(Exception):
         sentence: What is said to the user.
     """
 
-    def __init__(self, code: str | Sentence, /, **values: Any) -> None:
+    def __init__(self, code: str | Sentence, /, **values: object) -> None:
         """Makes the error.
 
         Args:
@@ -31,6 +29,7 @@ class SemRefError(Exception):
         super().__init__(self.sentence)
 
     def __str__(self) -> str:
+        """The sentence in English."""
         return english(self.sentence)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import TYPE_CHECKING, Optional, Tuple
+from typing import TYPE_CHECKING
 
 from .sentences import Sentence
 
@@ -21,7 +21,7 @@ class Status(str, Enum):
         title: The status in words.
     """
 
-    title: Sentence
+    title: Sentence  # type: ignore[assignment] # not the method of str
 
     FIX = "fix", Sentence("localization.status_fix")
     AMBIGUOUS = "ambiguous", Sentence("localization.status_ambiguous")
@@ -29,6 +29,7 @@ class Status(str, Enum):
     TOO_FEW_REFERENCES = "too_few_references", Sentence("localization.status_too_few_references")
 
     def __new__(cls, key: str, title: Sentence) -> Status:
+        """Makes a member that is its key."""
         member = str.__new__(cls, key)
         member._value_ = key
         member.title = title
@@ -40,7 +41,7 @@ class Status(str, Enum):
         return self.value
 
     __str__ = str.__str__
-    __format__ = str.__format__
+    __format__ = str.__format__  # type: ignore[assignment] # by position, as str has it
 
 
 class Method(str, Enum):
@@ -54,7 +55,7 @@ class Method(str, Enum):
     """
 
     number: int
-    title: Sentence
+    title: Sentence  # type: ignore[assignment] # not the method of str
 
     AUTOMATIC = "automatic", 0, Sentence("localization.method_automatic")
     TOPOLOGY_VECTOR = "topology vector", 1, Sentence("localization.method_topology_vector")
@@ -62,6 +63,7 @@ class Method(str, Enum):
     MAP_CORRELATION = "map correlation", 3, Sentence("localization.method_map_correlation")
 
     def __new__(cls, key: str, number: int, title: Sentence) -> Method:
+        """Makes a member that is its key."""
         member = str.__new__(cls, key)
         member._value_ = key
         member.number, member.title = number, title
@@ -73,7 +75,7 @@ class Method(str, Enum):
         return self.value
 
     __str__ = str.__str__
-    __format__ = str.__format__
+    __format__ = str.__format__  # type: ignore[assignment] # by position, as str has it
 
     @classmethod
     def of_number(cls, number: int) -> Method:
@@ -93,11 +95,11 @@ class Prior:
         pixel_size_range: Smallest and largest ground sampling distance, map units.
     """
 
-    position: Optional[Tuple[float, float]] = None
-    radius: Optional[float] = None
-    heading_deg: Optional[float] = None
+    position: tuple[float, float] | None = None
+    radius: float | None = None
+    heading_deg: float | None = None
     heading_range_deg: float = 180.0
-    pixel_size_range: Optional[Tuple[float, float]] = None
+    pixel_size_range: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -113,12 +115,12 @@ class Place:
         score: Correlation of class areas, −1 to 1; of map correlation.
     """
 
-    position: Tuple[float, float]
-    heading_deg: Optional[float] = None
-    pixel_size_m: Optional[float] = None
-    log_odds: Optional[float] = None
-    inliers: Optional[int] = None
-    score: Optional[float] = None
+    position: tuple[float, float]
+    heading_deg: float | None = None
+    pixel_size_m: float | None = None
+    log_odds: float | None = None
+    inliers: int | None = None
+    score: float | None = None
 
 
 @dataclass(frozen=True)
@@ -138,6 +140,7 @@ class Matches:
     residuals: np.ndarray
 
     def __len__(self) -> int:
+        """How many landmarks agree."""
         return len(self.on_map)
 
 
@@ -186,22 +189,22 @@ class Localization:
     status: Status
     method: Method
     references: int = 0
-    reason: Optional[Sentence] = None
-    best: Optional[Place] = None
+    reason: Sentence | None = None
+    best: Place | None = None
     confidence: float = 0.0
-    alternatives: Tuple[Place, ...] = ()
-    error_95_m: Optional[float] = None
-    covariance: Optional[PoseCovariance] = None
-    matches: Optional[Matches] = field(default=None, compare=False)
+    alternatives: tuple[Place, ...] = ()
+    error_95_m: float | None = None
+    covariance: PoseCovariance | None = None
+    matches: Matches | None = field(default=None, compare=False)
     search_capped: bool = False
-    mirror_log_odds: Optional[float] = None
-    runner_up_log_odds: Optional[float] = None
-    peaks: Optional[CorrelationPeaks] = None
-    distance: Optional[float] = None
-    window: Optional[str] = None
-    window_index: Optional[int] = None
-    footprint: Optional[np.ndarray] = field(default=None, compare=False)
-    nadir: Optional[Tuple[float, float]] = None
+    mirror_log_odds: float | None = None
+    runner_up_log_odds: float | None = None
+    peaks: CorrelationPeaks | None = None
+    distance: float | None = None
+    window: str | None = None
+    window_index: int | None = None
+    footprint: np.ndarray | None = field(default=None, compare=False)
+    nadir: tuple[float, float] | None = None
 
     @property
     def is_fix(self) -> bool:
@@ -209,21 +212,21 @@ class Localization:
         return self.status is Status.FIX
 
     @property
-    def place(self) -> Optional[Place]:
+    def place(self) -> Place | None:
         """Where the image lies; None without a fix."""
         return self.best if self.is_fix else None
 
     @property
-    def position(self) -> Optional[Tuple[float, float]]:
+    def position(self) -> tuple[float, float] | None:
         """Map (x, y) of the image's center; None without a fix."""
-        return self.place and self.place.position
+        return None if self.place is None else self.place.position
 
     @property
-    def heading_deg(self) -> Optional[float]:
+    def heading_deg(self) -> float | None:
         """Of the image's top, clockwise from grid north; None without a fix, and of topology vectors."""
-        return self.place and self.place.heading_deg
+        return None if self.place is None else self.place.heading_deg
 
     @property
-    def pixel_size_m(self) -> Optional[float]:
+    def pixel_size_m(self) -> float | None:
         """Ground sampling distance; None without a fix, and of topology vectors."""
-        return self.place and self.place.pixel_size_m
+        return None if self.place is None else self.place.pixel_size_m

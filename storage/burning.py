@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Iterator, List, Sequence, Tuple
 
 import numpy as np
 from osgeo import gdal, ogr, osr
@@ -22,12 +22,19 @@ STRIP_PIXELS = 16_000_000
 
 @dataclass(frozen=True)
 class BurnPolygon:
-    """One polygon to burn: WKB in the target CRS, class value, priority (higher on top), bounds."""
+    """One polygon to burn.
+
+    Attributes:
+        wkb: Its outline in the target CRS.
+        value: Of its class.
+        priority: Higher ones lie on top.
+        bounds: (x_min, y_min, x_max, y_max).
+    """
 
     wkb: bytes
     value: int
     priority: float
-    bounds: Tuple[float, float, float, float]
+    bounds: tuple[float, float, float, float]
 
 
 class LabelMapBurning:
@@ -38,7 +45,7 @@ class LabelMapBurning:
         path: str,
         frame: MapFrame,
         table: ClassTable,
-        polygons: List[BurnPolygon],
+        polygons: list[BurnPolygon],
     ) -> None:
         self._path = path
         self._frame = frame
@@ -46,7 +53,7 @@ class LabelMapBurning:
         self._layer = BurnLayer(polygons, frame.crs)
         self.counts = np.zeros(256, np.int64)
 
-    def steps(self) -> Iterator[Tuple[str, float]]:
+    def steps(self) -> Iterator[tuple[str, float]]:
         """Yields (what is being done, share of the map written 0…1)."""
         height, width = self._frame.shape_hw
         rows = max(TILE_ROWS, STRIP_PIXELS // width // TILE_ROWS * TILE_ROWS)
@@ -54,7 +61,7 @@ class LabelMapBurning:
         # One thread compresses a strip while this one burns the next.
         with file as label_map, ThreadPoolExecutor(1) as writer:
             yield "Burning polygons", 0.0
-            writing = None
+            writing: Future[None] | None = None
             for first in range(0, height, rows):
                 strip = self._frame.part(0, first, (min(rows, height - first), width))
                 labels = self._layer.burnt(strip, gdal.GDT_Byte)
@@ -63,13 +70,14 @@ class LabelMapBurning:
                     writing.result()
                 writing = writer.submit(label_map.write_rows, first, labels)
                 yield "Burning polygons", (first + len(labels)) / height
-            writing.result()
+            if writing is not None:
+                writing.result()
 
 
 class BurnLayer:
     """Polygons in memory, bottom first, to be burnt strip by strip with GDAL."""
 
-    def __init__(self, polygons: List[BurnPolygon], crs_wkt: str) -> None:
+    def __init__(self, polygons: list[BurnPolygon], crs_wkt: str) -> None:
         driver = gdal.GetDriverByName("Memory") or gdal.GetDriverByName("MEM")
         self._dataset = driver.Create("", 0, 0, 0, gdal.GDT_Unknown)
         self._layer = self._dataset.CreateLayer("polygons", osr.SpatialReference(crs_wkt), ogr.wkbPolygon)
@@ -82,7 +90,12 @@ class BurnLayer:
             self._layer.CreateFeature(feature)
 
     def burnt(self, frame: MapFrame, kind: int) -> np.ndarray:
-        """(H, W) values burnt into the pixels of ``frame``, 0 where no polygon lies; ``kind``: GDAL's data type."""
+        """(H, W) values burnt into pixels, 0 where no polygon lies.
+
+        Args:
+            frame: Where the pixels lie.
+            kind: GDAL's data type of the values.
+        """
         height, width = frame.shape_hw
         strip = gdal.GetDriverByName("MEM").Create("", width, height, 1, kind)
         strip.SetGeoTransform(frame.geotransform)
@@ -102,13 +115,14 @@ class RegionBurning:
         polygons = [BurnPolygon(region.wkb, n, 0.0, region.bounds) for n, region in enumerate(regions, start=1)]
         self._layer = BurnLayer(polygons, frame.crs)
         self._frame = frame
-        self._strips: List[RegionRuns] = []
+        self._strips: list[RegionRuns] = []
 
     @property
     def runs(self) -> RegionRuns:
+        """Of all regions burned so far."""
         return join_runs(self._strips)
 
-    def steps(self) -> Iterator[Tuple[str, float]]:
+    def steps(self) -> Iterator[tuple[str, float]]:
         """Yields (what is being done, share done 0…1)."""
         height, width = self._frame.shape_hw
         rows = max(TILE_ROWS, STRIP_PIXELS // 4 // width)

@@ -8,7 +8,6 @@ import re
 from dataclasses import dataclass
 from datetime import datetime, timezone
 from math import isfinite
-from typing import Dict, List, Optional, Tuple
 
 from ..core.errors import LabelMapError, ParameterError
 from ..core.geometry.leveling import (
@@ -37,18 +36,24 @@ _SAME_SHAPE = 0.02
 
 @dataclass(frozen=True)
 class Lens:
-    """How wide a camera sees: ``kind``, one of LENSES (pixels of the label image, mm on 35 mm film, ° across the
-    width), and its value; ``ratio``: width to height of the photo that told it, if one did."""
+    """How wide a camera sees.
+
+    Attributes:
+        kind: One of LENSES.
+        value: Pixels of the label image, mm on 35 mm film, or degrees across the width.
+        ratio: Width to height of the photo that told it; None where none did.
+    """
 
     kind: str
     value: float
-    ratio: Optional[float] = None
+    ratio: float | None = None
 
-    def fits(self, shape_hw: Tuple[int, int]) -> bool:
+    def fits(self, shape_hw: tuple[int, int]) -> bool:
         """Whether an image of this shape can show all that the photo shows."""
         return self.ratio is None or abs(shape_hw[1] / shape_hw[0] / self.ratio - 1) <= _SAME_SHAPE
 
-    def focal_length_px(self, shape_hw: Tuple[int, int]) -> float:
+    def focal_length_px(self, shape_hw: tuple[int, int]) -> float:
+        """Focal length in pixels of an image of ``shape_hw`` (height, width)."""
         if self.kind == "focal_length_35mm":
             return focal_length_from_35mm(self.value, shape_hw)
         return focal_length_from_view(self.value, shape_hw) if self.kind == "field_of_view" else self.value
@@ -56,20 +61,31 @@ class Lens:
 
 @dataclass(frozen=True)
 class Camera:
-    """What is known of an image's camera; ``source``: name of the file that tells the attitude; ``time_s``: seconds on
-    the clock that all cameras of one call of ``read_cameras`` share; ``problem``: a sentence about what can't be used.
+    """What is known of an image's camera.
+
+    Attributes:
+        attitude: How it was held.
+        lens: How wide it sees.
+        source: Name of the file that tells the attitude.
+        time_s: Seconds on the clock that all cameras of one call of ``read_cameras`` share.
+        problem: What can't be used.
     """
 
-    attitude: Optional[Attitude] = None
-    lens: Optional[Lens] = None
+    attitude: Attitude | None = None
+    lens: Lens | None = None
     source: str = ""
-    time_s: Optional[float] = None
-    problem: Optional[Sentence] = None
+    time_s: float | None = None
+    problem: Sentence | None = None
 
-    def leveling(self, shape_hw: Tuple[int, int]) -> Optional[Leveling]:
-        """How to level an image of this shape (H, W ≥ 1); None when it is level or not enough is known.
+    def leveling(self, shape_hw: tuple[int, int]) -> Leveling | None:
+        """How to level an image; None when it is level or not enough is known.
 
-        Raises ParameterError and LabelMapError for a view that can't be leveled.
+        Args:
+            shape_hw: (height, width) of the image, 1 or more each.
+
+        Raises:
+            ParameterError: What the files say can't be used, or the view comes too near the horizon.
+            LabelMapError: The leveled image would be too large.
         """
         if self.problem:
             raise ParameterError(self.problem)
@@ -80,11 +96,18 @@ class Camera:
         return leveling(self.attitude, self.lens.focal_length_px(shape_hw), shape_hw)
 
 
-def read_cameras(paths: List[str], table_path: str) -> List[Camera]:
-    """The camera of each image, from the CSV where it says something, else from EXIF and XMP of the image or of the
-    photo of its name beside it. Times are all of the CSV when it has any, else of the photos: clocks differ.
+def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
+    """The camera of each image.
 
-    ``table_path`` may be empty. Raises ParameterError for a CSV that can't be used, or that names none of the images.
+    From the CSV where it says something, else from EXIF and XMP of the image or of the photo of its name beside it.
+    Times are all of the CSV when it has any, else of the photos: clocks differ.
+
+    Args:
+        paths: The images.
+        table_path: The CSV; empty for none.
+
+    Raises:
+        ParameterError: The CSV can't be used, or names none of the images.
     """
     rows = _read_table(table_path) if table_path else {}
     if table_path and not any(_stem(path) in rows for path in paths):
@@ -107,7 +130,7 @@ def _stem(path: str) -> str:
 # --- CSV ---
 
 
-def _read_table(path: str) -> Dict[str, Camera]:
+def _read_table(path: str) -> dict[str, Camera]:
     """Rows of the CSV by the stem of their image's name; raises ParameterError naming the line."""
     try:
         with open(path, encoding="utf-8-sig") as file:
@@ -122,7 +145,7 @@ def _read_table(path: str) -> Dict[str, Camera]:
     if "image" not in header or not set(header) & set(COLUMNS[1:]):
         raise ParameterError("storage.no_camera_table", path=path, first=first, columns=COLUMNS[1:])
     reader.fieldnames = header
-    found: Dict[str, Camera] = {}
+    found: dict[str, Camera] = {}
     dated = set()
     for number, row in enumerate(reader, start=2):
         place = Sentence("labels.line", source=path, line=number)
@@ -139,7 +162,7 @@ def _read_table(path: str) -> Dict[str, Camera]:
     return found
 
 
-def _row_camera(texts: Dict[str, str], place: Sentence, source: str) -> Camera:
+def _row_camera(texts: dict[str, str], place: Sentence, source: str) -> Camera:
     if bool(texts["roll"]) != bool(texts["pitch"]):
         raise ParameterError("storage.roll_without_pitch", place=place)
     kinds = [kind for kind in LENSES if texts[kind]]
@@ -157,7 +180,7 @@ def _row_camera(texts: Dict[str, str], place: Sentence, source: str) -> Camera:
     return Camera(attitude, lens, source, _seconds(texts["time"], place) if texts["time"] else None)
 
 
-def _number(texts: Dict[str, str], name: str, place: Sentence) -> float:
+def _number(texts: dict[str, str], name: str, place: Sentence) -> float:
     try:
         return float(texts[name])
     except ValueError:
@@ -219,7 +242,7 @@ def _tagged_camera(path: str) -> Camera:
     return Camera(attitude, lens, source, _tagged_time(exif), problem)
 
 
-def _tagged_attitude(xmp: str) -> Optional[Attitude]:
+def _tagged_attitude(xmp: str) -> Attitude | None:
     """By DJI's gimbal angles, else by Pix4D's, whose roll is positive with the right side down: the axis leans left."""
     roll, pitch = _xmp_number(xmp, "GimbalRollDegree"), _xmp_number(xmp, "GimbalPitchDegree")
     if roll is not None and pitch is not None:
@@ -228,7 +251,7 @@ def _tagged_attitude(xmp: str) -> Optional[Attitude]:
     return Attitude(-roll, pitch) if roll is not None and pitch is not None else None
 
 
-def _xmp_number(xmp: str, name: str) -> Optional[float]:
+def _xmp_number(xmp: str, name: str) -> float | None:
     """Of a property written as attribute or as element."""
     found = re.search(rf"\b{name}\s*(?:=\s*[\"']|>)\s*([-+]?\d+(?:\.\d*)?)", xmp)
     return float(found.group(1)) if found else None
@@ -239,7 +262,7 @@ def _plain_number(text: str) -> float:
     return float(text) if re.fullmatch(r"\d+(\.\d*)?", text) else 0.0
 
 
-def _tagged_time(exif: Dict[str, str]) -> Optional[float]:
+def _tagged_time(exif: dict[str, str]) -> float | None:
     """Seconds of the moment of exposure on the camera's own clock."""
     found = re.fullmatch(r"(\d{4}):(\d\d):(\d\d) (\d\d):(\d\d):(\d\d)", exif.get("EXIF_DateTimeOriginal", ""))
     if not found:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import tempfile
-from typing import Callable, Iterator, List, Tuple
+from collections.abc import Iterator
+from typing import Callable
 
 import numpy as np
 from osgeo import gdal, ogr
@@ -22,12 +23,24 @@ _PIXELS_AT_ONCE = 8_000_000
 class LabelMapPair:
     """An annotated and a predicted label map, read on the grid of the annotated one where both have ground.
 
-    ``geotransform``: of what they share. A pixel takes the predicted label at its center. Raises LabelMapError when
-    the maps don't lie on each other.
+    A pixel takes the predicted label at its center.
+
+    Attributes:
+        reference: The annotated map.
+        predicted: The other one.
+        geotransform: GDAL's six numbers of what they share.
     """
 
     def __init__(self, reference: str, predicted: str) -> None:
-        """Opens the two files, whose CRS must be the same."""
+        """Opens the two files, whose CRS must be the same.
+
+        Args:
+            reference: The annotated label map.
+            predicted: The predicted one.
+
+        Raises:
+            LabelMapError: The maps don't lie on each other.
+        """
         self.reference, self.predicted = GdalLabels(reference), GdalLabels(predicted)
         grids = [labels.dataset.GetGeoTransform(can_return_null=True) for labels in (self.reference, self.predicted)]
         (height, width), (other_height, other_width) = self.reference.shape_hw, self.predicted.shape_hw
@@ -54,10 +67,11 @@ class LabelMapPair:
         self.geotransform = (x, dx, x_turn, y0 + self._first_column * y_turn + self._first_row * dy, y_turn, dy)
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
+        """(height, width) in pixels of what the maps share."""
         return len(self._rows), len(self._columns)
 
-    def blocks(self) -> Iterator[Tuple[int, np.ndarray, np.ndarray]]:
+    def blocks(self) -> Iterator[tuple[int, np.ndarray, np.ndarray]]:
         """(first row, annotated labels, predicted labels) from top to bottom, (rows, W) uint8 each."""
         height, width = self.shape_hw
         at_once = max(1, _PIXELS_AT_ONCE // width)
@@ -76,7 +90,7 @@ def _pixels_at(origin: float, step: float, count: int, other_origin: float, othe
     return np.floor((centers - other_origin) / other_step + 1e-6).astype(np.int64)
 
 
-def _inside(pixels: np.ndarray, size: int) -> Tuple[int, np.ndarray]:
+def _inside(pixels: np.ndarray, size: int) -> tuple[int, np.ndarray]:
     """(first place, the places) that lie on a map of ``size`` pixels."""
     found = np.flatnonzero((pixels >= 0) & (pixels < size))
     return (int(found[0]), pixels[found]) if len(found) else (0, pixels[:0])
@@ -100,10 +114,10 @@ class DisagreementMap:
         self._raster.SetGeoTransform(pair.geotransform)
         self._database = self._layer = None
 
-    def __enter__(self) -> "DisagreementMap":
+    def __enter__(self) -> DisagreementMap:
         return self
 
-    def __exit__(self, kind, error, traceback) -> None:
+    def __exit__(self, *error: object) -> None:
         # The last references close the files, which must happen before their folder is removed.
         self._raster = self._layer = self._database = None
         self._folder.cleanup()
@@ -113,16 +127,23 @@ class DisagreementMap:
         self._raster.GetRasterBand(1).WriteArray(codes_hw, 0, first_row)
 
     def outline(self, proceed: Callable[[float], bool]) -> None:
-        """Makes the polygons; ``proceed`` is told the share done (0…1) and says whether to go on."""
+        """Makes the polygons.
+
+        Args:
+            proceed: Is told the share done (0…1) and says whether to go on.
+
+        Raises:
+            LabelMapError: GDAL could not make them.
+        """
         self._raster.FlushCache()
         self._database = ogr.GetDriverByName("GPKG").CreateDataSource(self._polygons)
         self._layer = self._database.CreateLayer("polygons", geom_type=ogr.wkbPolygon, options=["SPATIAL_INDEX=NO"])
         self._layer.CreateField(ogr.FieldDefn("code", ogr.OFTInteger))
         self._database.StartTransaction()
         band = self._raster.GetRasterBand(1)
-        stopped: List[bool] = []
+        stopped: list[bool] = []
 
-        def report(share, message, data):
+        def report(share: float, message: str, data: object) -> int:
             stopped.extend([] if proceed(share) else [True])
             return int(not stopped)
 
@@ -132,7 +153,7 @@ class DisagreementMap:
             raise LabelMapError("storage.no_polygons", reason=failures[0])
         self._database.CommitTransaction()
 
-    def ranked(self, minimum_area: float) -> List[Tuple[int, float]]:
+    def ranked(self, minimum_area: float) -> list[tuple[int, float]]:
         """(number of the polygon, area in square map units), the largest first, of equal ones the first."""
         found = []
         for feature in self._layer:
@@ -141,7 +162,7 @@ class DisagreementMap:
                 found.append((feature.GetFID(), area))
         return sorted(found, key=lambda item: (-item[1], item[0]))
 
-    def polygon(self, number: int) -> Tuple[int, bytes]:
+    def polygon(self, number: int) -> tuple[int, bytes]:
         """(code, outline as WKB) of a polygon."""
         feature = self._layer.GetFeature(number)
         return feature.GetField("code"), bytes(feature.GetGeometryRef().ExportToWkb())

@@ -16,9 +16,18 @@ edges, they leave 1 pixel of 4,000 × 3,000 at most for a camera tilted by 30°,
 homographies only from 3.11."""
 
 
-def write_draped(image: str, target: str, crs_wkt: str, corners_xy) -> None:
-    """Writes a VRT of ``image`` at ``target``, transparent outside the image; ``corners_xy``: (4, 2) map coordinates
-    of its upper left, upper right, lower right and lower left corner. Raises LabelMapError."""
+def write_draped(image: str, target: str, crs_wkt: str, corners_xy: np.ndarray) -> None:
+    """Writes a VRT of an image on the ground, transparent outside the image.
+
+    Args:
+        image: The file.
+        target: The VRT; another one is written beside it.
+        crs_wkt: WKT of the map's CRS.
+        corners_xy: (4, 2) map coordinates of the image's upper left, upper right, lower right and lower left corner.
+
+    Raises:
+        LabelMapError: The image can't be read, or the VRT not written.
+    """
     source = open_raster(image)
     footprint = np.asarray(corners_xy, np.float64)
     placed_path = f"{target}.placed.vrt"

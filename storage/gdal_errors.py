@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import contextlib
 import re
-from typing import Iterator, List, Union
+from collections.abc import Iterator
 
 from osgeo import gdal
 
 from ..core.sentences import Sentence
 
 
-def gdal_failure(error: object = None) -> Union[str, Sentence]:
+def gdal_failure(error: object = None) -> str | Sentence:
     """What GDAL said last, whether it raised or not, as a value of a sentence."""
     text = (str(error) if error else "") or gdal.GetLastErrorMsg()
     if not text:
@@ -21,12 +21,12 @@ def gdal_failure(error: object = None) -> Union[str, Sentence]:
 
 
 @contextlib.contextmanager
-def gdal_failures() -> Iterator[List[str]]:
+def gdal_failures() -> Iterator[list[str]]:
     """Collects what GDAL fails at in the block and this thread, whether GDAL raises or not.
 
     Its last error alone would not do: warnings and later calls replace it.
     """
-    failures: List[str] = []
+    failures: list[str] = []
 
     def remember(kind: int, number: int, text: str) -> None:
         if kind >= gdal.CE_Failure:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Callable, List, Optional, Tuple
+from typing import Callable, TypeVar
 
 import numpy as np
 from osgeo import gdal
@@ -20,12 +20,21 @@ STRETCHED = 2, 98
 _SAMPLES, _SAMPLE_EDGE = 8, 128
 """Percentiles are taken from this many squares of this edge along each axis, spread over the image."""
 
+Window = tuple[int, int, int, int]
+"""(first column, first row, width, height) in pixels."""
+
+_Read = TypeVar("_Read")
+
 
 class GdalImage:
-    """An ImageSource on disk. Raises ImageError for what can't be read.
+    """An ImageSource on disk.
 
-    ``bands``: numbers of the bands taken as red, green and blue. ``stretch``: (3, 2) lowest and highest value of
-    each, None for 8 bits.
+    Attributes:
+        bands: Numbers of the bands taken as red, green and blue, counted from 1.
+        stretch: (3, 2) lowest and highest value of each, which become 0 and 255; None for 8 bits.
+
+    Raises:
+        ImageError: The file can't be read.
     """
 
     def __init__(self, path: str) -> None:
@@ -43,14 +52,17 @@ class GdalImage:
         self._row = 0
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
+        """(height, width) in pixels."""
         return self._view.RasterYSize, self._view.RasterXSize
 
     @property
-    def geotransform(self) -> Optional[tuple]:
+    def geotransform(self) -> tuple[float, ...] | None:
+        """GDAL's six numbers; None without a georeference."""
         return self._view.GetGeoTransform(can_return_null=True)
 
-    def read(self, column: int, row: int, width: int, height: int) -> Tuple[np.ndarray, Optional[np.ndarray]]:
+    def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
+        """Pixels (height, width, 3) uint8, and where there is data (height, width) bool, as ImageSource says."""
         if row != self._row:
             # Tiles come row by row: what lies above would only fill GDAL's cache.
             self._view.FlushCache()
@@ -63,7 +75,7 @@ class GdalImage:
             pixels[~has_data] = 0
         return pixels, has_data
 
-    def _has_data(self, window) -> Optional[np.ndarray]:
+    def _has_data(self, window: Window) -> np.ndarray | None:
         """(height, width) bool: a pixel has data unless all its bands have none; None where all pixels have."""
         found = None
         for number in sorted(set(self.bands)):
@@ -76,7 +88,7 @@ class GdalImage:
                 break
         return None if found.all() else found
 
-    def _bytes(self, window) -> np.ndarray:
+    def _bytes(self, window: Window) -> np.ndarray:
         """(height, width, 3) uint8 as they lie in the file, all bands in one go."""
         column, row, width, height = window
         pixels = np.empty((height, width, 3), np.uint8)
@@ -96,17 +108,21 @@ class GdalImage:
         )
         return pixels
 
-    def _stretched(self, window) -> np.ndarray:
+    def _stretched(self, window: Window) -> np.ndarray:
         """(height, width, 3) uint8, the values between the limits of ``stretch``."""
         read = {number: self._values(self._view.GetRasterBand(number), window) for number in set(self.bands)}
         limited = zip(self.bands, self.stretch)
         return np.stack([_stretched(read[number], *limits) for number, limits in limited], axis=2)
 
-    def _values(self, band: gdal.Band, window) -> np.ndarray:
+    def _values(self, band: gdal.Band, window: Window) -> np.ndarray:
         return self._read(band.ReadAsArray, *window)
 
-    def _read(self, read: Callable, *arguments, **keywords):
-        """What GDAL reads. It may raise or give None, as the user set it. Raises ImageError."""
+    def _read(self, read: Callable[..., _Read], *arguments: object, **keywords: object) -> _Read:
+        """What GDAL reads; it may raise or give None, as the user set it.
+
+        Raises:
+            ImageError: The file is damaged.
+        """
         try:
             found = read(*arguments, **keywords)
         except RuntimeError as error:
@@ -134,7 +150,7 @@ class GdalImage:
         return np.array(limits)
 
 
-def _spread(length: int) -> List[int]:
+def _spread(length: int) -> list[int]:
     last = max(0, length - _SAMPLE_EDGE)
     return sorted({int(first) for first in np.linspace(0, last, _SAMPLES)})
 
@@ -144,7 +160,7 @@ def _stretched(values: np.ndarray, least: float, most: float) -> np.ndarray:
     return np.clip(scaled + 0.5, 0, 255).astype(np.uint8)
 
 
-def color_bands(dataset: gdal.Dataset) -> Tuple[int, int, int]:
+def color_bands(dataset: gdal.Dataset) -> tuple[int, int, int]:
     """Numbers of the red, green and blue band; one grey band stands for all three.
 
     By color interpretation, else by the wavelengths that the bands state, else the first three.
@@ -163,7 +179,7 @@ def color_bands(dataset: gdal.Dataset) -> Tuple[int, int, int]:
     return (1, 2, 3) if len(bands) >= 3 else (1, 1, 1)
 
 
-def _wavelength_um(band: gdal.Band) -> Optional[float]:
+def _wavelength_um(band: gdal.Band) -> float | None:
     """Micrometers, as ENVI's headers or (from GDAL 3.10 on) the domain IMAGERY tell them; None for none."""
     text = band.GetMetadataItem("wavelength") or band.GetMetadataItem("CENTRAL_WAVELENGTH_UM", "IMAGERY") or ""
     try:

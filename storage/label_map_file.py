@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Iterable, Iterator, Optional, Tuple
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from osgeo import gdal
@@ -26,15 +26,28 @@ class LabelMapFile:
     A context manager: leaving it closes the file, and raises LabelMapError when GDAL could not write (disk full).
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - what a GeoTIFF is made of; not every one has a MapFrame
         self,
         path: str,
         width: int,
         height: int,
-        geotransform: Optional[tuple],
+        geotransform: tuple | None,
         crs_wkt: str,
         table: ClassTable,
     ) -> None:
+        """Creates the file.
+
+        Args:
+            path: Of the new file.
+            width: Pixels.
+            height: Pixels.
+            geotransform: GDAL's six numbers; None without a georeference.
+            crs_wkt: WKT of the CRS; empty for none.
+            table: Written into the file.
+
+        Raises:
+            LabelMapError: GDAL can't write there.
+        """
         self._path = path
         options = list(LABEL_MAP_OPTIONS)
         try:
@@ -50,10 +63,10 @@ class LabelMapFile:
         self._dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
         set_class_colors(self._dataset.GetRasterBand(1), table)
 
-    def __enter__(self) -> "LabelMapFile":
+    def __enter__(self) -> LabelMapFile:
         return self
 
-    def __exit__(self, kind, error, traceback) -> None:
+    def __exit__(self, kind: object, error: object, traceback: object) -> None:
         # The last reference closes the file, which may still write: before its folder is removed, and heeding errors.
         dataset, self._dataset = self._dataset, None
         with gdal_failures() as failures:
@@ -73,7 +86,7 @@ class LabelMapFile:
         return LabelMapError("storage.unwritable", path=self._path, reason=gdal_failure(error))
 
 
-def whole_tile_rows(pieces: Iterable[Tuple[int, np.ndarray]]) -> Iterator[Tuple[int, np.ndarray]]:
+def whole_tile_rows(pieces: Iterable[tuple[int, np.ndarray]]) -> Iterator[tuple[int, np.ndarray]]:
     """(first row, (rows, W) labels) in pieces that end with a row of the GeoTIFF's tiles, all but the last."""
     held = []
     first = 0

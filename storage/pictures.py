@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import List
 
 import numpy as np
 from osgeo import gdal
@@ -29,7 +28,7 @@ def write_jpeg(path: Path, bands: np.ndarray) -> None:
     _write(path, bands, gdal.GDT_Byte, "JPEG", [f"QUALITY={JPEG_QUALITY}"])
 
 
-def _write(path: Path, bands: np.ndarray, kind: int, driver: str, options: List[str]) -> None:
+def _write(path: Path, bands: np.ndarray, kind: int, driver: str, options: list[str]) -> None:
     memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), kind)
     for number, band in enumerate(bands, start=1):
         memory.GetRasterBand(number).WriteArray(band)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 import math
 import os
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, List, Optional, Sequence, Tuple
+from typing import Any
 
 import numpy as np
 from osgeo import gdal, ogr
@@ -24,13 +25,17 @@ _POSITION_COMMANDS = (16, 17, 18, 19, 21, 22, 31, 82, 84, 85)
 """MAVLink commands that fly to a place: waypoint, loiter (4), land, take-off, spline, VTOL take-off and landing."""
 
 
-def is_waypoint_file(value: Any) -> bool:
+def is_waypoint_file(value: object) -> bool:
     """Whether a parameter's value is the path of a waypoint file."""
     return isinstance(value, str) and Path(value).suffix.lower() in WAYPOINT_FILES
 
 
-def read_waypoint_file(path: str) -> List[np.ndarray]:
-    """Lines, each (n, 2) longitude, latitude. Raises ParameterError for a file that can't be read."""
+def read_waypoint_file(path: str) -> list[np.ndarray]:
+    """Lines, each (n, 2) longitude, latitude.
+
+    Raises:
+        ParameterError: The file can't be read.
+    """
     if not os.path.isfile(path):
         raise ParameterError("storage.no_route_file", path=path)
     if os.path.getsize(path) > LARGEST_FILE_BYTES:
@@ -46,7 +51,12 @@ def read_waypoint_file(path: str) -> List[np.ndarray]:
 def plan_positions(text: str, path: str) -> np.ndarray:
     """(n, 2) longitude, latitude of a QGroundControl plan: its mission's items, surveys by their transects.
 
-    Raises ParameterError for a file that is none.
+    Args:
+        text: Of the file.
+        path: Of the file, for messages.
+
+    Raises:
+        ParameterError: The file is no such plan.
     """
     try:
         plan = json.loads(text)
@@ -55,7 +65,7 @@ def plan_positions(text: str, path: str) -> np.ndarray:
     mission = plan.get("mission") if isinstance(plan, dict) else None
     if not isinstance(mission, dict) or not isinstance(mission.get("items"), list):
         raise ParameterError("storage.plan_without_mission", path=path)
-    found: List[Tuple[float, float]] = []
+    found: list[tuple[float, float]] = []
     for item in mission["items"]:
         if isinstance(item, dict):
             found += _item_positions(item)
@@ -65,7 +75,12 @@ def plan_positions(text: str, path: str) -> np.ndarray:
 def waypoint_positions(text: str, path: str) -> np.ndarray:
     """(n, 2) longitude, latitude of a waypoint list as MAVLink tools write it (“QGC WPL 110”).
 
-    Raises ParameterError for a file that is none.
+    Args:
+        text: Of the file.
+        path: Of the file, for messages.
+
+    Raises:
+        ParameterError: The file is no such list.
     """
     lines = text.splitlines()
     if not lines or not lines[0].startswith("QGC WPL"):
@@ -84,7 +99,7 @@ def waypoint_positions(text: str, path: str) -> np.ndarray:
     return _lon_lat(found, path)
 
 
-def _item_positions(item: dict) -> List[Tuple[Any, Any]]:
+def _item_positions(item: dict) -> list[tuple[Any, Any]]:
     """(latitude, longitude) of what a mission's item flies through."""
     if item.get("type") == "SimpleItem":
         place = item.get("params")
@@ -99,14 +114,14 @@ def _item_positions(item: dict) -> List[Tuple[Any, Any]]:
     return [pair for key in keys for pair in _pairs([item.get(key)])]
 
 
-def _pairs(places: Any) -> List[Tuple[Any, Any]]:
+def _pairs(places: object) -> list[tuple[Any, Any]]:
     """Those of the places that have a latitude and a longitude."""
     if not isinstance(places, list):
         return []
     return [(place[0], place[1]) for place in places if isinstance(place, list) and len(place) >= 2]
 
 
-def _lon_lat(positions: Sequence[Tuple[Any, Any]], path: str) -> np.ndarray:
+def _lon_lat(positions: Sequence[tuple[Any, Any]], path: str) -> np.ndarray:
     for latitude, longitude in positions:
         numbers = all(isinstance(value, (int, float)) and math.isfinite(value) for value in (latitude, longitude))
         if not numbers or abs(latitude) > 90 or abs(longitude) > 180:
@@ -121,7 +136,7 @@ def _text(path: str) -> str:
         raise ParameterError("storage.route_not_text", path=path) from None
 
 
-def _lines_of_ogr(path: str) -> List[np.ndarray]:
+def _lines_of_ogr(path: str) -> list[np.ndarray]:
     """Lines of a GPX or KML file: routes before tracks; without any the waypoints in their order."""
     dataset = None
     with gdal_failures() as failures:
@@ -143,7 +158,7 @@ def _lines_of_ogr(path: str) -> List[np.ndarray]:
     return _geometries(dataset, names)
 
 
-def _geometries(dataset: gdal.Dataset, names: Sequence[str]) -> List[np.ndarray]:
+def _geometries(dataset: gdal.Dataset, names: Sequence[str]) -> list[np.ndarray]:
     lines, points = [], []
     for name in names:
         for feature in dataset.GetLayerByName(name):
@@ -156,7 +171,7 @@ def _geometries(dataset: gdal.Dataset, names: Sequence[str]) -> List[np.ndarray]
     return lines or ([np.array(points)] if len(points) > 1 else [])
 
 
-def _parts(geometry: Optional[ogr.Geometry]) -> List[ogr.Geometry]:
+def _parts(geometry: ogr.Geometry | None) -> list[ogr.Geometry]:
     """The single geometries of a geometry."""
     if geometry is None or geometry.IsEmpty():
         return []

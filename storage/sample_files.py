@@ -5,8 +5,8 @@ from __future__ import annotations
 import csv
 import json
 import math
+from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Iterator, List, Tuple
 
 import numpy as np
 from osgeo import gdal, ogr, osr
@@ -15,7 +15,7 @@ from ..core.errors import SemRefError
 from ..core.geometry.well_known_binary import to_wkb
 from ..core.sample import photo, pictures
 from ..core.sample.classes import CLASSES
-from ..core.sample.landscape import Landscape
+from ..core.sample.landscape import Feature, Landscape
 from .gdal_errors import gdal_failure, gdal_failures
 from .pictures import JPEG_QUALITY, write_jpeg
 
@@ -43,7 +43,7 @@ def render_photo(landscape: Landscape, pixel_size: float) -> np.ndarray:
 
 def sample_steps(
     folder: Path, landscape: Landscape, photo_hw3: np.ndarray, pixel_size: float
-) -> Iterator[Tuple[str, float]]:
+) -> Iterator[tuple[str, float]]:
     """Writes all files of the sample into an existing folder; yields (what is being done, share done)."""
     yield "Writing the annotation", 0.0
     write_shapefile(landscape, folder)
@@ -61,8 +61,17 @@ def sample_steps(
     (folder / MARKER).write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
 
 
-def fill_layer(dataset, landscape: Landscape, features) -> ogr.Layer:
-    """Create the annotation layer in an OGR dataset and write features to it in their order."""
+def fill_layer(dataset: gdal.Dataset, landscape: Landscape, features: Iterable[Feature]) -> ogr.Layer:
+    """Creates the annotation layer in a dataset and writes features to it in their order.
+
+    Args:
+        dataset: GDAL's, or an ``ogr.DataSource``.
+        landscape: Tells the CRS.
+        features: Of the landscape.
+
+    Raises:
+        SampleError: The layer can't be created.
+    """
     reference = osr.SpatialReference()
     reference.ImportFromEPSG(landscape.epsg)
     layer = dataset.CreateLayer(_LAYER, reference, ogr.wkbPolygon, options=_layer_options(dataset))
@@ -84,7 +93,7 @@ def fill_layer(dataset, landscape: Landscape, features) -> ogr.Layer:
     return layer
 
 
-def _layer_options(dataset) -> List[str]:
+def _layer_options(dataset: gdal.Dataset) -> list[str]:
     if dataset.GetDriver().GetName() != "ESRI Shapefile":
         return []
     return ["ENCODING=UTF-8", f"DBF_DATE_LAST_UPDATE={_DBF_DATE}"]
@@ -107,7 +116,7 @@ def write_shapefile(landscape: Landscape, folder: Path) -> None:
     _check(failures, path)
 
 
-def _check(failures: List[str], path: Path) -> None:
+def _check(failures: list[str], path: Path) -> None:
     if failures:
         raise SampleError("storage.unwritable", path=path, reason=failures[0])
 
@@ -121,11 +130,11 @@ def write_classes(path: Path) -> None:
             rows.writerow([c.value, c.name, c.color, c.role, _spaced(c.hsv_min), _spaced(c.hsv_max)])
 
 
-def _spaced(numbers) -> str:
+def _spaced(numbers: Iterable[int]) -> str:
     return " ".join(str(n) for n in numbers)
 
 
-def grid_of(landscape: Landscape, pixel_size: float) -> Tuple[float, float, int, int]:
+def grid_of(landscape: Landscape, pixel_size: float) -> tuple[float, float, int, int]:
     """West, north, width and height in pixels of the map, on multiples of the pixel size (gdal_rasterize -tap)."""
     x0, y0, x1, y1 = (v / pixel_size for v in landscape.extent)
     west, south, east, north = math.floor(x0 + 1e-6), math.floor(y0 + 1e-6), math.ceil(x1 - 1e-6), math.ceil(y1 - 1e-6)
@@ -145,7 +154,7 @@ def rasterize(landscape: Landscape, pixel_size: float) -> np.ndarray:
     return np.frombuffer(target.ReadRaster(), np.uint8).reshape(height, width)
 
 
-def _memory_dataset():
+def _memory_dataset() -> gdal.Dataset:
     """A place for layers in memory: from GDAL 3.11 the driver MEM holds them too and "Memory" is on its way out."""
     driver = gdal.GetDriverByName("MEM")
     if driver.GetMetadataItem("DCAP_VECTOR") == "YES":
@@ -170,10 +179,10 @@ def write_orthophoto(landscape: Landscape, pixel_size: float, photo_hw3: np.ndar
     _check(failures, path)
 
 
-def write_truth(landscape: Landscape, pixel_size: float, views, path: Path) -> None:
+def write_truth(landscape: Landscape, pixel_size: float, views: Iterable[pictures.Picture], path: Path) -> None:
     """Where every picture was cut: its center in map pixels and map units, heading, and scale.
 
-    `rotation_deg` is the heading of the image's top, clockwise from grid north; `scale` is map pixels per image pixel.
+    ``rotation_deg`` is the heading of the image's top, clockwise from grid north; ``scale`` is map pixels per image pixel.
     """
     west, north, _, _ = grid_of(landscape, pixel_size)
     with path.open("w", newline="", encoding="utf-8") as file:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Dict, Iterator, List, Optional, Tuple
 
 import numpy as np
 from osgeo import gdal
@@ -31,10 +31,19 @@ _COUNTED_AT_ONCE = 4096
 
 
 class ImageBands:
-    """An image's bands, without those that only tell where it is transparent. Raises LabelMapError and ImageError.
+    """An image's bands, without those that only tell where it is transparent.
 
-    ``network_bands``: which of them, counted from 1, a network sees as red, green and blue; ``stretch``: (3, 2) values
-    that it sees as 0 and 255, None for 8 bits.
+    Attributes:
+        path: Of the image.
+        dataset: The open file.
+        bands: Those that are kept.
+        kind: GDAL's data type of them all.
+        network_bands: Which of them, counted from 1, a network sees as red, green and blue.
+        stretch: (3, 2) values that it sees as 0 and 255; None for 8 bits.
+
+    Raises:
+        LabelMapError: The bands can't become tiles.
+        ImageError: The file can't be read.
     """
 
     def __init__(self, path: str) -> None:
@@ -54,11 +63,13 @@ class ImageBands:
         self.stretch = self._seen.stretch
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
+        """(height, width) in pixels."""
         return self.dataset.RasterYSize, self.dataset.RasterXSize
 
     @property
-    def geotransform(self) -> Optional[tuple]:
+    def geotransform(self) -> tuple[float, ...] | None:
+        """GDAL's six numbers; None without a georeference."""
         return self.dataset.GetGeoTransform(can_return_null=True)
 
     @property
@@ -74,16 +85,17 @@ class ImageBands:
             raise LabelMapError("storage.damaged", path=self.path, reason=gdal_failure(failures[0]))
         return np.stack(pieces)
 
-    def read_as_seen(self, column: int, row: int, size: int) -> Tuple[np.ndarray, np.ndarray]:
+    def read_as_seen(self, column: int, row: int, size: int) -> tuple[np.ndarray, np.ndarray]:
         """(size, size, 3) uint8 as a network sees it, and (size, size) bool: where there is data."""
         pixels, has_data = self._seen.read(column, row, size, size)
         return pixels, np.ones((size, size), bool) if has_data is None else has_data
 
 
 class LabelsOnImage:
-    """A label map on an image's grid, nearest neighbor where the grids differ; 0 beyond the label map.
+    """A label map on an image's grid, a LabelSource: nearest neighbor where the grids differ, 0 beyond the label map.
 
-    A LabelSource. Raises LabelMapError when one of the two has no place on the ground and their sizes differ.
+    Raises:
+        LabelMapError: One of the two has no place on the ground and their sizes differ.
     """
 
     def __init__(self, file: RasterFile, image: ImageBands, image_crs_wkt: str) -> None:
@@ -103,6 +115,7 @@ class LabelsOnImage:
             )
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        """(height, width) uint8 labels of a piece of the image."""
         if self._same_grid:
             return self.labels.read(column, row, width, height)
         x0, dx_column, dx_row, y0, dy_column, dy_row = self._image_transform
@@ -121,7 +134,7 @@ class LabelsOnImage:
         return values.astype(np.uint8)
 
 
-def _size(shape_hw: Tuple[int, int]) -> str:
+def _size(shape_hw: tuple[int, int]) -> str:
     return f"{shape_hw[1]} × {shape_hw[0]}"
 
 
@@ -134,15 +147,22 @@ class TileExport:
         self._files = image, labels
         self._tile_size, self._stride, self._fraction = tile_size, stride, fraction
         self._block = block_size(self._image.shape_hw, tile_size)
-        self.counts: Dict[str, int] = dict.fromkeys(SUBSETS, 0)
-        self._tiles: List[dict] = []
+        self.counts: dict[str, int] = dict.fromkeys(SUBSETS, 0)
+        self._tiles: list[dict] = []
         self._class_pixels = {subset: np.zeros(256, np.int64) for subset in SUBSETS}
         self._sums, self._squares, self._pixels = np.zeros(3), np.zeros(3), 0
 
-    def steps(self, folder: Path, table: Optional[ClassTable]) -> Iterator[Tuple[str, float]]:
+    def steps(self, folder: Path, table: ClassTable | None) -> Iterator[tuple[str, float]]:
         """Counts labels, divides the ground, writes tiles, class table and manifest.
 
-        ``table``: its classes; None takes those of the label map. Raises ParameterError and ClassTableError.
+        Args:
+            folder: An empty one.
+            table: The classes; None takes those of the label map.
+
+        Raises:
+            ParameterError: There is nothing to train with, or nothing to validate with.
+            ClassTableError: The label map has a value that no class has.
+            LabelMapError: The maps can't be read, or don't fit each other.
         """
         height, width = self._image.shape_hw
         labeled = np.zeros((-(-height // self._block), -(-width // self._block)), np.int64)

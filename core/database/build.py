@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -27,20 +27,31 @@ from .parameters import BuildParameters
 
 @dataclass(frozen=True)
 class BuildSettings:
-    """What a user chooses. window_size and stride in map units, minimum_area in m², levels: window size multipliers.
+    """What a user chooses.
 
-    Raises WindowError for values that can't be used.
+    Attributes:
+        window_size: Edge of a window of level 1, map units.
+        stride: From window to window, map units.
+        minimum_area: Of a landmark, m².
+        levels: Multipliers of the window size.
+        references_per_vector: Landmarks that a vector holds at most.
+        overview_factor: Pixels of the label map along the edge of one of the overview.
+        threads: Rows of windows that are described at once.
+
+    Raises:
+        WindowError: A value can't be used.
     """
 
     window_size: float
     stride: float
     minimum_area: float
-    levels: Tuple[float, ...] = (1.0,)
+    levels: tuple[float, ...] = (1.0,)
     references_per_vector: int = REFERENCES_PER_VECTOR
     overview_factor: int = OVERVIEW_FACTOR
     threads: int = 1
 
     def __post_init__(self) -> None:
+        """Refuses values that can't be used."""
         if not self.minimum_area > 0:
             raise WindowError("database.minimum_area", minimum_area=self.minimum_area)
         if self.references_per_vector < MINIMUM_REFERENCES:
@@ -58,60 +69,80 @@ class DatabaseBuilder:
     def __init__(
         self, source: LabelSource, frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str
     ) -> None:
-        """Raises WindowError and ClassTableError before any work when the settings don't fit the map."""
+        """Makes the builder; nothing is read yet.
+
+        Args:
+            source: The label map.
+            frame: Where its pixels lie.
+            table: With the reference classes.
+            settings: What the user chooses.
+            plugin_version: What the database says.
+
+        Raises:
+            WindowError: The windows don't fit the map.
+            ClassTableError: No class is a reference class.
+        """
         self._source = source
         self._frame = frame
         self._table = table.require_references()
         self._settings = settings
         self._plugin_version = plugin_version
         self.grids = level_grids(source.shape_hw, frame.pixel_size, settings)
-        self.overview: Optional[np.ndarray] = None
-        self.database: Optional[ReferenceDatabase] = None
+        self.overview: np.ndarray | None = None
+        self.database: ReferenceDatabase | None = None
 
     def read_from(self, source: LabelSource) -> None:
         """Takes the same map's labels from another source from now on: from memory, say."""
         self._source = source
 
-    def steps(self) -> Iterator[Tuple[str, float]]:
-        """Yields (what is being done, share done 0…1). Raises LabelMapError for a map without landmarks."""
-        objects, hashes = None, ()
+    def steps(self) -> Iterator[tuple[str, float]]:
+        """Yields (what is being done, share done 0…1).
+
+        Raises:
+            LabelMapError: The map has no landmark.
+        """
+        objects: Landmarks | None = None
+        hashes: tuple[str, ...] = ()
         for share, result in self._scan():
             yield "Finding landmarks", 0.3 * share
             if result is not None:
                 objects, hashes = result
-        if not len(objects):
+        if objects is None or not len(objects):
             raise LabelMapError(
                 "database.no_landmark_on_map",
                 references=[c.name for c in self._table.references],
                 minimum_area=self._settings.minimum_area,
             )
-        described: List[Tuple[int, WindowGrid, DescribedWindows]] = []
+        described: list[tuple[int, WindowGrid, DescribedWindows]] = []
         total = sum(len(grid) for grid in self.grids)
         done = 0
         for level, grid in enumerate(self.grids, start=1):
-            for windows in self._describe(grid, objects):
-                described.append((level, grid, windows))
-                done += len(windows.counts)
+            for some in self._describe(grid, objects):
+                described.append((level, grid, some))
+                done += len(some.counts)
                 yield "Describing windows", 0.3 + 0.5 * done / total
         windows = self._windows(described)
         references = map_references(objects, self._frame)
         self.database = ReferenceDatabase(windows, references, self._table, self._parameters(hashes), None)
 
-    def compare_windows(self) -> Iterator[Tuple[str, float]]:
+    def compare_windows(self) -> Iterator[tuple[str, float]]:
         """Yields (what is being done, share done); afterwards the windows have their distinctiveness.
 
-        NaN for windows without a vector or without another one to compare with.
+        NaN for windows without a vector or without another one to compare with. Comes after ``steps()``.
         """
-        windows = self.database.windows
+        database = self.database
+        if database is None:
+            return
+        windows = database.windows
         index = np.flatnonzero(windows.described)
         found = np.full(len(windows), np.nan)
         blocks = distinctiveness(windows.vectors[index], windows.centers[index], windows.sizes[index])
         for block, distances in blocks:
             found[index[block]] = np.where(np.isinf(distances), np.nan, distances)
             yield "Comparing windows", block.stop / len(index)
-        self.database = replace(self.database, windows=replace(windows, distinctiveness=found))
+        self.database = replace(database, windows=replace(windows, distinctiveness=found))
 
-    def _scan(self) -> Iterator[Tuple[float, Optional[Tuple[Landmarks, Tuple[str, ...]]]]]:
+    def _scan(self) -> Iterator[tuple[float, tuple[Landmarks, tuple[str, ...]] | None]]:
         """One pass over the map: landmarks, overview and block hashes."""
         factor = self._settings.overview_factor
         catalogue = CatalogueBuilder(
@@ -129,13 +160,14 @@ class DatabaseBuilder:
 
         # One thread hashes and reduces a band while this one looks for objects in the next.
         with ThreadPoolExecutor(1) as pool:
-            reducing = None
+            reducing: Future[None] | None = None
             for n, (first, labels) in enumerate(catalogue.bands(), start=1):
                 if reducing is not None:
                     reducing.result()
                 reducing = pool.submit(reduce, first, labels)
                 yield 0.9 * n / catalogue.band_count, None
-            reducing.result()
+            if reducing is not None:
+                reducing.result()
         self.overview = overview
         for _ in catalogue.crossing():
             yield 0.9, None
@@ -156,7 +188,7 @@ class DatabaseBuilder:
             self._settings.threads,
         )
 
-    def _windows(self, described: Sequence[Tuple[int, WindowGrid, DescribedWindows]]) -> Windows:
+    def _windows(self, described: Sequence[tuple[int, WindowGrid, DescribedWindows]]) -> Windows:
         first_pixels = np.concatenate([np.column_stack([w.columns, w.rows]) for _, _, w in described])
         counts = np.concatenate([w.counts for _, _, w in described])
         repeats = [len(w.counts) for _, _, w in described]
@@ -171,7 +203,7 @@ class DatabaseBuilder:
             described=counts >= MINIMUM_REFERENCES,
         )
 
-    def _parameters(self, block_hashes: Tuple[str, ...]) -> BuildParameters:
+    def _parameters(self, block_hashes: tuple[str, ...]) -> BuildParameters:
         height, width = self._source.shape_hw
         settings, pixel = self._settings, self._frame.pixel_size
         return BuildParameters(
@@ -199,8 +231,12 @@ def map_references(objects: Landmarks, frame: MapFrame) -> MapLandmarks:
     return MapLandmarks(frame.to_map(objects.centers_xy), objects.classes, areas, objects.touches_edge, objects.bounds)
 
 
-def level_grids(shape_hw: Tuple[int, int], pixel_size: float, settings: BuildSettings) -> List[WindowGrid]:
-    """One grid a level; window and stride grow together. Raises WindowError when a level doesn't fit the map."""
+def level_grids(shape_hw: tuple[int, int], pixel_size: float, settings: BuildSettings) -> list[WindowGrid]:
+    """One grid a level; window and stride grow together.
+
+    Raises:
+        WindowError: A level doesn't fit the map.
+    """
     height, width = shape_hw
     return [
         WindowGrid(

@@ -74,12 +74,13 @@ class ChangedLandmarks:
                 new[_key(self._landmarks([row]), 0)] = row
             yield 0.3 + 0.6 * n / len(regions)
         references = self._database.references
-        reached = (references.classes == value) & _meets_any(references.bounds_px, self._places)
+        bounds_px = references.required_bounds
+        reached = (references.classes == value) & _meets_any(bounds_px, self._places)
         crossing = [region for region in regions if not any(_holds(place, region.bounds) for place in self._places)]
         for k in np.flatnonzero(reached).tolist():
             # What is as it was, although it lies in a changed place, stays.
             if new.pop(_key(references, k), None) is None:
-                bounds = tuple(references.bounds_px[k].tolist())
+                bounds = tuple(bounds_px[k].tolist())
                 if not self._stands(bounds, crossing, finder, regions):
                     self._removed.append(k)
             yield 0.9
@@ -104,7 +105,7 @@ class ChangedLandmarks:
 
 def _key(landmarks: MapLandmarks, k: int) -> tuple:
     """What one landmark is known by: bounds, position and area."""
-    return (*landmarks.bounds_px[k].tolist(), *landmarks.positions[k].tolist(), float(landmarks.areas_m2[k]))
+    return (*landmarks.required_bounds[k].tolist(), *landmarks.positions[k].tolist(), float(landmarks.areas_m2[k]))
 
 
 # --- places ---
@@ -116,7 +117,8 @@ def changed_places(before: Sequence[str], now: Sequence[str], shape_hw: tuple[in
     Whole blocks, also where only a corner of one was said to have changed: its new hash stands for all of it.
 
     Args:
-        before, now: Block hashes of the old and the new map, row by row.
+        before: Block hashes of the old map, row by row.
+        now: Those of the new map.
         shape_hw: (height, width) of the maps.
     """
     height, width = shape_hw

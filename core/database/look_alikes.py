@@ -1,4 +1,4 @@
-"""Which windows elsewhere look like a given one: what the planner has to fear."""
+"""Which windows elsewhere look like a given one, so that an image of it may be taken for them."""
 
 from __future__ import annotations
 
@@ -15,8 +15,11 @@ from .model import ReferenceDatabase, Windows
 class DescribedWindow:
     """One window, and the windows elsewhere with the nearest vectors.
 
-    index: of the window; objects: (K,) indices into the database's references of the landmarks of its vector, in the
-    vector's order; look_alikes: (M,) indices of windows, nearest vector first; distances: (M,) theirs.
+    Attributes:
+        index: Of the window.
+        objects: (K,) indices into the database's references of the landmarks of its vector, in the vector's order.
+        look_alikes: (M,) indices of windows, nearest vector first.
+        distances: (M,) distances of the look-alikes' vectors.
     """
 
     index: int

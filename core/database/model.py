@@ -21,15 +21,15 @@ class Windows:
     """The windows of a database, N of them.
 
     Attributes:
-        first_pixels: (N, 2) int64 first column and row on the label map
-        levels: (N,) int64, counted from 1
-        sizes: (N,) float64 edge, map units
-        centers: (N, 2) float64 map coordinates (x, y)
-        counts: (N,) int64 landmarks
-        vectors: (N, 3·X) float32
-        described: (N,) bool, False where there are too few landmarks for a vector
+        first_pixels: (N, 2) int64 first column and row on the label map.
+        levels: (N,) int64, counted from 1.
+        sizes: (N,) float64 edge, map units.
+        centers: (N, 2) float64 map coordinates (x, y).
+        counts: (N,) int64 landmarks.
+        vectors: (N, 3·X) float32.
+        described: (N,) bool, False where there are too few landmarks for a vector.
         distinctiveness: (N,) float64 distance to the nearest vector elsewhere, NaN for none; None where the windows
-            were not compared, or not read whole
+            were not compared, or not read whole.
     """
 
     first_pixels: np.ndarray
@@ -42,6 +42,7 @@ class Windows:
     distinctiveness: np.ndarray | None = None
 
     def __len__(self) -> int:
+        """How many windows there are."""
         return len(self.levels)
 
     def name(self, index: int) -> str:
@@ -76,9 +77,13 @@ def first_pixels_of(centers: np.ndarray, sizes: np.ndarray, frame: MapFrame) -> 
 class MapLandmarks:
     """The landmarks of the whole map, N of them.
 
-    positions: (N, 2) float64 map coordinates (x, y); classes: (N,) uint8; areas_m2: (N,) float64;
-    touches_edge: (N,) bool; bounds_px: (N, 4) int64 first column, first row, last column + 1, last row + 1 on the label
-    map; None where they were not read.
+    Attributes:
+        positions: (N, 2) float64 map coordinates (x, y).
+        classes: (N,) uint8 class values.
+        areas_m2: (N,) float64.
+        touches_edge: (N,) bool, whether the map's edge cuts them.
+        bounds_px: (N, 4) int64 first column, first row, last column + 1, last row + 1 on the label map; None where
+            they were not read.
     """
 
     positions: np.ndarray
@@ -88,14 +93,32 @@ class MapLandmarks:
     bounds_px: np.ndarray | None = None
 
     def __len__(self) -> int:
+        """How many landmarks there are."""
         return len(self.classes)
+
+    @property
+    def required_bounds(self) -> np.ndarray:
+        """``bounds_px`` where an update needs them.
+
+        Raises:
+            ValueError: They were not read.
+        """
+        if self.bounds_px is None:
+            raise ValueError("the landmarks' bounds were not read")
+        return self.bounds_px
 
 
 @dataclass(frozen=True)
 class ReferenceDatabase:
     """Windows, landmarks, class table and build parameters of one area.
 
-    overview: (h, w) uint8, the label map reduced, which map correlation searches; None where it was not read.
+    Attributes:
+        windows: All of them.
+        references: The landmarks of the whole map.
+        class_table: With the reference classes.
+        parameters: What it was built with.
+        source: The file it was read from; None without one.
+        overview: (h, w) uint8, the label map reduced, which map correlation searches; None where it was not read.
     """
 
     windows: Windows

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import Any, Mapping, Tuple
+from typing import Any
 
 from ..errors import DatabaseError
 from ..geometry.frame import MapFrame
 
 FORMAT_VERSION = 1
 
-_JSON_TYPES = {"str": str, "int": int, "float": (int, float), "tuple": (list, tuple)}
+_JSON_TYPES: dict[str, type | tuple[type, ...]] = {
+    "str": str,
+    "int": int,
+    "float": (int, float),
+    "tuple": (list, tuple),
+}
 """What JSON makes of the types of BuildParameters."""
 
 _LENGTHS = ("pixel_size", "window_size", "stride", "minimum_area")
@@ -24,19 +30,23 @@ class BuildParameters:
     """What a database was built with; kept in it under these names.
 
     Attributes:
-        crs: WKT of the metric CRS
-        geotransform: GDAL's six numbers of the label map
-        map_width_px, map_height_px: size of the label map
-        pixel_size, window_size, stride: map units
-        levels: multipliers of the window size
-        references_per_vector: landmarks that a vector holds at most
-        minimum_area: m²
-        overview_factor: pixels of the label map along the edge of one of the overview
-        map_hash, class_table_hash: what map and class table are known by
-        plugin_version: of the plugin that built or updated it last
-        format_version: of the file
-        block_hashes: one a block of the label map (``map_hash``), row by row; none in databases of versions that did
-            not keep them, and on board
+        crs: WKT of the metric CRS.
+        geotransform: GDAL's six numbers of the label map.
+        map_width_px: Of the label map.
+        map_height_px: Of the label map.
+        pixel_size: Of the label map, map units.
+        window_size: Edge of a window of level 1, map units.
+        stride: From window to window, map units.
+        levels: Multipliers of the window size.
+        references_per_vector: Landmarks that a vector holds at most.
+        minimum_area: Of a landmark, m².
+        overview_factor: Pixels of the label map along the edge of one of the overview.
+        map_hash: What the label map is known by.
+        class_table_hash: What the class table is known by.
+        plugin_version: Of the plugin that built or updated it last.
+        format_version: Of the file.
+        block_hashes: One a block of the label map (``map_hash``), row by row; none in databases of versions that did
+            not keep them, and on board.
     """
 
     crs: str
@@ -57,7 +67,7 @@ class BuildParameters:
     block_hashes: tuple = ()
 
     @property
-    def extent(self) -> Tuple[float, float, float, float]:
+    def extent(self) -> tuple[float, float, float, float]:
         """(x_min, y_min, x_max, y_max) of the label map."""
         return self.frame.extent
 
@@ -89,9 +99,9 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
     if version > FORMAT_VERSION:
         raise DatabaseError("database.newer_format", source=source, version=version, known=FORMAT_VERSION)
     values = {"block_hashes": (), **stored}
-    known = {}
+    known: dict[str, Any] = {}
     for item in fields(BuildParameters):
-        known[item.name] = checked(values[item.name], _JSON_TYPES[item.type], item.name)
+        known[item.name] = checked(values[item.name], _JSON_TYPES[str(item.type)], item.name)
     known["geotransform"] = tuple(number(value, "geotransform") for value in known["geotransform"])
     known["levels"] = tuple(number(value, "levels") for value in known["levels"])
     known["block_hashes"] = tuple(checked(value, str, "block_hashes") for value in known["block_hashes"])
@@ -105,15 +115,34 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
     return BuildParameters(**known)
 
 
-def checked(value: Any, kind, name: str) -> Any:
-    """``value`` if it is of one of the types ``kind``; raises ValueError otherwise. True and false are no numbers."""
+def checked(value: Any, kind: type | tuple[type, ...], name: str) -> Any:  # noqa: ANN401 - JSON has values of any type
+    """``value`` if it has one of some types; true and false are no numbers.
+
+    Args:
+        value: As JSON gave it.
+        kind: The type, or the types, that it may have.
+        name: Of the value, for the message.
+
+    Raises:
+        ValueError: It is of another type.
+    """
     if isinstance(value, bool) or not isinstance(value, kind):
         raise ValueError(f"{name} is {value!r}")
     return value
 
 
-def number(value: Any, name: str, above: float = -math.inf) -> float:
-    """``value`` as a finite number above ``above``; raises ValueError for anything else."""
-    if not above < checked(value, (int, float), name) < math.inf:
+def number(value: object, name: str, above: float = -math.inf) -> float:
+    """``value`` as a finite number.
+
+    Args:
+        value: As JSON gave it.
+        name: Of the value, for the message.
+        above: It must be more than that.
+
+    Raises:
+        ValueError: It is anything else.
+    """
+    found = checked(value, (int, float), name)
+    if not above < found < math.inf:
         raise ValueError(f"{name} is {value!r}")
-    return float(value)
+    return float(found)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -30,19 +30,19 @@ class DatabaseChanges:
     """What an update changes in a database of N windows.
 
     Attributes:
-        windows: all N as they are now
-        touched: (T,) int64 indices of the windows that differ from before
-        removed: (K,) int64 indices of the landmarks that are gone
-        added: the new landmarks
-        overview: (first column, first row, (h, w) uint8) pieces of the new overview
-        parameters: as they are now
+        windows: All N as they are now.
+        touched: (T,) int64 indices of the windows that differ from before.
+        removed: (K,) int64 indices of the landmarks that are gone.
+        added: The new landmarks.
+        overview: (first column, first row, (h, w) uint8) pieces of the new overview.
+        parameters: As they are now.
     """
 
     windows: Windows
     touched: np.ndarray
     removed: np.ndarray
     added: MapLandmarks
-    overview: Tuple[Tuple[int, int, np.ndarray], ...]
+    overview: tuple[tuple[int, int, np.ndarray], ...]
     parameters: BuildParameters
 
 
@@ -53,19 +53,20 @@ class DatabaseUpdater:
     one is found in the new map alone: the old map is not needed.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - two maps and how to go about it; no two of these travel together elsewhere
         self,
         source: LabelSource,
         frame: MapFrame,
         database: ReferenceDatabase,
-        areas: Optional[Sequence[Bounds]],
+        areas: Sequence[Bounds] | None,
         plugin_version: str,
         threads: int = 1,
     ) -> None:
         """Makes the updater.
 
         Args:
-            source, frame: The corrected label map; it is asked for the same pieces several times.
+            source: The corrected label map; it is asked for the same pieces several times.
+            frame: Where its pixels lie.
             database: With the landmarks' bounds and the windows' distinctiveness.
             areas: Rectangles that hold every changed pixel, parts beyond the map are ignored; None when they are to be
                 found by comparing block hashes, which reads the whole map. Blocks that no area touches are taken to be
@@ -85,15 +86,19 @@ class DatabaseUpdater:
         self._plugin_version = plugin_version
         self._threads = threads
         self._levels = [_Level(database, int(level)) for level in np.unique(database.windows.levels)]
-        self.changes: Optional[DatabaseChanges] = None
+        self.changes: DatabaseChanges | None = None
 
     @property
     def _minimum_area_px(self) -> float:
         return minimum_area_px(self._database.parameters.minimum_area, self._frame.pixel_size)
 
-    def steps(self) -> Iterator[Tuple[str, float]]:
-        """Yields (what is being done, share done 0…1). Raises LabelMapError when no landmark is left."""
-        hashes: List[str] = []
+    def steps(self) -> Iterator[tuple[str, float]]:
+        """Yields (what is being done, share done 0…1).
+
+        Raises:
+            LabelMapError: No landmark is left, or the map has a value that no class has.
+        """
+        hashes: list[str] = []
         for share in self._hash(hashes):
             yield "Looking for changes", 0.5 * share
         places = changed_places(self._database.parameters.block_hashes, hashes, self._source.shape_hw)
@@ -125,21 +130,22 @@ class DatabaseUpdater:
 
     # --- where the map changed ---
 
-    def _hash(self, hashes: List[str]) -> Iterator[float]:
+    def _hash(self, hashes: list[str]) -> Iterator[float]:
         """Fills ``hashes`` with those of the new map; yields the share done."""
         height, width = self._source.shape_hw
         if self._areas is None:
             hasher = BlockHasher(width)
             # One thread hashes a band while this one reads the next.
             with ThreadPoolExecutor(1) as pool:
-                hashing = None
+                hashing: Future[None] | None = None
                 for row in range(0, height, HASHED_BLOCK):
                     labels = self._source.read(0, row, width, min(HASHED_BLOCK, height - row))
                     if hashing is not None:
                         hashing.result()
                     hashing = pool.submit(hasher.add, labels)
                     yield row / height
-                hashing.result()
+                if hashing is not None:
+                    hashing.result()
             hashes += hasher.hashes
             return
         hashes += self._database.parameters.block_hashes
@@ -182,7 +188,7 @@ class DatabaseUpdater:
 
     def _compare_windows(self, windows: Windows) -> Iterator[float]:
         """Brings distinctiveness up to date: distances to changed windows, and all where the nearest changed."""
-        old, distinct = self._database.windows, windows.distinctiveness
+        old, distinct = self._database.windows, _distinctiveness(windows)
         changed = (old.described != windows.described) | (old.vectors != windows.vectors).any(axis=1)
         if not changed.any():
             return
@@ -202,7 +208,7 @@ class DatabaseUpdater:
 
     # --- overview ---
 
-    def _overview_piece(self, place: Bounds) -> Tuple[int, int, np.ndarray]:
+    def _overview_piece(self, place: Bounds) -> tuple[int, int, np.ndarray]:
         factor = self._database.parameters.overview_factor
         height, width = self._source.shape_hw
         left, top = place[0] // factor, place[1] // factor
@@ -211,8 +217,18 @@ class DatabaseUpdater:
         return left, top, most_frequent_labels(labels, factor)
 
 
-def require_same_grid(shape_hw: Tuple[int, int], frame: MapFrame, database: ReferenceDatabase) -> None:
-    """Raises DatabaseError for a database without what an update needs, LabelMapError for a map on another grid."""
+def require_same_grid(shape_hw: tuple[int, int], frame: MapFrame, database: ReferenceDatabase) -> None:
+    """Refuses a label map that a database can't be updated to.
+
+    Args:
+        shape_hw: (height, width) of the label map.
+        frame: Where its pixels lie.
+        database: To be updated.
+
+    Raises:
+        DatabaseError: The database lacks what an update needs.
+        LabelMapError: The map is on another grid.
+    """
     parameters = database.parameters
     rows, columns = blocks_shape((parameters.map_height_px, parameters.map_width_px))
     if len(parameters.block_hashes) != rows * columns or database.references.bounds_px is None:
@@ -240,7 +256,11 @@ class _Level:
     """The windows of one level as they lie on the map, whatever their order in the database."""
 
     def __init__(self, database: ReferenceDatabase, level: int) -> None:
-        """Raises DatabaseError when windows are missing."""
+        """Makes the level's grid from where its windows lie.
+
+        Raises:
+            DatabaseError: Windows are missing.
+        """
         windows, parameters = database.windows, database.parameters
         index = np.flatnonzero(windows.levels == level)
         places = windows.first_pixels[index]
@@ -258,7 +278,7 @@ class _Level:
         """(M,) indices in the database of the windows with these first pixels."""
         return self._index[rows // self.grid.stride, columns // self.grid.stride]
 
-    def windows_around(self, place: Bounds) -> Optional[Bounds]:
+    def windows_around(self, place: Bounds) -> Bounds | None:
         """What the windows that show a pixel of ``place`` cover together; None when there is none."""
         left, top, right, bottom = place
         size = self.grid.size
@@ -275,9 +295,16 @@ def _copied(windows: Windows) -> Windows:
     return replace(windows, **{name: getattr(windows, name).copy() for name in names})
 
 
+def _distinctiveness(windows: Windows) -> np.ndarray:
+    """(N,) distinctiveness of windows that were compared and read whole."""
+    if windows.distinctiveness is None:
+        raise ValueError("the windows' distinctiveness was not read")
+    return windows.distinctiveness
+
+
 def _differ(old: Windows, new: Windows) -> np.ndarray:
     """(N,) bool: which windows are not what they were."""
-    before, now = old.distinctiveness, new.distinctiveness
+    before, now = _distinctiveness(old), _distinctiveness(new)
     return (
         (old.counts != new.counts)
         | (old.described != new.described)

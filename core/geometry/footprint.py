@@ -10,7 +10,12 @@ def image_corners(
 ) -> np.ndarray:
     """(4, 2) map coordinates of an image's upper left, upper right, lower right and lower left corner.
 
-    ``center``: map coordinates of the image's center; ``heading_deg``: of the image's top, clockwise from grid north.
+    Args:
+        center: Map (x, y) of the image's center.
+        heading_deg: Of the image's top, clockwise from grid north.
+        pixel_size: Map units.
+        width_px: Of the image.
+        height_px: Of the image.
     """
     heading = np.radians(heading_deg)
     right = np.array([np.cos(heading), -np.sin(heading)])
@@ -20,10 +25,15 @@ def image_corners(
 
 
 def on_ground(points_xy: np.ndarray, footprint: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarray:
-    """(n, 2) map coordinates of pixel coordinates (n, 2) (column, row) of an image of ``shape_hw`` pixels.
+    """(n, 2) map coordinates of pixels of an image.
 
-    footprint: (4, 2) map coordinates of the ground at the image's corners, upper left first, clockwise. The one
-    homography that takes corners to corners: level ground seen by any camera without distortion (Heckbert 1989, 2.2.3).
+    By the one homography that takes corners to corners: level ground seen by any camera without distortion (Heckbert
+    1989, 2.2.3).
+
+    Args:
+        points_xy: (n, 2) pixel coordinates (column, row).
+        footprint: (4, 2) map coordinates of the ground at the image's corners, upper left first, clockwise.
+        shape_hw: (height, width) of the image.
     """
     height, width = shape_hw
     right, down = (np.asarray(points_xy, np.float64) / (width, height)).T[:, :, None]

@@ -9,7 +9,6 @@ needn't be known. The ground is taken as level, the lens as free of distortion w
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Tuple
 
 import cv2
 import numpy as np
@@ -29,12 +28,21 @@ DIAGONAL_OF_35MM_FILM = float(np.hypot(36, 24))
 
 @dataclass(frozen=True)
 class Attitude:
-    """How a camera is held: roll and pitch in degrees as this module's conventions say, below 90° both."""
+    """How a camera is held, as this module's conventions say.
+
+    Attributes:
+        roll_deg: Below 90° to either side.
+        pitch_deg: Below 90° to either side.
+
+    Raises:
+        ParameterError: The camera does not look at the ground.
+    """
 
     roll_deg: float
     pitch_deg: float
 
     def __post_init__(self) -> None:
+        """Refuses angles of 90° and more."""
         for name, value in (("roll", self.roll_deg), ("pitch", self.pitch_deg)):
             if not abs(value) < 90:
                 raise ParameterError("geometry.attitude", name=name, value=value)
@@ -47,8 +55,15 @@ class Attitude:
 
 
 def attitude_from_gimbal(roll_deg: float, pitch_deg: float) -> Attitude:
-    """The attitude of a camera whose gimbal tells pitch (−90° is straight down, 0° the horizon) and, after it, roll
-    about the optical axis, clockwise seen from behind the camera (DJI). Raises ParameterError above the horizon."""
+    """The attitude of a camera on a gimbal that turns by pitch first and by roll after it, as DJI's do.
+
+    Args:
+        roll_deg: About the optical axis, clockwise seen from behind the camera.
+        pitch_deg: −90° is straight down, 0° the horizon.
+
+    Raises:
+        ParameterError: The camera looks at the horizon or above it.
+    """
     roll, pitch = np.radians((roll_deg, pitch_deg))
     right, top, axis = np.sin(roll) * np.cos(pitch), -np.cos(roll) * np.cos(pitch), -np.sin(pitch)
     if axis <= 0:
@@ -56,13 +71,23 @@ def attitude_from_gimbal(roll_deg: float, pitch_deg: float) -> Attitude:
     return Attitude(float(np.degrees(np.arctan2(-right, axis))), float(np.degrees(np.arcsin(-top))))
 
 
-def focal_length_from_35mm(focal_length_mm: float, shape_hw: Tuple[int, int]) -> float:
-    """Focal length in pixels of an image, from the one that gives the same angle across the diagonal on 35 mm film."""
+def focal_length_from_35mm(focal_length_mm: float, shape_hw: tuple[int, int]) -> float:
+    """Focal length in pixels from the “focal length in 35 mm film”, which keeps the angle across the diagonal.
+
+    Args:
+        focal_length_mm: On 35 mm film.
+        shape_hw: (height, width) of the image, pixels.
+    """
     return focal_length_mm / DIAGONAL_OF_35MM_FILM * float(np.hypot(*shape_hw))
 
 
-def focal_length_from_view(field_of_view_deg: float, shape_hw: Tuple[int, int]) -> float:
-    """Focal length in pixels of an image that shows ``field_of_view_deg`` across its width."""
+def focal_length_from_view(field_of_view_deg: float, shape_hw: tuple[int, int]) -> float:
+    """Focal length in pixels from the field of view.
+
+    Args:
+        field_of_view_deg: Across the image's width.
+        shape_hw: (height, width) of the image, pixels.
+    """
     return shape_hw[1] / 2 / float(np.tan(np.radians(field_of_view_deg) / 2))
 
 
@@ -70,21 +95,32 @@ def focal_length_from_view(field_of_view_deg: float, shape_hw: Tuple[int, int]) 
 class Leveling:
     """The way from an image to what a level camera would have seen from there, and back.
 
-    homography: (3, 3) from pixel coordinates (column, row) of the image to those of the level one;
-    shape_hw: of the level image, the smallest that holds all the ground seen. A pixel at the image's center
-    covers as much ground in both. The rest are complex offsets from where the image's center is, in
-    level pixels, x right, y up: middle of the level image; corners (4,) of the image, upper left first, clockwise;
-    nadir, the ground straight below the camera.
+    A pixel at the image's center covers as much ground in both. Offsets are complex numbers in pixels of the level
+    image, x right, y up, from the ground that the image's center shows.
+
+    Attributes:
+        homography: (3, 3) from pixel coordinates (column, row) of the image to those of the level one.
+        shape_hw: (height, width) of the level image, the smallest that holds all the ground seen.
+        middle: Offset of the level image's middle.
+        corners: (4,) offsets of the image's corners, upper left first, clockwise.
+        nadir: Offset of the ground straight below the camera.
     """
 
     homography: np.ndarray
-    shape_hw: Tuple[int, int]
+    shape_hw: tuple[int, int]
     middle: complex
     corners: np.ndarray
     nadir: complex
 
     def level(self, labels_hw: np.ndarray) -> np.ndarray:
-        """(H', W') uint8 labels as a level camera sees them, by nearest neighbor; 0 is ground not seen."""
+        """Labels as a level camera sees them, by nearest neighbor.
+
+        Args:
+            labels_hw: (H, W) uint8 labels of the image.
+
+        Returns:
+            Uint8 labels of shape ``shape_hw``; 0 is ground not seen.
+        """
         # OpenCV counts from the center of the first pixel.
         shift = np.array([[1, 0, 0.5], [0, 1, 0.5], [0, 0, 1]])
         matrix = np.linalg.inv(shift) @ self.homography @ shift
@@ -96,9 +132,18 @@ class Leveling:
         return rays[:, :2] / rays[:, 2:]
 
 
-def leveling(attitude: Attitude, focal_length_px: float, shape_hw: Tuple[int, int]) -> Leveling:
-    """How to level an image of ``shape_hw`` pixels. Raises ParameterError for a focal length that is not positive and
-    where the view comes too near the horizon, LabelMapError for an image that is empty or too large to warp."""
+def leveling(attitude: Attitude, focal_length_px: float, shape_hw: tuple[int, int]) -> Leveling:
+    """How to level an image.
+
+    Args:
+        attitude: Of the camera.
+        focal_length_px: Of the camera, pixels of the image.
+        shape_hw: (height, width) of the image, pixels.
+
+    Raises:
+        ParameterError: The focal length is not positive, or the view comes too near the horizon.
+        LabelMapError: The image is empty or too large to warp.
+    """
     height, width = shape_hw
     if not focal_length_px > 0:
         raise ParameterError("geometry.focal_length", focal_length_px=focal_length_px)
@@ -136,7 +181,7 @@ def leveling(attitude: Attitude, focal_length_px: float, shape_hw: Tuple[int, in
     return Leveling(homography, size, complex(left + right, bottom + top) / 2, corners, nadir)
 
 
-def _around(x: float, y: float) -> Tuple[Tuple[float, float], ...]:
+def _around(x: float, y: float) -> tuple[tuple[float, float], ...]:
     """Upper left, upper right, lower right and lower left corner, y up."""
     return (-x, y), (x, y), (x, -y), (-x, -y)
 

@@ -32,8 +32,14 @@ class LonLatPolynomial:
 
     With u = (x − center_x) / half_width and v = (y − center_y) / half_height, both are sums of c · uⁱ · vʲ over all
     i + j ≤ degree in the order (0, 0), (0, 1), … (0, degree), (1, 0), … (degree, 0).
-    center: (x, y); half_size: (half_width, half_height); longitude, latitude: the coefficients c;
-    error_m: the largest distance from the true transform on a grid of places over the map.
+
+    Attributes:
+        degree: Of the polynomials.
+        center: (x, y).
+        half_size: (half_width, half_height), map units.
+        longitude: The coefficients c of the longitude.
+        latitude: The coefficients c of the latitude.
+        error_m: The largest distance from the true transform on a grid of places over the map.
     """
 
     degree: int
@@ -53,8 +59,12 @@ class LonLatPolynomial:
 def fit_lon_lat(transform: Transform, extent: tuple[float, float, float, float]) -> LonLatPolynomial | None:
     """The polynomial of lowest degree within WANTED_ERROR_M of ``transform``, else the best one.
 
-    ``transform``: (N, 2) map coordinates → longitudes, latitudes, NaN where there are none; ``extent``: (x_min, y_min,
-    x_max, y_max). None when none comes within LARGEST_ERROR_M.
+    Args:
+        transform: (N, 2) map coordinates → longitudes (N,) and latitudes (N,), NaN where there are none.
+        extent: (x_min, y_min, x_max, y_max) of the map.
+
+    Returns:
+        None when no polynomial comes within LARGEST_ERROR_M.
     """
     center = (extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2
     half_size = (extent[2] - extent[0]) / 2, (extent[3] - extent[1]) / 2

@@ -8,7 +8,6 @@ and the image's top points to turn · i.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional, Tuple
 
 import numpy as np
 
@@ -52,18 +51,23 @@ class PoseCovariance:
             confirm, as those of map correlation.
     """
 
-    position: Tuple[Tuple[float, float], Tuple[float, float]]
+    position: tuple[tuple[float, float], tuple[float, float]]
     heading_deviation_deg: float
     pixel_size_deviation: float
-    ellipse_95: Optional[Ellipse] = None
+    ellipse_95: Ellipse | None = None
 
 
 @dataclass(frozen=True)
 class Pose:
     """Where an image lies: u goes to center + turn · (u + stretch · ū) / (1 + Re(slope* · u)).
 
-    center: position of the image's center; turn: its heading and pixel size there; stretch and slope (per pixel) are 0
-    for a camera that looks straight down and make any view of level ground by a tilted one (8 numbers: a homography).
+    With stretch and slope its 8 numbers make a homography: any view of level ground by a tilted camera.
+
+    Attributes:
+        center: Map position x + i y of the image's center.
+        turn: Heading and pixel size there.
+        stretch: 0 for a camera that looks straight down.
+        slope: Per pixel; 0 for a camera that looks straight down.
     """
 
     center: complex
@@ -73,6 +77,7 @@ class Pose:
 
     @property
     def is_level(self) -> bool:
+        """Whether the camera looks straight down."""
         return self.stretch == 0 and self.slope == 0
 
     def on_map(self, image: np.ndarray) -> np.ndarray:
@@ -136,7 +141,12 @@ def fit_similarity(image: np.ndarray, on_map: np.ndarray, weights: np.ndarray) -
 def fit_tilted(image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, pose: Pose, diagonal: float) -> Pose:
     """The pose of a possibly tilted camera by linear least squares, with a prior that tilt is moderate.
 
-    image, on_map: (n,) complex; deviations: (n,) σ per axis in map units; pose: a first one; diagonal: image's, pixels.
+    Args:
+        image: (n,) complex image points.
+        on_map: (n,) complex map points.
+        deviations: (n,) σ per axis, map units.
+        pose: A first one.
+        diagonal: Of the image, pixels.
     """
     columns, right = _tilted_system(image, on_map, deviations, pose, diagonal)
     solution = np.linalg.lstsq(columns, right, rcond=None)[0]
@@ -193,7 +203,7 @@ def tilted_covariance(
 
 
 def level_covariance(image: np.ndarray, residuals: np.ndarray, deviations: np.ndarray, turn: complex) -> PoseCovariance:
-    """Of a pose fitted to matches; image, residuals: (n,) complex, on the map; deviations: (n,) σ per axis.
+    """The covariance of a level pose fitted to matches.
 
     A sandwich estimate for Huber's weights: what each match pulls, by its residual, over how much the pull of all
     changes with the pose. The noise is measured from the residuals, which know it better than the assumption does.
@@ -201,6 +211,12 @@ def level_covariance(image: np.ndarray, residuals: np.ndarray, deviations: np.nd
     as large (at most 10 are believed), so that is taken: the jackknife, HC3 of MacKinnon and White (1985).
     n points and 4 numbers fitted leave 2 n − 4 degrees of freedom, and the ellipse's size follows Fisher's F with 2
     and those. It is a circle, as noise that is alike in all directions makes it.
+
+    Args:
+        image: (n,) complex image points.
+        residuals: (n,) complex, on the map.
+        deviations: (n,) σ per axis, map units.
+        turn: Of the pose.
     """
     share = huber(np.abs(residuals), deviations)
     weights = share / deviations**2
@@ -222,7 +238,7 @@ def level_covariance(image: np.ndarray, residuals: np.ndarray, deviations: np.nd
     return PoseCovariance(position, float(np.degrees(deviation / abs(turn))), deviation, ellipse)
 
 
-def as_pairs(covariance: np.ndarray) -> Tuple[Tuple[float, float], Tuple[float, float]]:
+def as_pairs(covariance: np.ndarray) -> tuple[tuple[float, float], tuple[float, float]]:
     """A (2, 2) covariance as ``PoseCovariance`` keeps it: results can be compared."""
     (xx, xy), (yx, yy) = covariance.tolist()
     return (xx, xy), (yx, yy)
@@ -240,8 +256,13 @@ def blended(variances: np.ndarray, pooled: np.ndarray, count: int, fitted: int) 
 
 
 def slope_of_pulls(share: np.ndarray) -> float:
-    """How much the pulls change with the pose against their weights (n,): half as much where the pull is at its limit,
-    because it still turns there."""
+    """How much the pulls change with the pose, against their weights.
+
+    Where a pull is at its limit it changes half as much, because it still turns there.
+
+    Args:
+        share: (n,) of ``huber``.
+    """
     return float(1 - 0.5 * share[share < 1].sum() / share.sum())
 
 

@@ -19,13 +19,22 @@ class BlockHasher:
     """Hashes a map while its rows come by from top to bottom: ``add`` them all, then take ``hashes``."""
 
     def __init__(self, width: int) -> None:
+        """Begins with the first row.
+
+        Args:
+            width: Of the map, pixels.
+        """
         self._columns = range(0, width, HASHED_BLOCK)
         self._row = 0
         self._open: list[_BlockDigest] = []
         self._done: list[str] = []
 
     def add(self, labels_hw: np.ndarray) -> None:
-        """The next rows of the map, (h, W) uint8, any number of them."""
+        """Takes the next rows of the map.
+
+        Args:
+            labels_hw: (h, W) uint8 labels, any number of rows.
+        """
         first = 0
         while first < len(labels_hw):
             if self._row % HASHED_BLOCK == 0:
@@ -70,6 +79,7 @@ class _BlockDigest:
         self._pixels.update(np.ascontiguousarray(labels_hw).data)
 
     def hexdigest(self) -> str:
+        """Of the rows so far."""
         return self._pixels.hexdigest() if self._pixels else _hash_of_one_value(self._value, self._count)
 
     def _continues(self, labels_hw: np.ndarray) -> bool:
@@ -98,6 +108,12 @@ def blocks_shape(shape_hw: tuple[int, int]) -> tuple[int, int]:
 
 
 def map_hash(shape_hw: tuple[int, int], geotransform: Sequence[float], hashes: Sequence[str]) -> str:
-    """SHA-256 of a map's shape, place and block hashes."""
+    """SHA-256 of what a map is: its shape, its place and its labels.
+
+    Args:
+        shape_hw: (height, width) in pixels.
+        geotransform: GDAL's six numbers.
+        hashes: Of its blocks, row by row.
+    """
     place = repr((tuple(shape_hw), tuple(geotransform)))
     return hashlib.sha256((place + "".join(hashes)).encode("ascii")).hexdigest()

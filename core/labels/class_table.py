@@ -49,8 +49,17 @@ Rgb = tuple[int, int, int]
 class LandCoverClass:
     """One row of the class table.
 
-    ``color`` is ``#rrggbb``; ``hsv_min``/``hsv_max`` are (h, s, v) in OpenCV's ranges (h 0–180, s and v 0–255)
-    and the hue range may wrap (h_min > h_max). Raises ClassTableError for values outside these ranges.
+    Attributes:
+        value: Of its pixels in a label map, 0 to 255.
+        name: For people.
+        color: ``#rrggbb``.
+        role: ``reference`` or ``background``.
+        draw_order: Later ones are drawn over earlier ones; None for none.
+        hsv_min: Least (h, s, v) in OpenCV's ranges, h 0–180, s and v 0–255; None without a range.
+        hsv_max: Greatest (h, s, v); the hue range may wrap (h_min > h_max).
+
+    Raises:
+        ClassTableError: A value is outside these ranges.
     """
 
     value: int
@@ -62,6 +71,7 @@ class LandCoverClass:
     hsv_max: Hsv | None = None
 
     def __post_init__(self) -> None:
+        """Refuses values that no class can have."""
         if not 0 <= self.value <= MAXIMUM_VALUE:
             raise ClassTableError(
                 "labels.class_value_out_of_range", name=self.name, value=self.value, most=MAXIMUM_VALUE
@@ -81,6 +91,7 @@ class LandCoverClass:
 
     @property
     def is_reference(self) -> bool:
+        """Whether its regions are landmarks."""
         return self.role == REFERENCE
 
     @property
@@ -91,11 +102,19 @@ class LandCoverClass:
 
 @dataclass(frozen=True)
 class ClassTable:
-    """Classes in ascending order of value. Raises ClassTableError when values or names repeat."""
+    """The classes of a map.
+
+    Attributes:
+        classes: In ascending order of value.
+
+    Raises:
+        ClassTableError: Values or names repeat.
+    """
 
     classes: tuple[LandCoverClass, ...]
 
     def __post_init__(self) -> None:
+        """Sorts the classes and refuses repeated ones."""
         object.__setattr__(self, "classes", tuple(sorted(self.classes, key=lambda c: c.value)))
         for column in ("value", "name"):
             keys = [str(getattr(c, column)) for c in self.classes]
@@ -104,9 +123,11 @@ class ClassTable:
                 raise ClassTableError("labels.class_repeated", column=column, repeated=repeated)
 
     def __iter__(self) -> Iterator[LandCoverClass]:
+        """By ascending value."""
         return iter(self.classes)
 
     def __len__(self) -> int:
+        """How many classes there are."""
         return len(self.classes)
 
     @property
@@ -116,9 +137,11 @@ class ClassTable:
 
     @property
     def reference_values(self) -> tuple[int, ...]:
+        """Values of the reference classes, ascending."""
         return tuple(c.value for c in self.references)
 
     def by_value(self, value: int) -> LandCoverClass | None:
+        """The class of pixels with a value; None without one."""
         return next((c for c in self.classes if c.value == value), None)
 
     def find(self, text: str) -> LandCoverClass | None:
@@ -131,7 +154,14 @@ class ClassTable:
         return self.by_value(int(wanted)) if re.fullmatch(r"\d{1,3}", wanted) else None
 
     def with_references(self, names_or_values: Sequence[str]) -> ClassTable:
-        """The same table with exactly the named classes as references. Raises ClassTableError for unknown names."""
+        """The same table with exactly the named classes as references.
+
+        Args:
+            names_or_values: As ``find`` takes them.
+
+        Raises:
+            ClassTableError: A name is unknown.
+        """
         chosen = set()
         for text in names_or_values:
             found = self.find(text)
@@ -141,7 +171,11 @@ class ClassTable:
         return ClassTable(tuple(replace(c, role=REFERENCE if c.value in chosen else BACKGROUND) for c in self.classes))
 
     def require_references(self) -> ClassTable:
-        """Itself, if it has a reference class; else raises ClassTableError."""
+        """Itself.
+
+        Raises:
+            ClassTableError: It has no reference class.
+        """
         if not self.references:
             raise ClassTableError("labels.no_reference_class", classes=self.describe())
         return self
@@ -169,7 +203,13 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
     """Reads ``value,name,color,role[,draw_order][,hsv_min,hsv_max]``; ``;`` or tab as separator will do too.
 
     ``color`` and ``role`` may be left out: a color is then chosen, the role is ``background``.
-    Raises ClassTableError naming ``source`` and the line.
+
+    Args:
+        text: The CSV text, with its header.
+        source: The file, for messages.
+
+    Raises:
+        ClassTableError: The table is malformed; tells ``source`` and the line.
     """
     lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
     if len(lines) < 2:

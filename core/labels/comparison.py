@@ -67,15 +67,21 @@ def match_classes(annotated: ClassTable | None, predicted: ClassTable | None) ->
 
 @dataclass(frozen=True)
 class LabelComparison:
-    """A confusion matrix: (256, 256) int64 pixels, annotated values down, predicted values across.
+    """A confusion matrix.
 
     Pixels without annotation (0) say nothing and are left out; pixels without prediction count as wrong.
-    Raises LabelMapError when no pixel can be compared.
+
+    Attributes:
+        counts: (256, 256) int64 pixels, annotated values down, predicted values across.
+
+    Raises:
+        LabelMapError: No pixel can be compared.
     """
 
     counts: np.ndarray
 
     def __post_init__(self) -> None:
+        """Leaves out what is not annotated."""
         counts = np.array(self.counts, np.int64)
         counts[UNLABELED] = 0
         object.__setattr__(self, "counts", counts)
@@ -84,6 +90,7 @@ class LabelComparison:
 
     @property
     def pixels(self) -> int:
+        """How many are compared."""
         return int(self.counts.sum())
 
     @property

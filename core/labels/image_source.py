@@ -26,13 +26,21 @@ class ArrayImage:
     """An image in memory, (H, W, 3) uint8, red first."""
 
     def __init__(self, image_hw3: np.ndarray, has_data_hw: np.ndarray | None = None) -> None:
+        """Keeps the image, without a copy.
+
+        Args:
+            image_hw3: (H, W, 3) uint8, red first.
+            has_data_hw: (H, W) bool, where there is data; None everywhere.
+        """
         self._image_hw3 = image_hw3
         self._has_data_hw = has_data_hw
 
     @property
     def shape_hw(self) -> tuple[int, int]:
+        """(height, width) in pixels."""
         return self._image_hw3.shape[0], self._image_hw3.shape[1]
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
+        """Views of a piece of the image, and of where it has data."""
         piece = slice(row, row + height), slice(column, column + width)
         return self._image_hw3[piece], None if self._has_data_hw is None else self._has_data_hw[piece]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Protocol, Tuple
+from typing import Protocol
 
 import numpy as np
 
@@ -11,7 +11,7 @@ class LabelSource(Protocol):
     """A label map that is read in pieces; rasters on disk implement it outside ``core``."""
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
         """(height, width) in pixels."""
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
@@ -19,16 +19,23 @@ class LabelSource(Protocol):
 
 
 class ArrayLabels:
-    """A label map in memory, (H, W) uint8."""
+    """A label map in memory."""
 
     def __init__(self, labels_hw: np.ndarray) -> None:
+        """Keeps the labels, without a copy.
+
+        Args:
+            labels_hw: (H, W) uint8 labels.
+        """
         self._labels_hw = labels_hw
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
+        """(height, width) in pixels."""
         return self._labels_hw.shape[0], self._labels_hw.shape[1]
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        """A view of a piece of the labels."""
         return self._labels_hw[row : row + height, column : column + width]
 
 
@@ -36,17 +43,27 @@ class PartOfMap:
     """A piece of a label map as a map of its own; it lies wholly on the map."""
 
     def __init__(self, source: LabelSource, column: int, row: int, width: int, height: int) -> None:
+        """Reads nothing yet.
+
+        Args:
+            source: The whole map.
+            column: First column of the piece.
+            row: First row of the piece.
+            width: Of the piece, pixels.
+            height: Of the piece, pixels.
+        """
         self._source = source
         self._column = column
         self._row = row
         self._shape_hw = height, width
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
         """(height, width) in pixels."""
         return self._shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        """(height, width) uint8 labels, counted from the piece's first pixel."""
         return self._source.read(self._column + column, self._row + row, width, height)
 
 
@@ -57,6 +74,14 @@ class RollingRows:
     """
 
     def __init__(self, source: LabelSource, column: int, width: int, height: int) -> None:
+        """Reads nothing yet.
+
+        Args:
+            source: The map.
+            column: First column of the strip.
+            width: Of the strip, pixels.
+            height: Of the strip, pixels.
+        """
         self._source = source
         self._column = column
         self._height = height

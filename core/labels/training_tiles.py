@@ -25,7 +25,13 @@ SEED = 1671
 
 @dataclass(frozen=True)
 class Tile:
-    """A square piece of an image: first pixel and subset (``train`` or ``validation``)."""
+    """A square piece of an image.
+
+    Attributes:
+        column: Of its first pixel.
+        row: Of its first pixel.
+        subset: ``train`` or ``validation``.
+    """
 
     column: int
     row: int
@@ -33,6 +39,7 @@ class Tile:
 
     @property
     def name(self) -> str:
+        """Of its files, without suffix."""
         return f"{self.column}_{self.row}"
 
 
@@ -44,8 +51,12 @@ def block_size(shape_hw: tuple[int, int], tile_size: int) -> int:
 def validation_blocks(labeled: np.ndarray, fraction: float) -> np.ndarray:
     """(R, C) bool: the blocks set aside, so that they hold about ``fraction`` of the labeled pixels.
 
-    ``labeled``: (R, C) labeled pixels of each block. Blocks are drawn in a fixed random order; one is taken when the
-    share comes nearer to the fraction by it. At least one labeled block stays for training.
+    Blocks are drawn in a fixed random order; one is taken when the share comes nearer to the fraction by it. At least
+    one labeled block stays for training.
+
+    Args:
+        labeled: (R, C) labeled pixels of each block.
+        fraction: 0 to 1.
     """
     taken = np.zeros(labeled.shape, bool)
     wanted = fraction * labeled.sum()
@@ -59,10 +70,17 @@ def validation_blocks(labeled: np.ndarray, fraction: float) -> np.ndarray:
 
 
 def plan_tiles(shape_hw: tuple[int, int], tile_size: int, stride: int, held_out: np.ndarray, block: int) -> list[Tile]:
-    """Tiles row by row, without those that lie on blocks of both kinds.
+    """Tiles row by row, without those that lie on blocks of both kinds; none reaches beyond the image.
 
-    ``held_out``: (R, C) bool, the validation blocks of edge ``block`` px. Tiles never reach beyond the image.
-    Raises ParameterError when the image is smaller than a tile.
+    Args:
+        shape_hw: (height, width) of the image, pixels.
+        tile_size: Edge of a tile, pixels.
+        stride: From tile to tile, pixels.
+        held_out: (R, C) bool, the validation blocks.
+        block: Edge of a block, pixels.
+
+    Raises:
+        ParameterError: The image is smaller than a tile.
     """
     height, width = shape_hw
     if min(shape_hw) < tile_size:

@@ -12,7 +12,7 @@ from ..localization import Localization, Method, Prior
 from .localizer import Localizer
 
 
-def localize_leveled(
+def localize_leveled(  # noqa: PLR0913 - what ``Localizer.localize`` takes, and how the image is leveled
     localizer: Localizer,
     labels_hw: np.ndarray,
     method: Method,
@@ -34,21 +34,22 @@ def localize_leveled(
         The position is that of the image's center, heading and pixel size are those there, the heading that of its top
         as a level camera would have it; footprint and nadir are told, matches are those of the image as it is.
     """
-    if prior.position is not None and prior.radius is not None:
+    if prior.position is not None and prior.radius is not None and prior.pixel_size_range is not None:
         # What is searched for is the middle of the level image.
         prior = replace(prior, radius=prior.radius + abs(way.middle) * prior.pixel_size_range[1])
     found = localizer.localize(way.level(labels_hw), method, prior, with_matches)
     if found.matches is not None:
         pixels = way.in_image(found.matches.pixels_xy)
         found = replace(found, matches=replace(found.matches, pixels_xy=pixels))
-    if found.place is None:
+    place = found.place
+    if place is None or place.heading_deg is None or place.pixel_size_m is None:
         return found
-    turn = turn_of(found.heading_deg, found.pixel_size_m)
-    center = complex(*found.position) - turn * way.middle
+    turn = turn_of(place.heading_deg, place.pixel_size_m)
+    center = complex(*place.position) - turn * way.middle
     corners, nadir = center + turn * way.corners, center + turn * way.nadir
     return replace(
         found,
-        best=replace(found.best, position=(center.real, center.imag)),
+        best=replace(place, position=(center.real, center.imag)),
         footprint=np.column_stack([corners.real, corners.imag]),
         nadir=(nadir.real, nadir.imag),
     )

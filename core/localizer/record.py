@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
-from typing import Any, Callable, Dict, Optional
+from typing import Any, Callable
 
 from ..localization import Localization
 from ..sentences import Sentence, english
@@ -12,7 +12,7 @@ ESTIMATED, INVALID = 6, 0
 """GGA's fix quality: an estimated position, and none."""
 
 
-def record(result: Localization, wording: Callable[[Sentence], str] = english) -> Dict[str, Any]:
+def record(result: Localization, wording: Callable[[Sentence], str] = english) -> dict[str, Any]:
     """A localization by the columns of *Localize images*, as docs/file-formats.md tells them.
 
     Args:
@@ -43,7 +43,7 @@ def record(result: Localization, wording: Callable[[Sentence], str] = english) -
     }
 
 
-def _deviations(result: Localization) -> Dict[str, Any]:
+def _deviations(result: Localization) -> dict[str, Any]:
     """What trials confirm of a fix's accuracy beside ``error_95``, the longer semi-axis of its ellipse."""
     known = result.covariance
     if not result.is_fix or known is None or known.ellipse_95 is None:
@@ -57,7 +57,7 @@ def _deviations(result: Localization) -> Dict[str, Any]:
 
 
 def gga_sentence(
-    time_utc: datetime, longitude: Optional[float] = None, latitude: Optional[float] = None, landmarks: int = 0
+    time_utc: datetime, longitude: float | None = None, latitude: float | None = None, landmarks: int = 0
 ) -> str:
     """NMEA 0183's GGA, without line end: quality 6 (estimated) with a position in degrees, 0 (invalid) without.
 

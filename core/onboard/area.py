@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import fields, replace
-from typing import Sequence
+from typing import TypeVar
 
 import cv2
 import numpy as np
 
-from ..database.model import ReferenceDatabase
+from ..database.model import MapLandmarks, ReferenceDatabase, Windows
 from ..database.parameters import BuildParameters
 from ..errors import DatabaseError
 from ..labels.class_table import UNLABELED
@@ -16,11 +17,15 @@ from ..labels.class_table import UNLABELED
 _SHIFT = 4
 """Corners of an area are rounded to 1/16 of a pixel of the overview."""
 
+_Rows = TypeVar("_Rows", Windows, MapLandmarks)
+
 
 def area_mask(rings: Sequence[np.ndarray], parameters: BuildParameters) -> np.ndarray:
     """(h, w) bool on the overview's grid: where an area is.
 
-    ``rings``: outer and inner rings of its polygons, none overlapping, (n, 2) map coordinates, on the map or near it.
+    Args:
+        rings: Outer and inner rings of its polygons, none overlapping, (n, 2) map coordinates, on the map or near it.
+        parameters: Of the database.
     """
     frame = parameters.overview_frame
     mask = np.zeros(frame.shape_hw, np.uint8)
@@ -33,7 +38,12 @@ def area_mask(rings: Sequence[np.ndarray], parameters: BuildParameters) -> np.nd
 def clipped(database: ReferenceDatabase, mask: np.ndarray) -> ReferenceDatabase:
     """The landmarks in an area, the windows centered in it, the overview with nothing else on it.
 
-    ``mask``: of ``area_mask``. Raises DatabaseError when no landmark lies in it.
+    Args:
+        database: Of the whole map.
+        mask: Of ``area_mask``.
+
+    Raises:
+        DatabaseError: No landmark lies in the area.
     """
     references, windows = database.references, database.windows
     kept = _in(mask, references.positions, database.parameters)
@@ -56,7 +66,7 @@ def _in(mask: np.ndarray, points_xy: np.ndarray, parameters: BuildParameters) ->
     return mask[rows, columns]
 
 
-def _chosen(items, chosen: np.ndarray):
+def _chosen(items: _Rows, chosen: np.ndarray) -> _Rows:
     """Those of some windows or landmarks that a mask picks."""
     arrays = {item.name: getattr(items, item.name) for item in fields(items)}
     return replace(items, **{name: array[chosen] for name, array in arrays.items() if array is not None})

@@ -10,8 +10,9 @@ import os
 import socket
 import sys
 import time
+from collections.abc import Iterator
 from datetime import datetime, timezone
-from typing import Any, Callable, Dict, Iterator, List, NoReturn, Optional, Tuple
+from typing import Any, Callable, NoReturn
 
 import cv2
 import numpy as np
@@ -54,7 +55,7 @@ _EXAMPLES = """examples:
 """
 
 
-def main(arguments: Optional[List[str]] = None) -> int:
+def main(arguments: list[str] | None = None) -> int:
     """Runs one command; gives its exit code."""
     options = _parser().parse_args(arguments)
     _start_log(options.log_level)
@@ -125,7 +126,7 @@ def _info(options: argparse.Namespace) -> int:
     return ALL_FIXED
 
 
-def description(onboard: OnboardDatabase) -> Dict[str, Any]:
+def description(onboard: OnboardDatabase) -> dict[str, Any]:
     """What an onboard file holds, in a few lines."""
     database, parameters = onboard.database, onboard.database.parameters
     overview = database.overview
@@ -166,14 +167,14 @@ def _localize(options: argparse.Namespace) -> int:
     return _exit_code(records)
 
 
-def _exit_code(records: List[Dict[str, Any]]) -> int:
+def _exit_code(records: list[dict[str, Any]]) -> int:
     statuses = {found["status"] for found in records}
     if ERROR in statuses:
         return REFUSED
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
 
 
-def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[str], Dict[str, Any]]:
+def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[str], dict[str, Any]]:
     """The function path → record that the options ask for; everything that can be refused is refused here."""
     if options.threads < 1:
         raise ParameterError("onboard.threads", threads=options.threads)
@@ -189,9 +190,9 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
     read_labels = label_reader(options.model, options.threads, onboard.database.class_table)
     _say(logging.INFO, "ready", database=options.database, content_hash=onboard.content_hash)
 
-    def find(path: str) -> Dict[str, Any]:
+    def find(path: str) -> dict[str, Any]:
         started = time.perf_counter()
-        found: Dict[str, Any] = {"image": path, "time": None}
+        found: dict[str, Any] = {"image": path, "time": None}
         try:
             found["time"] = _time_of(path).isoformat()
             labels_hw = read_labels(path)
@@ -211,7 +212,7 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
     return find
 
 
-def label_reader(model_path: Optional[str], threads: int, table: ClassTable) -> Callable[[str], np.ndarray]:
+def label_reader(model_path: str | None, threads: int, table: ClassTable) -> Callable[[str], np.ndarray]:
     """The function path → labels: of label images, or with a model of photos."""
     if not model_path:
         return lambda path: read_label_image(path, table)
@@ -237,7 +238,7 @@ def _time_of(path: str) -> datetime:
         raise ParameterError("labels.image_unreadable", path=path, reason=error.strerror) from None
 
 
-def _line(found: Dict[str, Any]) -> str:
+def _line(found: dict[str, Any]) -> str:
     """A record for people."""
     if found.get("x") is None:
         return f"{found['image']}: {found['status']}. {found['reason']}"
@@ -276,15 +277,15 @@ def _watch(options: argparse.Namespace) -> int:
     return _exit_code(records)
 
 
-def _gga(found: Dict[str, Any]) -> str:
+def _gga(found: dict[str, Any]) -> str:
     taken = datetime.fromisoformat(found["time"]) if found["time"] else datetime.now(timezone.utc)
     return gga_sentence(taken, found.get("longitude"), found.get("latitude"), found.get("inliers") or 0)
 
 
 def _arriving(folder: str, once: bool) -> Iterator[str]:
     """Images of a folder, each when it is complete, in order of time and name; one that is written anew comes again."""
-    before: Dict[str, Tuple[int, int]] = {}
-    done: Dict[str, Tuple[int, int]] = {}
+    before: dict[str, tuple[int, int]] = {}
+    done: dict[str, tuple[int, int]] = {}
     while True:
         now = _images_in(folder)
         complete = [path for path, state in now.items() if done.get(path) != state]
@@ -299,7 +300,7 @@ def _arriving(folder: str, once: bool) -> Iterator[str]:
         time.sleep(LOOK_EVERY_S)
 
 
-def _images_in(folder: str) -> Dict[str, Tuple[int, int]]:
+def _images_in(folder: str) -> dict[str, tuple[int, int]]:
     """(time of change in ns, bytes) of each image by path."""
     try:
         with os.scandir(folder) as entries:
@@ -315,7 +316,7 @@ def _folder_is_gone(folder: str) -> NoReturn:
 
 
 @contextlib.contextmanager
-def _destination(where: Optional[str]) -> Iterator[Callable[[str], object]]:
+def _destination(where: str | None) -> Iterator[Callable[[str], object]]:
     """Gives a function that sends one line there: nowhere, stdout, a file, a UDP port of this computer."""
     if where is None:
         yield lambda line: None
@@ -327,7 +328,7 @@ def _destination(where: Optional[str]) -> Iterator[Callable[[str], object]]:
             yield lambda line: sender.sendto(line.encode("utf-8"), (LOOPBACK, port))
     else:
         try:
-            file = open(where, "a", encoding="utf-8", newline="")  # noqa: SIM115  closed below
+            file = open(where, "a", encoding="utf-8", newline="")
         except OSError as error:
             raise ParameterError("onboard.unwritable", where=where, reason=error.strerror) from None
         with file:
@@ -344,7 +345,7 @@ def _port(where: str) -> int:
 # --- log ---
 
 
-def _say(level: int, event: str, **details: Any) -> None:
+def _say(level: int, event: str, **details: object) -> None:
     _LOG.log(level, event, extra={"details": details})
 
 

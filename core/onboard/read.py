@@ -13,7 +13,8 @@ import os
 import struct
 import zipfile
 import zlib
-from typing import Any, Dict, Mapping, Optional, Tuple
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.lib import format as npy_format
@@ -51,9 +52,16 @@ _LONGEST_NPY_HEADER = 1024
 
 
 def read_onboard(path: str, with_overview: bool = True) -> OnboardDatabase:
-    """Reads an onboard file. Raises DatabaseError for files that are missing, foreign, damaged, too new or too large.
+    """Reads an onboard file.
 
     Its database has what localization needs; vectors, positions and areas are as exact as the result says.
+
+    Args:
+        path: Of the file.
+        with_overview: Whether map correlation needs the overview.
+
+    Raises:
+        DatabaseError: The file is missing, foreign, damaged, too new or too large.
     """
     if not os.path.isfile(path):
         raise DatabaseError("onboard.no_file", path=path)
@@ -84,9 +92,9 @@ def _damaged(path: str, reason: BaseException) -> DatabaseError:
     return DatabaseError("onboard.damaged", path=path, reason=text)
 
 
-def _unpacked(archive: zipfile.ZipFile, path: str) -> Dict[str, bytes]:
+def _unpacked(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
     """The .npy files by name, each unpacked only when its stated size is one it may have."""
-    found: Dict[str, bytes] = {}
+    found: dict[str, bytes] = {}
     infos = {info.filename: info for info in archive.infolist()}
     names = {f"{name}.npy" for name in KINDS}
     if f"{HASH}.npy" not in infos or f"{HEADER}.npy" not in infos:
@@ -127,8 +135,12 @@ def _item_bytes(name: str) -> int:
     return int(KINDS[name][0][-1])
 
 
-def _npy_header(name: str, start: bytes) -> Tuple[Tuple[int, ...], int]:
-    """(shape, first byte of the data) of a .npy file. Raises BadZipFile unless it is such an array."""
+def _npy_header(name: str, start: bytes) -> tuple[tuple[int, ...], int]:
+    """(shape, first byte of the data) of a .npy file.
+
+    Raises:
+        zipfile.BadZipFile: It is no array such as its name promises.
+    """
     file = io.BytesIO(start)
     try:
         version = npy_format.read_magic(file)
@@ -149,7 +161,7 @@ def _array(name: str, data: bytes) -> np.ndarray:
     return np.frombuffer(data, np.dtype(KINDS[name][0]), offset=first).reshape(shape)
 
 
-def _check_version(header: Any, path: str) -> None:
+def _check_version(header: Mapping[str, Any], path: str) -> None:
     if header["format"] != FORMAT:
         raise ValueError(f"its format is {header['format']!r}")
     version = checked(header["version"], int, "its version")
@@ -242,7 +254,7 @@ def _references(members: Mapping[str, np.ndarray], header: dict, table: ClassTab
     )
 
 
-def _overview(members: Mapping[str, np.ndarray], parameters: BuildParameters) -> Optional[np.ndarray]:
+def _overview(members: Mapping[str, np.ndarray], parameters: BuildParameters) -> np.ndarray | None:
     labels = members.get("overview_labels")
     if labels is None:
         return None
@@ -252,7 +264,7 @@ def _overview(members: Mapping[str, np.ndarray], parameters: BuildParameters) ->
     return labels.copy()
 
 
-def _lon_lat(values: Optional[dict]) -> Optional[LonLatPolynomial]:
+def _lon_lat(values: dict | None) -> LonLatPolynomial | None:
     if values is None:
         return None
     degree = checked(values["degree"], int, "the degree of lon_lat")
@@ -262,4 +274,8 @@ def _lon_lat(values: Optional[dict]) -> Optional[LonLatPolynomial]:
     numbers = {name: tuple(number(value, name) for value in values[name]) for name in wanted}
     if any(len(numbers[name]) != count for name, count in wanted.items()) or 0 in numbers["half_size"]:
         raise ValueError("lon_lat has not the numbers of its degree")
-    return LonLatPolynomial(degree, **numbers, error_m=number(values["error_m"], "error_m", -1))
+    (x, y), (half_width, half_height) = numbers["center"], numbers["half_size"]
+    error_m = number(values["error_m"], "error_m", -1)
+    return LonLatPolynomial(
+        degree, (x, y), (half_width, half_height), numbers["longitude"], numbers["latitude"], error_m
+    )

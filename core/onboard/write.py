@@ -6,7 +6,7 @@ import io
 import json
 import math
 from dataclasses import asdict
-from typing import Any, Dict, Optional, Tuple
+from typing import Any
 
 import numpy as np
 
@@ -32,13 +32,19 @@ from .format import (
 def write_onboard(
     path: str,
     database: ReferenceDatabase,
-    lon_lat: Optional[LonLatPolynomial],
-    precision: Optional[float] = None,
+    lon_lat: LonLatPolynomial | None,
+    precision: float | None = None,
 ) -> None:
-    """Writes ``database`` to ``path``, with its overview where it has one. Same database, same bytes.
+    """Writes a database, with its overview where it has one. Same database, same bytes.
 
-    ``precision``: largest rounding error of a landmark's x and y, in map units; PRECISION_PX pixels without it.
-    Raises DatabaseError for a database that the format can't hold.
+    Args:
+        path: Of the file.
+        database: To be written.
+        lon_lat: Longitude and latitude of its map coordinates; None where the file shall not tell them.
+        precision: Largest rounding error of a landmark's x and y, map units; PRECISION_PX pixels without it.
+
+    Raises:
+        DatabaseError: The format can't hold the database.
     """
     parameters = database.parameters
     precision = PRECISION_PX * parameters.pixel_size if precision is None else precision
@@ -66,7 +72,7 @@ def write_onboard(
         np.savez_compressed(file, **{name: members[name] for name in KINDS if name in members})
 
 
-def _quantized(database: ReferenceDatabase, precision: float) -> Tuple[Dict[str, np.ndarray], Dict[str, Any]]:
+def _quantized(database: ReferenceDatabase, precision: float) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
     """Arrays by name, and the numbers that the header needs to undo them."""
     windows, references = database.windows, database.references
     if not len(references):

@@ -8,8 +8,9 @@ from __future__ import annotations
 import ast
 import json
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, List, Mapping, Optional, Sequence, Tuple
+from typing import Any
 
 from ..errors import ClassTableError, ModelError
 from ..labels.class_table import BACKGROUND, MAXIMUM_VALUE, UNLABELED, ClassTable, LandCoverClass, default_color
@@ -31,11 +32,11 @@ BACKGROUND_NAMES = ("background", "_background", "unlabeled", "unlabelled", "oth
 class ModelClasses:
     """The classes of a model: ``names`` of its output channels, the class value of each (0 for none), their table."""
 
-    names: Tuple[str, ...]
-    values: Tuple[int, ...]
+    names: tuple[str, ...]
+    values: tuple[int, ...]
     table: ClassTable
 
-    def values_in(self, table: ClassTable, source: str) -> Tuple[int, ...]:
+    def values_in(self, table: ClassTable, source: str) -> tuple[int, ...]:
         """The value in ``table`` of each channel, by name; 0 for classes that ``table`` does not have.
 
         Raises ModelError when a reference class of ``table`` is not among the model's. ``source``: the model's name.
@@ -57,11 +58,11 @@ class ModelSettings:
     ``threshold``: probability from which on a pixel has the class, for networks with one output.
     """
 
-    resolution_m: Optional[float]
-    tile_size_px: Optional[int]
+    resolution_m: float | None
+    tile_size_px: int | None
     overlap: float
-    mean: Tuple[float, ...]
-    std: Tuple[float, ...]
+    mean: tuple[float, ...]
+    std: tuple[float, ...]
     threshold: float
 
 
@@ -87,15 +88,13 @@ def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
     )
 
 
-def named_channels(texts: Mapping[str, str], source: str) -> Optional[List[str]]:
+def named_channels(texts: Mapping[str, str], source: str) -> list[str] | None:
     """The class names in a model's metadata, in the order of its channels; None without any. Raises ModelError."""
     key = next((key for key in ("class_names", "names") if key in texts), None)
     return None if key is None else [str(name) for name in _by_channel(texts, key, source)]
 
 
-def read_classes(
-    texts: Mapping[str, str], channels: int, source: str, given: Optional[ClassTable] = None
-) -> ModelClasses:
+def read_classes(texts: Mapping[str, str], channels: int, source: str, given: ClassTable | None = None) -> ModelClasses:
     """Classes of a model with ``channels`` classes (2 for one that gives the probability of a single class).
 
     ``given``: the user's class table, which has the last word on values, colors and roles. Raises ModelError.
@@ -122,8 +121,8 @@ def read_classes(
 
 
 def _classes(
-    texts: Mapping[str, str], names: Sequence[str], source: str, given: Optional[ClassTable]
-) -> Tuple[Tuple[int, ...], ClassTable]:
+    texts: Mapping[str, str], names: Sequence[str], source: str, given: ClassTable | None
+) -> tuple[tuple[int, ...], ClassTable]:
     """(class value of each channel, table of the classes other than 0)."""
     if given is not None:
         return _given_classes(names, source, given)
@@ -144,7 +143,7 @@ def _classes(
         raise ModelError("labels.at_line", where=source, fault=error.sentence) from None
 
 
-def _given_classes(names: Sequence[str], source: str, given: ClassTable) -> Tuple[Tuple[int, ...], ClassTable]:
+def _given_classes(names: Sequence[str], source: str, given: ClassTable) -> tuple[tuple[int, ...], ClassTable]:
     known = {c.name.casefold(): c.value for c in given}
     missing = [n for n in names if n.casefold() not in known and n.casefold() not in BACKGROUND_NAMES]
     if missing:
@@ -153,7 +152,7 @@ def _given_classes(names: Sequence[str], source: str, given: ClassTable) -> Tupl
     return values, ClassTable(tuple(c for c in given if c.value in values and c.value != UNLABELED))
 
 
-def _by_channel(texts: Mapping[str, str], key: str, source: str, count: Optional[int] = None) -> List[Any]:
+def _by_channel(texts: Mapping[str, str], key: str, source: str, count: int | None = None) -> list[Any]:
     """A list, or a dict of channel number → item, as a list in the order of the channels."""
     found = _literal(texts[key])
     if isinstance(found, dict):
@@ -167,13 +166,13 @@ def _by_channel(texts: Mapping[str, str], key: str, source: str, count: Optional
     return found
 
 
-def _class_value(value: Any, source: str) -> int:
+def _class_value(value: object, source: str) -> int:
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= MAXIMUM_VALUE:
         raise ModelError("segmentation.class_value", source=source, value=value)
     return value
 
 
-def _number(texts: Mapping[str, str], key: str, source: str, least: float, most: float) -> Optional[float]:
+def _number(texts: Mapping[str, str], key: str, source: str, least: float, most: float) -> float | None:
     if key not in texts:
         return None
     found = _literal(texts[key])
@@ -184,7 +183,7 @@ def _number(texts: Mapping[str, str], key: str, source: str, least: float, most:
     return float(found)
 
 
-def _three(texts: Mapping[str, str], key: str, source: str, default: float) -> Tuple[float, ...]:
+def _three(texts: Mapping[str, str], key: str, source: str, default: float) -> tuple[float, ...]:
     if key not in texts:
         return (default,) * 3
     found = _literal(texts[key])
@@ -197,7 +196,7 @@ def _three(texts: Mapping[str, str], key: str, source: str, default: float) -> T
     raise ModelError("segmentation.three_numbers", source=source, text=texts[key], key=key)
 
 
-def _literal(text: str) -> Any:
+def _literal(text: str) -> Any:  # noqa: ANN401 - as in JSON
     """JSON, else a Python literal (Deepness's older models), else the text itself."""
     try:
         return json.loads(text)
@@ -205,7 +204,7 @@ def _literal(text: str) -> Any:
         return _python_literal(text)
 
 
-def _python_literal(text: str) -> Any:
+def _python_literal(text: str) -> Any:  # noqa: ANN401 - as in JSON
     try:
         return ast.literal_eval(text)
     except (ValueError, SyntaxError):

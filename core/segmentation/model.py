@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Sequence
 from types import ModuleType
-from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple, Type
+from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
@@ -50,13 +51,13 @@ class SegmentationModel:
     what runs it. ``notes``: sentences on metadata that were overruled.
     """
 
-    def __init__(self, path: str, threads: int, class_table: Optional[ClassTable] = None) -> None:
+    def __init__(self, path: str, threads: int, class_table: ClassTable | None = None) -> None:
         """``threads``: for the CPU. ``class_table``: the user's, see ``read_classes``.
 
         Raises ModelError when onnxruntime is missing, or the file or what it says about itself can't be used.
         """
         self.path = path
-        self.notes: List[Sentence] = []
+        self.notes: list[Sentence] = []
         self.runs_at_once = min(RUNS_AT_ONCE, threads) if _providers()[:1] == [_CPU] else 1
         self._session = _open(path, -(-threads // self.runs_at_once))
         self.provider = self._session.get_providers()[0]
@@ -163,8 +164,8 @@ def _onnxruntime() -> ModuleType:
     return onnxruntime
 
 
-def _failures() -> Tuple[Type[BaseException], ...]:
-    """onnxruntime's exceptions, which have no base of their own."""
+def _failures() -> tuple[type[BaseException], ...]:
+    """The exceptions of onnxruntime, which have no base of their own."""
     from onnxruntime.capi import onnxruntime_pybind11_state as state
 
     names = (
@@ -183,7 +184,7 @@ def _failures() -> Tuple[Type[BaseException], ...]:
     return (*(getattr(state, name) for name in names if hasattr(state, name)), RuntimeError, ValueError)
 
 
-def _providers() -> List[str]:
+def _providers() -> list[str]:
     """What onnxruntime has to run a network, best first."""
     there = _onnxruntime().get_available_providers()
     return [name for name in PROVIDERS if name in there]

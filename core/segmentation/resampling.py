@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import gcd
-from typing import Optional, Tuple, Union
 
 import numpy as np
 
@@ -21,7 +20,7 @@ SAME_RESOLUTION = 0.05
 
 
 def at_resolution(
-    image: ImageSource, pixel_size_m: Optional[Tuple[float, float]], resolution_m: Optional[float]
+    image: ImageSource, pixel_size_m: tuple[float, float] | None, resolution_m: float | None
 ) -> ImageSource:
     """Brings a photo to a network's resolution: means where it shrinks, bilinear where it grows.
 
@@ -54,7 +53,7 @@ class ResampledImage:
     Pixels without data don't count; a pixel has data where any of those that make it has.
     """
 
-    def __init__(self, image: ImageSource, shape_hw: Tuple[int, int]) -> None:
+    def __init__(self, image: ImageSource, shape_hw: tuple[int, int]) -> None:
         """Takes an image and the (height, width) wanted."""
         self._image = image
         self._shape_hw = shape_hw
@@ -62,11 +61,11 @@ class ResampledImage:
         self._rows, self._columns = (_Axis(old, new, shrinks) for old, new in zip(image.shape_hw, shape_hw))
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
         """(height, width) in pixels."""
         return self._shape_hw
 
-    def read(self, column: int, row: int, width: int, height: int) -> Tuple[np.ndarray, Optional[np.ndarray]]:
+    def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
         """A piece of the resampled image, as ``ImageSource`` says."""
         rows, columns = self._rows.taps(row, height), self._columns.taps(column, width)
         pixels, has_data = self._image.read(columns.first, rows.first, columns.count, rows.count)
@@ -116,7 +115,7 @@ class _Axis:
         start = int(places.min())
         return _Taps(start, int(places.max()) + 1 - start, places - start, weights.astype(np.float64))
 
-    def _means(self, wanted: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    def _means(self, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Each old pixel counts by the share that lies in the new one; in units of 1 / denominator of an old one."""
         begin = wanted * self._numerator
         end = begin + self._numerator
@@ -126,7 +125,7 @@ class _Axis:
         weights = np.minimum(end[:, None], to) - np.maximum(begin[:, None], from_)
         return places, np.maximum(weights, 0)
 
-    def _between(self, wanted: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    def _between(self, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The two old pixels whose centers lie around the new one's; in units of half a new pixel."""
         center = (2 * wanted + 1) * self._numerator - self._denominator
         before = center // (2 * self._denominator)
@@ -150,6 +149,6 @@ def _sums_along(values: np.ndarray, taps: _Taps) -> np.ndarray:
     return sums
 
 
-def _rounded(sums: np.ndarray, totals: Union[float, np.ndarray]) -> np.ndarray:
+def _rounded(sums: np.ndarray, totals: float | np.ndarray) -> np.ndarray:
     """uint8 of sums / totals, halves rounded up."""
     return ((sums + totals / 2) / totals).astype(np.uint8)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Iterator, List, Optional, Sequence, Tuple
 
 import cv2
 import numpy as np
@@ -33,7 +33,7 @@ class _Tile:
     column: int
     row: int
     image: np.ndarray
-    has_data: Optional[np.ndarray]
+    has_data: np.ndarray | None
 
     @property
     def is_empty(self) -> bool:
@@ -42,7 +42,7 @@ class _Tile:
 
 def segment(
     model: SegmentationModel, source: ImageSource, values: Sequence[int], overlap: float
-) -> Iterator[Tuple[float, Optional[SegmentedRows]]]:
+) -> Iterator[tuple[float, SegmentedRows | None]]:
     """Yields, tile by tile, the share done (0…1) and the rows that are finished with it, or None.
 
     ``values``: (C,) class value of each of the model's channels. ``overlap``: share of a tile that lies on each
@@ -66,7 +66,7 @@ def segment(
     # While these tiles are blended here, the network looks at the next ones and those after them are read.
     with ThreadPoolExecutor(1) as reader, ThreadPoolExecutor(model.runs_at_once) as network:
 
-        def look_at(places: Sequence[Tuple[int, int]]) -> Future:
+        def look_at(places: Sequence[tuple[int, int]]) -> Future:
             return network.submit(_look, model, reader.submit(_read_tiles, source, places, model.tile_hw))
 
         waiting = model.runs_at_once + 1
@@ -86,7 +86,7 @@ def segment(
                 future.cancel()
 
 
-def _look(model: SegmentationModel, reading: Future) -> List[Tuple[_Tile, Optional[np.ndarray]]]:
+def _look(model: SegmentationModel, reading: Future) -> list[tuple[_Tile, np.ndarray | None]]:
     """Tiles with their (C, H, W) scores, None for tiles without data."""
     tiles = reading.result()
     with_data = [tile.image for tile in tiles if not tile.is_empty]
@@ -94,7 +94,7 @@ def _look(model: SegmentationModel, reading: Future) -> List[Tuple[_Tile, Option
     return [(tile, None if tile.is_empty else next(scores)) for tile in tiles]
 
 
-def tile_starts(length: int, tile: int, overlap: float) -> List[int]:
+def tile_starts(length: int, tile: int, overlap: float) -> list[int]:
     """First pixels of tiles that cover ``length`` pixels, evenly spread, overlapping by at least that share.
 
     A single 0 when the length fits into one tile. Evenly: no tile hangs over the end, and none is squeezed in.
@@ -106,7 +106,7 @@ def tile_starts(length: int, tile: int, overlap: float) -> List[int]:
     return [round(n * (length - tile) / (count - 1)) for n in range(count)]
 
 
-def nearest_labels(labels_hw: np.ndarray, shape_hw: Tuple[int, int]) -> np.ndarray:
+def nearest_labels(labels_hw: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarray:
     """(H, W) uint8 labels brought to another (height, width): each pixel takes the label at its center."""
     if labels_hw.shape == tuple(shape_hw):
         return labels_hw
@@ -119,12 +119,12 @@ def nearest_labels(labels_hw: np.ndarray, shape_hw: Tuple[int, int]) -> np.ndarr
 class _Blending:
     """Sums of weighted scores, kept only where another tile will still add to them."""
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - private, called once
         self,
         columns: Sequence[int],
         rows: Sequence[int],
-        shape_hw: Tuple[int, int],
-        tile_hw: Tuple[int, int],
+        shape_hw: tuple[int, int],
+        tile_hw: tuple[int, int],
         values: np.ndarray,
         overlap: float,
     ) -> None:
@@ -139,7 +139,7 @@ class _Blending:
         self._above = self._below = np.zeros((len(values), 0, width), np.float32)
         self._labels = np.empty((0, width), np.uint8)
 
-    def add(self, tile: _Tile, scores: Optional[np.ndarray]) -> Optional[SegmentedRows]:
+    def add(self, tile: _Tile, scores: np.ndarray | None) -> SegmentedRows | None:
         """Adds a tile's (C, tile height, tile width) scores, None for none; gives the rows that are finished by it."""
         next_row = self._next_row[tile.row]
         rows = next_row - tile.row
@@ -190,11 +190,11 @@ def _best_channel(scores: np.ndarray) -> np.ndarray:
     return channel
 
 
-def _read_tiles(source: ImageSource, places: Sequence[Tuple[int, int]], tile_hw: Tuple[int, int]) -> List[_Tile]:
+def _read_tiles(source: ImageSource, places: Sequence[tuple[int, int]], tile_hw: tuple[int, int]) -> list[_Tile]:
     return [_read_tile(source, column, row, tile_hw) for column, row in places]
 
 
-def _read_tile(source: ImageSource, column: int, row: int, tile_hw: Tuple[int, int]) -> _Tile:
+def _read_tile(source: ImageSource, column: int, row: int, tile_hw: tuple[int, int]) -> _Tile:
     """A tile of the network's size; an image smaller than that goes on mirrored."""
     height, width = (min(tile, size) for tile, size in zip(tile_hw, source.shape_hw))
     image, has_data = source.read(column, row, width, height)

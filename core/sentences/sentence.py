@@ -7,8 +7,9 @@ found in dicts named ``SENTENCES``, one module a room (``core/sentences/<room>.p
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Mapping, NamedTuple, Tuple, Union
+from typing import Callable, NamedTuple, Union
 
 
 class Plural(NamedTuple):
@@ -40,18 +41,25 @@ class Sentence:
     """
 
     code: str
-    values: Tuple[Tuple[str, Any], ...]
+    values: tuple[tuple[str, object], ...]
 
-    def __init__(self, code: str, /, **values: Any) -> None:
+    def __init__(self, code: str, /, **values: object) -> None:
+        """Makes the sentence.
+
+        Args:
+            code: Key of the template.
+            values: Those that the template names; a list is kept as a tuple.
+        """
         frozen = {name: tuple(value) if isinstance(value, list) else value for name, value in values.items()}
         object.__setattr__(self, "code", code)
         object.__setattr__(self, "values", tuple(sorted(frozen.items())))
 
     def __str__(self) -> str:
+        """The sentence in English."""
         return english(self)
 
 
-_templates: Dict[str, Template] = {}
+_templates: dict[str, Template] = {}
 
 
 def add(sentences: Mapping[str, Template]) -> None:
@@ -87,7 +95,7 @@ def filled(sentence: Sentence, template: Callable[[Sentence], str]) -> str:
     return template(sentence).format(**{name: _shown(value, template) for name, value in sentence.values})
 
 
-def english(said: Any) -> str:
+def english(said: object) -> str:
     """A sentence, or what may be a value of one, in English, as the command line and logs say it."""
     return str(_shown(said, template_of))
 
@@ -99,7 +107,7 @@ class _Worded(str):
         return self[:1].lower() + self[1:] if spec == "clause" else super().__format__(spec)
 
 
-def _shown(value: Any, template: Callable[[Sentence], str]) -> Any:
+def _shown(value: object, template: Callable[[Sentence], str]) -> object:
     """A value as ``str.format`` takes it; numbers stay numbers for the template's format."""
     if isinstance(value, Sentence):
         return _Worded(filled(value, template))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import sqlite3
+from collections.abc import Iterator
 from dataclasses import fields
-from typing import Iterator, Tuple
 
 import numpy as np
 from osgeo import gdal, ogr
@@ -23,18 +23,26 @@ _UNSAFE = ["PRELUDE_STATEMENTS=PRAGMA synchronous=OFF"]
 
 
 class DatabaseEditor:
-    """Writes the changes of ``stored`` to ``path``, a new file; iterate ``steps()`` to the end.
-
-    Raises DatabaseError when GDAL can't write.
-    """
+    """Writes a changed database as a new file; iterate ``steps()`` to the end."""
 
     def __init__(self, path: str, stored: StoredDatabase, changes: DatabaseChanges) -> None:
+        """Makes the editor.
+
+        Args:
+            path: The new file.
+            stored: The database as it is.
+            changes: What becomes of it.
+        """
         self._path = path
         self._stored = stored
         self._changes = changes
 
-    def steps(self) -> Iterator[Tuple[str, float]]:
-        """Yields (what is being done, share done 0…1)."""
+    def steps(self) -> Iterator[tuple[str, float]]:
+        """Yields (what is being done, share done 0…1).
+
+        Raises:
+            DatabaseError: GDAL can't write.
+        """
         try:
             copy_database(self._stored.database.source, self._path)
             yield "Writing the database", 0.2

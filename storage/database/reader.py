@@ -9,9 +9,9 @@ import json
 import os
 import sqlite3
 import struct
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import List, Optional, Sequence, Tuple
 
 import numpy as np
 from osgeo import gdal
@@ -134,7 +134,7 @@ def _read_references(connection: sqlite3.Connection) -> MapLandmarks:
 
 def _points(blobs: Sequence[bytes]) -> np.ndarray:
     """GeoPackage point blobs (8-byte header without envelope, then WKB) → (N, 2)."""
-    found: List[Tuple[float, float]] = []
+    found: list[tuple[float, float]] = []
     for blob in blobs:
         order = "<" if blob[8] else ">"
         found.append(struct.unpack_from(f"{order}dd", blob, 13))
@@ -151,8 +151,8 @@ class StoredDatabase:
     """
 
     database: ReferenceDatabase
-    window_fids: Tuple[int, ...]
-    reference_fids: Tuple[int, ...]
+    window_fids: tuple[int, ...]
+    reference_fids: tuple[int, ...]
 
 
 def read_stored_database(path: str) -> StoredDatabase:
@@ -171,7 +171,7 @@ def read_stored_database(path: str) -> StoredDatabase:
     return StoredDatabase(database, tuple(fid for (fid,) in window_fids), tuple(fid for (fid,) in fids))
 
 
-def _read_bounds(connection: sqlite3.Connection) -> Optional[np.ndarray]:
+def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
     """(N, 4) int64 bounds of the references in the order of their fids; None in databases of older versions."""
     found = connection.execute("SELECT count(*) FROM sqlite_master WHERE name = ?", (schema.BOUNDS,)).fetchone()
     if not found[0]:
@@ -183,7 +183,7 @@ def _read_bounds(connection: sqlite3.Connection) -> Optional[np.ndarray]:
     return np.array(rows, np.int64).reshape(-1, 4)
 
 
-def stored_style(path: str, table: str) -> Optional[str]:
+def stored_style(path: str, table: str) -> str | None:
     """QML of the style of one table of a database, None when it has none."""
     try:
         with contextlib.closing(_connect(path)) as connection:

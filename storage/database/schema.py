@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
-from typing import Iterator, Optional, Sequence, Tuple
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from osgeo import gdal, ogr
@@ -74,7 +74,7 @@ STYLE_FIELDS = (
 )
 
 
-def reference_rows(references: MapLandmarks, table: ClassTable) -> Iterator[Tuple[bytes, tuple]]:
+def reference_rows(references: MapLandmarks, table: ClassTable) -> Iterator[tuple[bytes, tuple]]:
     """Geometry (WKB) and column values of each reference."""
     names = {c.value: c.name for c in table}
     for i in range(len(references)):
@@ -99,10 +99,10 @@ def field_definition(name: str, kind: str) -> ogr.FieldDefn:
 
 def write_feature(
     layer: ogr.Layer,
-    fields: Sequence[Tuple[str, str]],
-    wkb: Optional[bytes],
+    fields: Sequence[tuple[str, str]],
+    wkb: bytes | None,
     values: Sequence,
-    fid: Optional[int] = None,
+    fid: int | None = None,
 ) -> int:
     """Adds a feature and gives its fid."""
     feature = ogr.Feature(layer.GetLayerDefn())

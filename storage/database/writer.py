@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Iterator
 from dataclasses import fields
-from typing import Dict, Iterator, Tuple
 
 import numpy as np
 from osgeo import gdal, gdal_array, ogr, osr
@@ -22,21 +22,22 @@ _FEATURES_A_STEP = 2000
 class DatabaseWriter:
     """Writes a database to ``path`` (a temporary one); iterate ``steps()`` to the end."""
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - what a file holds; only the plugin has PROJ and styles
         self,
         path: str,
         database: ReferenceDatabase,
         longitudes: np.ndarray,
         latitudes: np.ndarray,
         overview: np.ndarray,
-        styles: Dict[str, str],
+        styles: dict[str, str],
     ) -> None:
         """Makes the writer.
 
         Args:
             path: The new file.
             database: With the windows' distinctiveness, NaN is written as NULL.
-            longitudes, latitudes: (N,) degrees, of the windows' centers, NaN as well.
+            longitudes: (N,) degrees, of the windows' centers; NaN is written as NULL.
+            latitudes: (N,) degrees, as well.
             overview: (h, w) uint8.
             styles: QML by table.
         """
@@ -47,8 +48,12 @@ class DatabaseWriter:
         self._overview = overview
         self._styles = styles
 
-    def steps(self) -> Iterator[Tuple[str, float]]:
-        """Yields (what is being done, share done 0…1). Raises DatabaseError when GDAL can't write."""
+    def steps(self) -> Iterator[tuple[str, float]]:
+        """Yields (what is being done, share done 0…1).
+
+        Raises:
+            DatabaseError: GDAL can't write.
+        """
         try:
             for share in self._write():
                 yield "Writing the database", share
@@ -94,7 +99,7 @@ class DatabaseWriter:
                 yield done
             dataset.CommitTransaction()
 
-    def _window_rows(self) -> Iterator[Tuple[bytes, tuple]]:
+    def _window_rows(self) -> Iterator[tuple[bytes, tuple]]:
         windows = self._database.windows
         for i in range(len(windows)):
             (x, y), half = windows.centers[i].tolist(), float(windows.sizes[i]) / 2
@@ -113,25 +118,25 @@ class DatabaseWriter:
             )
             yield _square_wkb(x - half, y - half, x + half, y + half), values
 
-    def _reference_rows(self) -> Iterator[Tuple[bytes, tuple]]:
+    def _reference_rows(self) -> Iterator[tuple[bytes, tuple]]:
         return schema.reference_rows(self._database.references, self._database.class_table)
 
-    def _bounds_rows(self) -> Iterator[Tuple[None, tuple]]:
+    def _bounds_rows(self) -> Iterator[tuple[None, tuple]]:
         # In the references' order, and so with their fids.
         for bounds in self._database.references.bounds_px.tolist():
             yield None, tuple(bounds)
 
-    def _class_rows(self) -> Iterator[Tuple[None, tuple]]:
+    def _class_rows(self) -> Iterator[tuple[None, tuple]]:
         for c in self._database.class_table:
             hsv = (None if limit is None else " ".join(map(str, limit)) for limit in (c.hsv_min, c.hsv_max))
             yield None, (c.value, c.name, c.color, c.role, c.draw_order, *hsv)
 
-    def _parameter_rows(self) -> Iterator[Tuple[None, tuple]]:
+    def _parameter_rows(self) -> Iterator[tuple[None, tuple]]:
         parameters = self._database.parameters
         for item in fields(parameters):
             yield None, (item.name, schema.parameter_text(parameters, item.name))
 
-    def _style_rows(self) -> Iterator[Tuple[None, tuple]]:
+    def _style_rows(self) -> Iterator[tuple[None, tuple]]:
         for table, qml in self._styles.items():
             yield None, ("", "", table, "geom", table, qml, None, 1, "SemRef", "", None, "now")
 
