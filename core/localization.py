@@ -122,6 +122,17 @@ class Place:
     inliers: int | None = None
     score: float | None = None
 
+    @property
+    def oriented(self) -> tuple[float, float]:
+        """Heading in degrees and pixel size in map units, of a method that tells both.
+
+        Raises:
+            ValueError: The method doesn't: topology vectors.
+        """
+        if self.heading_deg is None or self.pixel_size_m is None:
+            raise ValueError("the place has no heading and pixel size")
+        return self.heading_deg, self.pixel_size_m
+
 
 @dataclass(frozen=True)
 class Matches:

@@ -12,7 +12,7 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, List, Optional
+from typing import IO
 
 from ..core.errors import ParameterError
 
@@ -61,8 +61,8 @@ class Batch:
     """
 
     def __init__(self) -> None:
-        self._staged: List[_Staged] = []
-        self._locks: List[IO[bytes]] = []
+        self._staged: list[_Staged] = []
+        self._locks: list[IO[bytes]] = []
 
     def __enter__(self) -> Batch:
         return self
@@ -113,7 +113,7 @@ class Batch:
         """
         for staged in self._staged:
             _flush(staged.made)
-        done: List[_Replaced] = []
+        done: list[_Replaced] = []
         try:
             for staged in self._staged:
                 for source, target in _moves(staged):
@@ -168,7 +168,7 @@ class _Replaced:
     """What a move did: ``older`` is where the file that it replaced lies now, None where there was none."""
 
     target: Path
-    older: Optional[Path]
+    older: Path | None
 
     def take_back(self) -> None:
         """Puts the older one back; without one the new one goes."""
@@ -178,13 +178,13 @@ class _Replaced:
             os.replace(self.older, self.target)
 
 
-def _moves(staged: _Staged) -> List[tuple[Optional[Path], Path]]:
+def _moves(staged: _Staged) -> list[tuple[Path | None, Path]]:
     """(file written, its place) of an output and what belongs to it; None: an older companion that must go."""
     final = staged.final
     if staged.is_folder:
         return [(staged.made, final)]
     written = [path for path in sorted(staged.workplace.iterdir()) if path.name != _LOCK and path != staged.made]
-    moves: List[tuple[Optional[Path], Path]] = [(path, final.with_name(path.name)) for path in written]
+    moves: list[tuple[Path | None, Path]] = [(path, final.with_name(path.name)) for path in written]
     # What belongs to an older output would be taken for the new one's.
     names = {path.name for path in written}
     beside = [final.with_name(final.name + suffix) for suffix in SIDECARS]
@@ -193,7 +193,7 @@ def _moves(staged: _Staged) -> List[tuple[Optional[Path], Path]]:
     return [*moves, (staged.made, final)] if staged.made.exists() else moves
 
 
-def _replace(source: Optional[Path], target: Path, workplace: Path) -> _Replaced:
+def _replace(source: Path | None, target: Path, workplace: Path) -> _Replaced:
     """Moves one file or folder to its place, keeping what it replaces in the workplace until all are moved."""
     older = None
     try:
@@ -237,7 +237,7 @@ def _remove(path: Path) -> None:
         path.unlink(missing_ok=True)
 
 
-def _locked(path: Path) -> Optional[IO[bytes]]:
+def _locked(path: Path) -> IO[bytes] | None:
     """A file that stays open, and locked where the system can; None where it can't be made."""
     try:
         file = path.open("wb")

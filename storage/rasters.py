@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Callable, Iterator, List, Optional, Tuple
+from typing import Callable
 
 import numpy as np
 from osgeo import gdal
@@ -73,7 +74,7 @@ def require_whole_raster(path: str, target: str) -> None:
 
 
 class GdalLabels:
-    """A LabelSource on disk: one band of whole numbers 0–255. Raises LabelMapError for anything else."""
+    """A LabelSource on disk: one band of whole numbers 0–255."""
 
     def __init__(self, path: str, keeps_blocks: bool = False) -> None:
         """Opens the map.
@@ -82,6 +83,9 @@ class GdalLabels:
             path: The raster.
             keeps_blocks: For work that returns to the same places: GDAL's cache keeps the blocks of pieces; those of
                 whole rows are still let go, as they are read once and in order.
+
+        Raises:
+            LabelMapError: The file is anything else.
         """
         self._path = path
         self._keeps_blocks = keeps_blocks
@@ -95,14 +99,21 @@ class GdalLabels:
         self._nodata = self._band.GetNoDataValue()
 
     @property
-    def shape_hw(self) -> Tuple[int, int]:
+    def shape_hw(self) -> tuple[int, int]:
+        """(height, width) in pixels."""
         return self._dataset.RasterYSize, self._dataset.RasterXSize
 
     @property
     def dataset(self) -> gdal.Dataset:
+        """The open file."""
         return self._dataset
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        """(height, width) uint8 labels, 0 where the file says that nothing is.
+
+        Raises:
+            LabelMapError: The file is damaged, or a value is no label.
+        """
         try:
             block = self._band.ReadAsArray(column, row, width, height)
         except RuntimeError as error:
@@ -132,7 +143,8 @@ class HeldLabels:
         self._labels = labels
         self.source: LabelSource = labels
 
-    def steps(self) -> Iterator[Tuple[str, float]]:
+    def steps(self) -> Iterator[tuple[str, float]]:
+        """Yields (what is being done, share done 0…1)."""
         height, width = self._labels.shape_hw
         if height * width > HELD_PIXELS:
             return
@@ -159,16 +171,16 @@ class RasterFile:
     path: str
     crs_wkt: str = ""
     is_metric: bool = False
-    styled_classes: Tuple[LandCoverClass, ...] = ()
+    styled_classes: tuple[LandCoverClass, ...] = ()
 
 
-def stored_class_table(dataset: gdal.Dataset, path: str) -> Optional[ClassTable]:
+def stored_class_table(dataset: gdal.Dataset, path: str) -> ClassTable | None:
     """The class table that a label map made by SemRef carries."""
     text = dataset.GetMetadataItem(CLASS_TABLE_ITEM)
     return class_table_from_csv(text, f"the class table inside {path}") if text else None
 
 
-def named_classes(dataset: gdal.Dataset) -> Tuple[LandCoverClass, ...]:
+def named_classes(dataset: gdal.Dataset) -> tuple[LandCoverClass, ...]:
     """Classes from GDAL's category names and color table."""
     band = dataset.GetRasterBand(1)
     colors = band.GetRasterColorTable()
@@ -182,7 +194,7 @@ def named_classes(dataset: gdal.Dataset) -> Tuple[LandCoverClass, ...]:
     return tuple(found) if len(set(names)) == len(names) else ()
 
 
-def class_table_of_map(labels: GdalLabels, file: RasterFile) -> Optional[ClassTable]:
+def class_table_of_map(labels: GdalLabels, file: RasterFile) -> ClassTable | None:
     """The map's own table, else that of its category names, else of its layer's style; None when it has none."""
     stored = stored_class_table(labels.dataset, file.path)
     if stored is not None:
@@ -255,9 +267,9 @@ def _read_bytes(dataset: gdal.Dataset, number: int, path: str, first_row: int, r
     return data
 
 
-def image_files(paths: List[str]) -> List[str]:
+def image_files(paths: list[str]) -> list[str]:
     """Files as given; a folder stands for the images in it, by name. Raises LabelMapError for an empty folder."""
-    found: List[str] = []
+    found: list[str] = []
     for path in paths:
         if not os.path.isdir(path):
             found.append(path)

@@ -182,7 +182,8 @@ def write_orthophoto(landscape: Landscape, pixel_size: float, photo_hw3: np.ndar
 def write_truth(landscape: Landscape, pixel_size: float, views: Iterable[pictures.Picture], path: Path) -> None:
     """Where every picture was cut: its center in map pixels and map units, heading, and scale.
 
-    ``rotation_deg`` is the heading of the image's top, clockwise from grid north; ``scale`` is map pixels per image pixel.
+    ``rotation_deg`` is the heading of the image's top, clockwise from grid north; ``scale`` is map pixels per image
+    pixel.
     """
     west, north, _, _ = grid_of(landscape, pixel_size)
     with path.open("w", newline="", encoding="utf-8") as file:

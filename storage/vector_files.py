@@ -42,8 +42,8 @@ def copy_database(path: str, target: str) -> None:
         ParameterError: When it can't be read.
     """
     try:
-        with contextlib.closing(sqlite3.connect(path, timeout=5)) as source:
-            with contextlib.closing(sqlite3.connect(target)) as copy:
-                source.backup(copy)
+        closing = contextlib.closing
+        with closing(sqlite3.connect(path, timeout=5)) as source, closing(sqlite3.connect(target)) as copy:
+            source.backup(copy)
     except sqlite3.Error as error:
         raise ParameterError("storage.file_unwritable", path=path, reason=str(error)) from None

@@ -10,21 +10,23 @@ landmarks do not come out whole, and they disagree at right places as at wrong o
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Optional
 
 import numpy as np
 
-from ..localization import Localization, Prior, Status
+from ..localization import Localization, Place, Prior, Status
 from ..sentences import Sentence
 from .settings import LOCALIZER, LocalizerSettings
 
 
 def checked_by_areas(
-    fix: Localization, agreement: Optional[float], settings: LocalizerSettings = LOCALIZER
+    fix: Localization, agreement: float | None, settings: LocalizerSettings = LOCALIZER
 ) -> Localization:
-    """A constellation's fix, or why it is none; ``agreement``: correlation of class areas there, None: can't tell.
+    """A constellation's fix, or why it is none; a fix that class areas speak against is an alternative.
 
-    A fix that class areas speak against is an alternative.
+    Args:
+        fix: Of the constellation.
+        agreement: Correlation of class areas there; None where they can't tell.
+        settings: The least agreement.
     """
     if agreement is None or agreement >= settings.least_agreement:
         return fix
@@ -33,33 +35,50 @@ def checked_by_areas(
         fix.method,
         fix.references,
         Sentence("localization.areas_speak_against", agreement=agreement, least=settings.least_agreement),
-        alternatives=(fix.best,),
+        alternatives=() if fix.best is None else (fix.best,),
         search_capped=fix.search_capped,
     )
 
 
 def near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER) -> Prior:
-    """What the constellation looks for to confirm map correlation's fix: the same pose, as exactly as that is known."""
-    radius = max(settings.near_errors * fix.error_95_m, settings.near_share * shorter_edge_px * fix.pixel_size_m)
-    sizes = fix.pixel_size_m / settings.near_ratio, fix.pixel_size_m * settings.near_ratio
+    """What the constellation looks for to confirm map correlation's fix: the same pose, as exactly as that is known.
+
+    Args:
+        fix: Of map correlation.
+        prior: What is known of the image besides.
+        shorter_edge_px: Of the image.
+        settings: How near is near.
+
+    Raises:
+        ValueError: There is no fix.
+    """
+    if fix.place is None:
+        raise ValueError("map correlation has no fix to confirm")
+    heading_deg, pixel_size = fix.place.oriented
+    radius = max(settings.near_errors * (fix.error_95_m or 0.0), settings.near_share * shorter_edge_px * pixel_size)
+    sizes = pixel_size / settings.near_ratio, pixel_size * settings.near_ratio
     return replace(
         prior,
-        position=fix.position,
+        position=fix.place.position,
         radius=radius,
-        heading_deg=fix.heading_deg,
+        heading_deg=heading_deg,
         heading_range_deg=settings.near_heading_deg,
         pixel_size_range=sizes,
     )
 
 
-def confirmed(areas: Localization, objects: Localization, radius: float) -> Optional[Localization]:
+def confirmed(areas: Localization, objects: Localization, closer: Prior) -> Localization | None:
     """The fix at the constellation's finer pose, when that is map correlation's too; else None.
 
-    ``areas``: a fix of map correlation; ``objects``: what the constellation found ``near`` it, ``radius`` around. Where
-    several places are alike for the constellation, map correlation may tell which it is.
+    Where several places are alike for the constellation, map correlation may tell which it is.
+
+    Args:
+        areas: A fix of map correlation.
+        objects: What the constellation found with the prior ``closer``.
+        closer: Of ``near``.
     """
-    places = [objects.best] if objects.is_fix else list(objects.alternatives)
-    here = [np.hypot(*np.subtract(place.position, areas.position)) <= radius for place in places]
+    places = objects.alternatives if objects.place is None else (objects.place,)
+    here = [_within(place, closer) for place in places]
     if not any(here[:1]) or any(here[1:]) or not objects.is_fix and len(here) < 2:
         return None
     exactness = objects if objects.is_fix else areas
@@ -79,16 +98,22 @@ def confirmed(areas: Localization, objects: Localization, radius: float) -> Opti
 def neither(
     objects: Localization, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER
 ) -> Localization:
-    """No fix by the constellation (``objects``) nor by map correlation (``areas``): one result with both reasons.
+    """One result with both reasons where neither method has a fix.
 
     A place that both found is told once, as the constellation has it.
+
+    Args:
+        objects: Of the constellation.
+        areas: Of map correlation.
+        shorter_edge_px: Of the image.
+        settings: How near two places are the same.
     """
     known = [place.position for place in objects.alternatives]
     others = tuple(
         place
         for place in areas.alternatives
         if all(
-            np.hypot(*np.subtract(place.position, other)) > settings.near_share * shorter_edge_px * place.pixel_size_m
+            np.hypot(*np.subtract(place.position, other)) > settings.near_share * shorter_edge_px * place.oriented[1]
             for other in known
         )
     )
@@ -99,3 +124,10 @@ def neither(
         alternatives=objects.alternatives + others,
         peaks=areas.peaks,
     )
+
+
+def _within(place: Place, prior: Prior) -> bool:
+    """Whether a place is as near to the expected position as a prior says."""
+    if prior.position is None or prior.radius is None:
+        return True
+    return bool(np.hypot(*np.subtract(place.position, prior.position)) <= prior.radius)

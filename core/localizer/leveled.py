@@ -42,9 +42,9 @@ def localize_leveled(  # noqa: PLR0913 - what ``Localizer.localize`` takes, and 
         pixels = way.in_image(found.matches.pixels_xy)
         found = replace(found, matches=replace(found.matches, pixels_xy=pixels))
     place = found.place
-    if place is None or place.heading_deg is None or place.pixel_size_m is None:
+    if place is None:
         return found
-    turn = turn_of(place.heading_deg, place.pixel_size_m)
+    turn = turn_of(*place.oriented)
     center = complex(*place.position) - turn * way.middle
     corners, nadir = center + turn * way.corners, center + turn * way.nadir
     return replace(

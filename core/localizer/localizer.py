@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import List, Optional, Tuple
 
 import numpy as np
 
@@ -26,7 +25,7 @@ from .combined import checked_by_areas, confirmed, near, neither
 from .settings import LOCALIZER, LocalizerSettings
 
 
-def default_scales(method: Method) -> Tuple[float, float]:
+def default_scales(method: Method) -> tuple[float, float]:
     """Ground searched without a prior, as multiples of a window's edge: what the method was calibrated for.
 
     Automatic leaves each of its two methods its own.
@@ -38,22 +37,32 @@ def default_scales(method: Method) -> Tuple[float, float]:
 class DescribedImage:
     """The largest centered square of an image, described.
 
-    first_xy: its first pixel (column, row); size: its edge in pixels; objects: in the square's own pixels.
+    Attributes:
+        first_xy: Its first pixel (column, row).
+        size: Its edge, pixels.
+        objects: Landmarks, in the square's own pixels.
+        vector: Topology vector; None where there are too few landmarks.
     """
 
-    first_xy: Tuple[int, int]
+    first_xy: tuple[int, int]
     size: int
     objects: Landmarks
-    vector: Optional[np.ndarray]
+    vector: np.ndarray | None
 
 
 def describe_image(
-    labels_hw: np.ndarray, reference_values: Tuple[int, ...], area_fraction: float, references_per_vector: int
+    labels_hw: np.ndarray, reference_values: tuple[int, ...], area_fraction: float, references_per_vector: int
 ) -> DescribedImage:
     """Describes an image as a window is described: in its largest centered square, objects and topology vector.
 
-    ``labels_hw``: (H, W) uint8; ``area_fraction``: smallest area of an object as a fraction of the square's.
-    Raises LabelMapError for an image without pixels.
+    Args:
+        labels_hw: (H, W) uint8 labels.
+        reference_values: Values of the reference classes, ascending.
+        area_fraction: Smallest area of an object as a fraction of the square's.
+        references_per_vector: Landmarks that a vector holds at most.
+
+    Raises:
+        LabelMapError: The image has no pixels.
     """
     column, row, size = centered_square(labels_hw.shape)
     if size < 1:
@@ -70,12 +79,17 @@ class Localizer:
     """Localizes label images in one database."""
 
     def __init__(self, database: ReferenceDatabase, settings: LocalizerSettings = LOCALIZER) -> None:
-        """``settings``: of the methods; other than the default only to calibrate them."""
+        """Makes the localizer; indexes are built when they are first needed.
+
+        Args:
+            database: With its overview for map correlation.
+            settings: Of the methods; other than the default only to calibrate them.
+        """
         self.settings = settings
         self._database = database
         windows = database.windows
-        self._index: Optional[ConstellationIndex] = None
-        self._pyramid: Optional[MapPyramid] = None
+        self._index: ConstellationIndex | None = None
+        self._pyramid: MapPyramid | None = None
         self._levels = []
         for size in np.unique(windows.sizes[windows.described]):
             index = np.flatnonzero(windows.described & (windows.sizes == size))
@@ -84,12 +98,16 @@ class Localizer:
     def localize_by_topology_vector(self, labels_hw: np.ndarray) -> Localization:
         """The published method, exactly: nearest topology vector, accepted up to distance T.
 
-        Told in docs/method.md#topology-vector.
+        Told in docs/method.md#topology-vector. The position is the matched window's center; heading and pixel size are
+        not part of the method. With several levels the image is described once for each window size, because the
+        smallest object is the same fraction of the window's area.
 
-        ``labels_hw``: (H, W) uint8 labels of the database's class table. The position is the matched window's center;
-        heading and pixel size are not part of the method. With several levels the image is described once for
-        each window size, because the smallest object is the same fraction of the window's area.
-        Raises DatabaseError when no window can be matched.
+        Args:
+            labels_hw: (H, W) uint8 labels of the database's class table.
+
+        Raises:
+            DatabaseError: No window can be matched.
+            LabelMapError: The image has no pixels.
         """
         self.check(Method.TOPOLOGY_VECTOR)
         count, nearest = self._nearest_windows(labels_hw, 1)
@@ -116,14 +134,19 @@ class Localizer:
             footprint=image_corners(center, 0.0, float(windows.sizes[index]), 1, 1),
         )
 
-    def nearest_windows(self, labels_hw: np.ndarray, count: int) -> List[Tuple[int, float]]:
-        """(index, distance) of up to ``count`` windows with the vectors nearest to the image's, nearest first.
+    def nearest_windows(self, labels_hw: np.ndarray, count: int) -> list[tuple[int, float]]:
+        """(index, distance) of the windows with the vectors nearest to the image's, nearest first.
 
-        ``labels_hw``: (H, W) uint8 labels of the database's class table. Empty where it shows too few landmarks.
+        Args:
+            labels_hw: (H, W) uint8 labels of the database's class table.
+            count: How many at most.
+
+        Returns:
+            Empty where the image shows too few landmarks.
         """
         return [(index, distance) for distance, index, _ in self._nearest_windows(labels_hw, count)[1]]
 
-    def _nearest_windows(self, labels_hw: np.ndarray, count: int) -> Tuple[int, List[Tuple[float, int, int]]]:
+    def _nearest_windows(self, labels_hw: np.ndarray, count: int) -> tuple[int, list[tuple[float, int, int]]]:
         """The most landmarks the image has at any level; (distance, index, landmarks) of the nearest windows."""
         most, found = 0, []
         for size, index, vectors in self._levels:
@@ -147,23 +170,24 @@ class Localizer:
             )
         return self._index
 
-    def localize_by_constellation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
+    def localize_by_constellation(self, labels_hw: np.ndarray, prior: Prior | None = None) -> Localization:
         """Landmarks as stars (docs/method.md#constellation); position, heading and pixel size of any image.
 
-        ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size,
-        images are searched that show 0.4 to 2.5 times a window's ground. Raises LabelMapError for an image without
-        pixels.
+        Args:
+            labels_hw: (H, W) uint8 labels of the database's class table.
+            prior: Without one on the pixel size, images are searched that show 0.4 to 2.5 times a window's ground.
+
+        Raises:
+            LabelMapError: The image has no pixels.
         """
-        height, width = _shape(labels_hw)
+        height, width = shape_hw = _shape(labels_hw)
         prior = prior or Prior()
-        if not prior.pixel_size_range:
-            prior = replace(
-                prior, pixel_size_range=self.pixel_sizes(labels_hw.shape, self.settings.constellation.scales)
-            )
-        objects, smallest = self._objects(labels_hw, prior.pixel_size_range[1])
+        sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.constellation.scales)
+        prior = replace(prior, pixel_size_range=sizes)
+        objects, smallest = self._objects(labels_hw, sizes[1])
         return solve(objects, width, height, self.index, prior, smallest)
 
-    def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> Tuple[Landmarks, float]:
+    def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> tuple[Landmarks, float]:
         """The image's landmarks, and the smallest contour area, px², that the map's may have in it."""
         parameters = self._database.parameters
         smallest = max(parameters.minimum_area / largest_pixel_size**2, self.settings.constellation.smallest_object_px)
@@ -171,7 +195,11 @@ class Localizer:
 
     @property
     def pyramid(self) -> MapPyramid:
-        """The overview as map correlation searches it; made at the first use. Raises DatabaseError without overview."""
+        """The overview as map correlation searches it; made at the first use.
+
+        Raises:
+            DatabaseError: The database was read without its overview.
+        """
         if self._pyramid is None:
             database = self._database
             if database.overview is None:
@@ -179,57 +207,80 @@ class Localizer:
             self._pyramid = MapPyramid(database.overview, database.parameters.overview_frame, self.settings.correlation)
         return self._pyramid
 
-    def localize_by_map_correlation(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
+    def localize_by_map_correlation(self, labels_hw: np.ndarray, prior: Prior | None = None) -> Localization:
         """By the overlap of class areas, for labels too poor for centers of gravity (docs/method.md#map-correlation).
 
-        ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size the image is
-        taken to show 0.7 to 1.4 times a window's ground. Takes seconds without a prior on the position.
+        Takes seconds without a prior on the position.
+
+        Args:
+            labels_hw: (H, W) uint8 labels of the database's class table.
+            prior: Without one on the pixel size the image is taken to show 0.7 to 1.4 times a window's ground.
+
+        Raises:
+            LabelMapError: The image has no pixels.
+            DatabaseError: The database was read without its overview.
         """
-        _shape(labels_hw)
+        shape_hw = _shape(labels_hw)
         prior = prior or Prior()
-        if not prior.pixel_size_range:
-            prior = replace(prior, pixel_size_range=self.pixel_sizes(labels_hw.shape, self.settings.correlation.scales))
-        return correlate(labels_hw, self.pyramid, prior)
+        sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.correlation.scales)
+        return correlate(labels_hw, self.pyramid, replace(prior, pixel_size_range=sizes))
 
     @property
     def has_overview(self) -> bool:
         """Whether map correlation can be used."""
         return self._database.overview is not None
 
-    def localize_automatically(self, labels_hw: np.ndarray, prior: Optional[Prior] = None) -> Localization:
+    def localize_automatically(self, labels_hw: np.ndarray, prior: Prior | None = None) -> Localization:
         """The constellation, checked by class areas; where that has no fix, map correlation, made finer by the first.
 
-        ``labels_hw``: (H, W) uint8 labels of the database's class table. Without a prior on the pixel size each
-        searches its own range. A database without overview leaves the constellation alone. Takes as long as map
-        correlation for images without a fix by the constellation. ``method`` of a fix: whose pose it is.
+        A database without overview leaves the constellation alone. Takes as long as map correlation for images without
+        a fix by the constellation.
+
+        Args:
+            labels_hw: (H, W) uint8 labels of the database's class table.
+            prior: Without one on the pixel size each method searches its own range.
+
+        Returns:
+            The method of a fix is the one whose pose it is.
         """
         objects = self.localize_by_constellation(labels_hw, prior)
         if not self.has_overview:
             return objects
-        if objects.is_fix:
-            return checked_by_areas(objects, agreement_at(labels_hw, self.pyramid, objects.best), self.settings)
+        if objects.place is not None:
+            return checked_by_areas(objects, agreement_at(labels_hw, self.pyramid, objects.place), self.settings)
         areas = self.localize_by_map_correlation(labels_hw, prior)
         if not areas.is_fix:
             return neither(objects, areas, min(labels_hw.shape), self.settings)
         areas = replace(areas, references=objects.references)
         closer = near(areas, prior or Prior(), min(labels_hw.shape), self.settings)
-        found = confirmed(areas, self.localize_by_constellation(labels_hw, closer), closer.radius)
-        return found or areas
+        return confirmed(areas, self.localize_by_constellation(labels_hw, closer), closer) or areas
 
-    def pixel_sizes(self, shape_hw: Tuple[int, int], scales: Tuple[float, float]) -> Tuple[float, float]:
-        """Smallest and largest pixel size of images whose shorter edge shows ``scales`` times a window's edge."""
+    def pixel_sizes(self, shape_hw: tuple[int, int], scales: tuple[float, float]) -> tuple[float, float]:
+        """Smallest and largest pixel size of images that show about a window's ground.
+
+        Args:
+            shape_hw: (height, width) of the image, pixels.
+            scales: Least and most of the ground that its shorter edge shows, in edges of a window.
+        """
         parameters = self._database.parameters
         edges = [parameters.window_size * level for level in parameters.levels]
         shorter = max(min(shape_hw), 1)
         return scales[0] * min(edges) / shorter, scales[1] * max(edges) / shorter
 
     def check(self, method: Method) -> None:
-        """Raises DatabaseError when the database can't serve ``method`` for any image."""
+        """Refuses a method that the database can't serve for any image.
+
+        Args:
+            method: How images are to be localized.
+
+        Raises:
+            DatabaseError: It can't.
+        """
         if method == Method.TOPOLOGY_VECTOR and not self._database.windows.described.any():
             raise DatabaseError("database.no_described_window", least=MINIMUM_REFERENCES)
 
     def localize(
-        self, labels_hw: np.ndarray, method: Method, prior: Optional[Prior] = None, with_matches: bool = False
+        self, labels_hw: np.ndarray, method: Method, prior: Prior | None = None, with_matches: bool = False
     ) -> Localization:
         """Localizes an image.
 
@@ -242,6 +293,10 @@ class Localizer:
 
         Returns:
             A fix has its footprint.
+
+        Raises:
+            DatabaseError: The database can't serve the method.
+            LabelMapError: The image has no pixels.
         """
         if method == Method.TOPOLOGY_VECTOR:
             return self.localize_by_topology_vector(labels_hw)
@@ -251,16 +306,18 @@ class Localizer:
             found = self.localize_automatically(labels_hw, prior)
         else:
             found = self.localize_by_constellation(labels_hw, prior)
-        if not found.is_fix:
+        place = found.place
+        if place is None:
             return found
         height, width = labels_hw.shape
-        ground = image_corners(found.position, found.heading_deg, found.pixel_size_m, width, height)
-        matches = self._matches_at(labels_hw, found.best) if with_matches and found.matches is None else found.matches
+        heading_deg, pixel_size = place.oriented
+        ground = image_corners(place.position, heading_deg, pixel_size, width, height)
+        matches = self._matches_at(labels_hw, place) if with_matches and found.matches is None else found.matches
         return replace(found, footprint=ground, matches=matches)
 
-    def _matches_at(self, labels_hw: np.ndarray, place: Place) -> Optional[Matches]:
+    def _matches_at(self, labels_hw: np.ndarray, place: Place) -> Matches | None:
         height, width = labels_hw.shape
-        objects, _ = self._objects(labels_hw, place.pixel_size_m)
+        objects, _ = self._objects(labels_hw, place.oriented[1])
         return matches_at(objects, width, height, self.index, place) if len(objects) else None
 
     def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:
@@ -274,8 +331,12 @@ class Localizer:
         )
 
 
-def _shape(labels_hw: np.ndarray) -> Tuple[int, int]:
-    """(height, width). Raises LabelMapError for an image without pixels."""
+def _shape(labels_hw: np.ndarray) -> tuple[int, int]:
+    """(height, width).
+
+    Raises:
+        LabelMapError: The image has no pixels.
+    """
     if not labels_hw.size:
         raise LabelMapError("labels.no_pixels")
     return labels_hw.shape[0], labels_hw.shape[1]

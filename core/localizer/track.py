@@ -17,8 +17,13 @@ def jumps(
     As few as possible are flagged: kept is the longest chain in time in which every fix can be reached from the one
     before, by dynamic programming; of equally long ones that with the largest sum of confidences. Two fixes agree
     when they lie at most speed × time + both their errors apart.
-    times_s: (N,) seconds, in any order; positions: (N, 2) map units; errors: (N,) how far off each may be, map units;
-    confidences: (N,) 0 to 1; maximum_speed: map units per second.
+
+    Args:
+        times_s: (N,) seconds, in any order.
+        positions: (N, 2) map coordinates (x, y).
+        errors: (N,) how far off each may be, map units.
+        confidences: (N,) 0 to 1.
+        maximum_speed: Map units per second.
     """
     count = len(times_s)
     order = np.argsort(times_s, kind="stable")

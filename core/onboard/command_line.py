@@ -12,7 +12,7 @@ import sys
 import time
 from collections.abc import Iterator
 from datetime import datetime, timezone
-from typing import Any, Callable, NoReturn
+from typing import Any, Callable, NoReturn, TextIO
 
 import cv2
 import numpy as np
@@ -327,12 +327,15 @@ def _destination(where: str | None) -> Iterator[Callable[[str], object]]:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
             yield lambda line: sender.sendto(line.encode("utf-8"), (LOOPBACK, port))
     else:
-        try:
-            file = open(where, "a", encoding="utf-8", newline="")
-        except OSError as error:
-            raise ParameterError("onboard.unwritable", where=where, reason=error.strerror) from None
-        with file:
+        with _opened(where) as file:
             yield lambda line: print(line, end="", file=file, flush=True)
+
+
+def _opened(where: str) -> TextIO:
+    try:
+        return open(where, "a", encoding="utf-8", newline="")
+    except OSError as error:
+        raise ParameterError("onboard.unwritable", where=where, reason=error.strerror) from None
 
 
 def _port(where: str) -> int:

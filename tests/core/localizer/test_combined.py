@@ -225,24 +225,28 @@ def test_the_constellation_looks_again_where_map_correlation_found_the_image():
     assert prior.pixel_size_range[0] < 1.0 < prior.pixel_size_range[1]
 
 
+def around(radius):
+    return Prior(AREAS.position, radius)
+
+
 def test_two_methods_at_one_place_are_surer_than_each():
-    found = confirmed(AREAS, STARS, 20.0)
+    found = confirmed(AREAS, STARS, around(20.0))
     assert (found.position, found.error_95_m, found.method) == (STARS.position, 1.0, Method.CONSTELLATION)
     assert found.confidence == pytest.approx(0.98)
 
 
 def test_a_place_of_the_constellation_farther_off_confirms_nothing():
-    assert confirmed(AREAS, STARS, 4.0) is None
-    assert confirmed(AREAS, Localization(Status.NO_MATCH, Method.CONSTELLATION, 30), 20.0) is None
+    assert confirmed(AREAS, STARS, around(4.0)) is None
+    assert confirmed(AREAS, Localization(Status.NO_MATCH, Method.CONSTELLATION, 30), around(20.0)) is None
 
 
 def test_of_places_alike_the_one_where_class_areas_agree_is_taken_if_it_is_the_only_one():
     far, close = replace(PLACE, position=(900.0, 200.0)), replace(PLACE, position=(101.0, 203.0))
     unsure = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, best=PLACE, confidence=0.5)
-    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, far)), 20.0).position == PLACE.position
-    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, close)), 20.0) is None
+    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, far)), around(20.0)).position == PLACE.position
+    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, close)), around(20.0)) is None
     # Only the mirrored image rivals it: nothing that a place could tell.
-    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE,)), 20.0) is None
+    assert confirmed(AREAS, replace(unsure, alternatives=(PLACE,)), around(20.0)) is None
 
 
 def test_without_a_fix_all_places_are_told_and_ambiguity_of_either_counts():
