@@ -264,10 +264,7 @@ class LocalizeImages(SemRefAlgorithm):
     def check(self, values: Values) -> None:
         smallest, largest = self._scales(values) or (0.0, 0.0)
         if smallest > largest:
-            sentence = tr(
-                "The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first."
-            )
-            raise ParameterError(sentence.format(smallest=smallest, largest=largest))
+            raise ParameterError("algorithms.scales", smallest=smallest, largest=largest)
 
     def _scales(self, values: Values) -> Optional[Tuple[float, float]]:
         """(smallest, largest) as given, the other one by default; None, each method's own, when neither is given."""
@@ -424,7 +421,9 @@ def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessi
     try:
         return replace(database, overview=read_overview(path))
     except DatabaseError as error:
-        warning = tr("Automatic uses the constellation alone, without map correlation: {reason}").format(reason=error)
+        warning = tr("Automatic uses the constellation alone, without map correlation: {reason}").format(
+            reason=worded(error)
+        )
         feedback.pushWarning(warning)
         return database
 

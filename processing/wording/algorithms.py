@@ -43,4 +43,7 @@ SENTENCES = {
         "The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be "
         "missed; make the stride at most the window size."
     ),
+    "algorithms.scales": (
+        "The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first."
+    ),
 }

@@ -7,6 +7,7 @@ import pickle
 import re
 import string
 from pathlib import Path
+from typing import Iterator
 
 import pytest
 
@@ -16,6 +17,7 @@ from semref.core import errors
 from semref.core.errors import DatabaseError, ImageError, SemRefError
 from semref.core.sentences import Plural, Sentence, add, english, filled, template_of
 from semref.core.sentences.sentence import _templates
+from semref.processing.wording.keys import SENTENCES_BY_KEY
 
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ("core", "storage", "processing", "ui")
@@ -23,6 +25,34 @@ FILES = [path for room in ROOMS for path in sorted((ROOT / room).rglob("*.py")) 
 CODE = re.compile(r"[a-z_]+\.[a-z0-9_]+")
 SAY = {"Sentence"} | {name for name, kind in vars(errors).items() if isinstance(kind, type)}
 """Names of what is made with a code and its values."""
+
+
+OF_OTHERS = {"ValueError", "BadZipFile", "RuntimeError", "NotImplementedError", "error"}
+"""Errors of Python and its libraries (``struct.error``)."""
+
+SHOWS = {"pushInfo", "pushWarning", "pushMessage", "reportError", "setProgressText", "setText", "setToolTip"}
+SHOWS |= {"setWindowTitle", "setPlaceholderText", "setHelp", "addAction", "information", "warning", "critical"}
+SHOWS |= {"question", "about", "info", "success", "error"}
+"""What shows its texts: of feedback, the message bar and boxes, widgets."""
+
+
+def name_of(function: ast.expr) -> str:
+    return getattr(function, "id", getattr(function, "attr", ""))
+
+
+def is_pair(node: ast.expr | None) -> bool:
+    return isinstance(node, ast.Tuple) and len(node.elts) == 2
+
+
+def literals(nodes: list[ast.expr]) -> Iterator[str]:
+    """The texts that stand in the expressions as they are, not in ``tr("…")`` nor as a value of something else."""
+    for node in nodes:
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            yield node.value
+        elif isinstance(node, (ast.JoinedStr, ast.BinOp, ast.IfExp)):
+            yield from literals([part for part in ast.iter_child_nodes(node) if isinstance(part, ast.expr)])
+        elif isinstance(node, ast.Call) and name_of(node.func) == "format":
+            yield from literals([node.func.value])
 
 
 def forms(template) -> tuple[str, ...]:
@@ -58,6 +88,44 @@ def test_every_code_is_in_the_table_and_has_the_values_of_its_template(path):
 def test_a_template_is_one_room_s_and_names_its_values(code):
     assert CODE.fullmatch(code)
     assert all(name.isidentifier() for name in placeholders(_templates[code]))
+
+
+@pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
+def test_no_error_is_raised_with_a_text(path):
+    """An error in English alone; what is no error of ours is a bug's or stands in brackets of one, as GDAL's reason."""
+    calls = [node.exc for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Raise)]
+    ours = [call for call in calls if isinstance(call, ast.Call) and name_of(call.func) not in OF_OTHERS]
+    assert [(call.lineno, text) for call in ours for text in literals(call.args) if not CODE.fullmatch(text)] == []
+
+
+@pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
+def test_whatever_is_shown_goes_through_tr(path):
+    calls = [node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Call)]
+    shown = [
+        call
+        for call in calls
+        if isinstance(call.func, ast.Attribute) and call.func.attr in SHOWS and name_of(call.func.value) != "struct"
+    ]
+    found = [(call.lineno, text) for call in shown for text in literals(call.args)]
+    assert [(line, text) for line, text in found if any(letter.isalpha() for letter in text)] == []
+
+
+@pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
+def test_a_step_is_named_by_a_text_that_can_be_translated(path):
+    """``yield f"…", share`` would be shown as it is; ``yield "…", share`` is found by tools/update_translations.py."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    steps = [node.value.elts[0] for node in ast.walk(tree) if isinstance(node, ast.Yield) and is_pair(node.value)]
+    assert [step.lineno for step in steps if isinstance(step, ast.JoinedStr)] == []
+
+
+@pytest.mark.parametrize("code", sorted(SENTENCES_BY_KEY))
+def test_what_an_algorithm_says_instead_has_the_same_values(code):
+    assert placeholders(SENTENCES_BY_KEY[code][1]) <= placeholders(_templates[code])
+
+
+def test_texts_that_are_shown_without_tr_would_be_found():
+    calls = ast.parse('f("a", f"b {c}", tr("d").format(e=f), "g" + h, "i" if j else k, l)').body[0].value.args
+    assert list(literals(calls)) == ["a", "b ", "g", "i"]
 
 
 def test_a_sentence_without_values_is_its_template():

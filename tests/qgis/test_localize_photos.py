@@ -52,6 +52,14 @@ def photo_of(labels: np.ndarray) -> np.ndarray:
     return np.moveaxis(painted(TO_MODEL[labels]), 2, 0)
 
 
+@pytest.fixture(scope="module")
+def nameless(folder):
+    """A model that doesn't name its classes."""
+    path = folder / "nameless.onnx"
+    write_model(path, ground_and_colors(), metadata=metadata(class_names=None))
+    return path
+
+
 @pytest.fixture
 def localize(run_algorithm, folder, tmp_path, feedback):
     def run(images, **parameters):
@@ -114,3 +122,11 @@ def test_a_missing_onnxruntime_is_said(localize, tmp_path, monkeypatch):
     photo = write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
     with pytest.raises(QgsProcessingException, match="needs the Python package onnxruntime"):
         localize([photo])
+
+
+def test_a_model_without_class_names_is_refused_without_a_key_that_is_not_there(localize, nameless, tmp_path):
+    photo = write_raster(tmp_path / "photo.tif", photo_of(LABELS[:SIZE, :SIZE]))
+    with pytest.raises(QgsProcessingException) as error:
+        localize([photo], MODEL=str(nameless))
+    assert "does not name its classes (metadata key class_names); choose a model that does" in str(error.value)
+    assert "CLASS_TABLE" not in str(error.value)

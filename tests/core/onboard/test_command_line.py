@@ -16,6 +16,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from made_models import metadata, write_model
 
 from semref.core.database.build import BuildSettings, DatabaseBuilder
 from semref.core.geometry.frame import MapFrame
@@ -164,6 +165,13 @@ def test_what_cannot_be_used_is_refused_in_one_sentence(database, image, tmp_pat
     captured = capsys.readouterr()
     assert said in captured.err and captured.err.count("\n") == 1
     assert captured.out == ""
+
+
+def test_a_model_without_class_names_is_refused_without_a_parameter_of_the_plugin(database, image, tmp_path, capsys):
+    model = write_model(tmp_path / "nameless.onnx", metadata=metadata(class_names=None))
+    assert main(["localize", image("here.png"), "--database", database, "--model", str(model)]) == REFUSED
+    said = capsys.readouterr().err
+    assert "does not name its classes" in said and "CLASS_TABLE" not in said
 
 
 def test_a_wrong_command_line_ends_with_the_usage(capsys):
