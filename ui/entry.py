@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsApplication
+from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import Qt, QUrl
 from qgis.PyQt.QtGui import QDesktopServices, QIcon
@@ -23,6 +23,9 @@ from .window_locator import WindowLocator
 
 MENU = "SemRef"
 
+_VISIBLE_SETTING = "semref/dock/visible"
+"""Whether the dock was open when the plugin was taken away: it then is when the plugin comes back."""
+
 
 class DockEntry:
     """Adds dock, button, menu entries, locator filter and options page; ``remove`` takes them away in reverse order."""
@@ -37,10 +40,13 @@ class DockEntry:
         iface.addPluginToMenu(MENU, self._action)
         self._dock = SemRefDock(iface.mapCanvas(), iface.messageBar(), window)
         iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
-        # setUserVisible would do nothing to a dock that its window has not laid out yet.
-        self._dock.hide()
+        if not QgsSettings().value(_VISIBLE_SETTING, False, type=bool):
+            # setUserVisible would do nothing to a dock that its window has not laid out yet.
+            self._dock.hide()
         self._dock.setToggleVisibilityAction(self._action)
         self._dock.let_open()
+        if not self._dock.isHidden():
+            self._dock.content.show()
         self._preload = Preload(self._dock)
         self._locator = WindowLocator(self._dock.read_database, self._dock.inspect_window)
         iface.registerLocatorFilter(self._locator)
@@ -97,6 +103,7 @@ class DockEntry:
         self._sample = self._sample_action = None
         # QGIS deletes it.
         self._iface.deregisterLocatorFilter(self._locator)
+        QgsSettings().setValue(_VISIBLE_SETTING, not self._dock.isHidden())
         self._dock.shut_down()
         self._iface.removeDockWidget(self._dock)
         self._dock.deleteLater()

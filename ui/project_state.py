@@ -88,9 +88,13 @@ def remembered_database() -> str:
 
 
 class ProjectState(QObject):
-    """Follows the project: ``opened`` with the state of one that has it; asks ``state_now`` when one is saved."""
+    """Follows the project: ``opened`` with the state of one that has it; asks ``state_now`` when one is saved.
+
+    cleared: the project was emptied, for a new one or another one.
+    """
 
     opened = pyqtSignal(object)
+    cleared = pyqtSignal()
 
     def __init__(self, state_now: Callable[[], Optional[DockState]], parent: QObject) -> None:
         """``state_now``: gives None where there is nothing to keep; the project then stays as it is."""
@@ -99,12 +103,14 @@ class ProjectState(QObject):
         project = QgsProject.instance()
         project.readProject.connect(self._read)
         project.writeProject.connect(self._write)
+        project.cleared.connect(self.cleared)
 
     def shut_down(self) -> None:
         """Stops following."""
         project = QgsProject.instance()
         project.readProject.disconnect(self._read)
         project.writeProject.disconnect(self._write)
+        project.cleared.disconnect(self.cleared)
 
     def _read(self, *_document) -> None:
         state = read_state(QgsProject.instance())

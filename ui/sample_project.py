@@ -25,6 +25,7 @@ from ..storage.sample_files import (
     PRIORITY_FIELD,
 )
 from .canvas.database_layers import add_database_to_map
+from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun
 from .widgets.messages import TAG, Messages
 
@@ -146,9 +147,13 @@ class SampleProject(QObject):
         else:
             extent = fill_project(QgsProject.instance(), self._folder)
             self._iface.mapCanvas().setReferencedExtent(extent)
+        if read_state(QgsProject.instance()) is None:
+            photos = sorted(str(path) for path in (self._folder / PHOTOS_FOLDER).glob("*.jpg"))
+            self._dock.prepare(str(self._folder / DATABASE_FILE), str(MODEL), photos)
+            # Only now does the project know what the dock shows.
             QgsProject.instance().write(str(project))
-        photos = sorted(str(path) for path in (self._folder / PHOTOS_FOLDER).glob("*.jpg"))
-        self._dock.prepare(str(self._folder / DATABASE_FILE), str(MODEL), photos)
+        else:
+            self._dock.setUserVisible(True)
         self._messages.info(tr("Press “Localize” in the dock to find where the photos were taken."))
 
 

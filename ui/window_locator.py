@@ -1,4 +1,4 @@
-"""Windows by name in QGIS's locator bar: “sr 5950_2100”."""
+"""Windows by name in QGIS's locator bar: “srw 5950_2100”."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from ..core.errors import SemRefError
 from ..processing.framework.base import ICON_PATH
 from ..processing.translation import tr
 
-PREFIX = "sr"
+PREFIX = "srw"
+"""QGIS takes no notice of a plugin's prefix that is shorter than three characters."""
 _MOST_RESULTS = 30
 
 

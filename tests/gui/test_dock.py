@@ -129,6 +129,21 @@ def test_a_file_that_is_no_database_does_not_go_to_the_map(dock, iface, area):
     assert "is not a SemRef reference database" in messages(iface)[0]
 
 
+def test_a_dock_that_was_open_is_open_again_after_a_reload(plugin, dock, iface, area):
+    from qgis.core import QgsSettings
+
+    assert dock.isVisible()
+    try:
+        plugin.unload()
+        settle()
+        plugin.initGui()
+        settle()
+        assert iface.docks[-1].isVisible()
+        assert iface.docks[-1].content.localize.images.paths() == []
+    finally:
+        QgsSettings().remove("semref/dock/visible")
+
+
 def test_the_database_is_remembered(plugin, dock, iface, area):
     dock.content.database.file.setFilePath(area.database)
     plugin.unload()
@@ -174,10 +189,11 @@ def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_n
     QgsProject.instance().removeAllMapLayers()
     settle()
     tab.results.after.click()
-    QgsProject.instance().clear()
     wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
-    settle()
     assert len(table(dock)) == 1
+    QgsProject.instance().clear()
+    settle()
+    assert table(dock) == []
     assert [text for text in messages(iface) if "error in SemRef" in text] == []
 
 
@@ -237,3 +253,31 @@ def test_tab_and_sizes_are_remembered(plugin, dock, iface, area, tab):
     again.content.tabs.setCurrentIndex(LOCALIZE)
     settle()
     assert again.content.localize.results.parts.sizes() == sizes
+
+
+def test_names_of_files_are_shown_to_the_letter(dock, iface):
+    from qgis.PyQt.QtWidgets import QTextBrowser
+
+    dock.messages.error("<a href='http://example.org'>photo</a> & <b>co</b>.png can't be read.")
+    (item,) = iface.bar.items()
+    shown = " ".join(browser.toPlainText() for browser in item.findChildren(QTextBrowser))
+    assert "<a href='http://example.org'>photo</a> & <b>co</b>.png can't be read." in shown
+
+
+def test_an_image_that_is_laid_on_the_map_has_its_crs_always(qgis_app, tmp_path):
+    import numpy as np
+    from made_inputs import write_raster
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProject
+
+    from semref.processing.compat import wkt_for_gdal
+    from semref.ui.canvas.drapes import add_placed, place_image
+
+    write_raster(tmp_path / "photo.png", np.zeros((3, 20, 20), np.uint8), transform=None)
+    crs = QgsCoordinateReferenceSystem("EPSG:32632")
+    level = ((400_000, 5_400_020), (400_020, 5_400_020), (400_020, 5_400_000), (400_000, 5_400_000))
+    tilted = ((400_000, 5_400_020), (400_022, 5_400_021), (400_019, 5_400_001), (400_001, 5_400_000))
+    for ground in (level, tilted, level):
+        placed = place_image(str(tmp_path / "photo.png"), ground, wkt_for_gdal(crs))
+        layer = add_placed(placed, "photo", wkt_for_gdal(crs), "", QgsProject.instance())
+        assert layer.crs().authid() == "EPSG:32632"
+    QgsProject.instance().clear()

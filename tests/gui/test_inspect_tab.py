@@ -64,3 +64,21 @@ def test_the_locator_bar_finds_windows_by_name(dock, iface, area):
     wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
     assert dock.content.inspect.isVisible()
     assert dock.content.inspect.name.text() == "150_250"
+
+
+def test_qgis_s_own_locator_takes_the_prefix(dock, iface, area):
+    from qgis.core import QgsLocator, QgsLocatorContext
+    from qgis.PyQt.QtCore import QCoreApplication
+
+    (ours,) = iface.locator_filters
+    locator, found = QgsLocator(), []
+    locator.registerFilter(ours.clone())
+    locator.foundResult.connect(lambda result: found.append(result.displayString))
+    dock.prepare(area.database, "", [])
+    name = str(dock.read_database().windows.names[0])
+    locator.fetchResults(f"srw {name}", QgsLocatorContext())
+    for _ in range(2000):
+        QCoreApplication.processEvents()
+        if found and not locator.isRunning():
+            break
+    assert name in found

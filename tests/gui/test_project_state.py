@@ -7,13 +7,26 @@ from pathlib import Path
 from dock_area import corners, localize, messages, shown_outline, start, table, wait_until
 
 
-def test_a_project_closed_while_a_run_works_does_not_disturb_it(dock, area, tab):
+def test_a_project_closed_while_a_run_works_ends_the_run(dock, area, tab):
     from qgis.core import QgsProject
 
     start(dock, area.database, [area.image])
     QgsProject.instance().clear()
     wait_until(lambda: not tab.run.running, "the end of the run")
-    assert len(table(dock)) == 1
+    assert table(dock) == []
+
+
+def test_clearing_the_project_clears_the_dock(dock, iface, area, tab):
+    from qgis.core import QgsProject, QgsSettings
+
+    localize(dock, area.database, [area.image])
+    assert shown_outline(iface) is not None
+    QgsProject.instance().clear()
+    state = tab.state_now()
+    assert (state.database, state.images, state.results, table(dock)) == ("", [], "", [])
+    assert shown_outline(iface) is None
+    # The next session offers it again.
+    assert QgsSettings().value("semref/dock/database", "", type=str) == area.database
 
 
 def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp_path, monkeypatch, tab):
@@ -61,11 +74,11 @@ def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface,
     assert table(dock) == []
 
 
-def test_a_project_without_the_dock_leaves_it_as_it_is(dock, area, tmp_path):
+def test_a_project_without_the_dock_gets_an_empty_one(dock, area, tmp_path):
     from qgis.core import QgsProject
 
     (tmp_path / "other.qgs").write_text("<qgis version='3.22.0'/>", encoding="utf-8")
     localize(dock, area.database, [area.image])
     QgsProject.instance().read(str(tmp_path / "other.qgs"))
-    assert len(table(dock)) == 1
-    assert dock.content.database.path() == area.database
+    assert table(dock) == []
+    assert dock.content.database.path() == ""

@@ -125,6 +125,16 @@ def test_the_sample_project_opens_styled_with_the_dock_ready_on_the_first_photo(
     settle()
     assert dock.content.localize.state.text() == "2 of 2 images have a fix."
 
+    # The project's own file knows the dock: opened as any project is, it brings all of it back.
+    project.clear()
+    settle()
+    assert dock.content.localize.images.paths() == []
+    assert project.read(str(folder / "semref_sample.qgz"))
+    settle()
+    assert dock.content.database.path() == str(folder / "reference_database.gpkg")
+    assert len(dock.content.localize.images.paths()) == 12
+    assert not project.isDirty()
+
     # Once more: what is there is opened, not made again.
     made = (folder / "sample.json").stat().st_mtime_ns, (folder / "reference_database.gpkg").stat().st_ino
     project.clear()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessingUtils, QgsProject, QgsRasterLayer
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingUtils, QgsProject, QgsRasterLayer
 
 from ...core.errors import LabelMapError
 
@@ -31,7 +31,7 @@ def place_image(image: str, corners: tuple, crs_wkt: str) -> str:
     return target
 
 
-def add_placed(placed: str, name: str, database: str, project: QgsProject) -> QgsRasterLayer:
+def add_placed(placed: str, name: str, crs_wkt: str, database: str, project: QgsProject) -> QgsRasterLayer:
     """Adds what ``place_image`` gave to the project, half-transparent, above the other layers.
 
     Label values get the colors of ``database``. Raises LabelMapError.
@@ -44,6 +44,9 @@ def add_placed(placed: str, name: str, database: str, project: QgsProject) -> Qg
         from ...processing.exchange.styles import apply_overview_style
 
         apply_overview_style(layer, database)
+    if not layer.crs().isValid():
+        # QGIS asks nobody about a layer that SemRef has placed itself.
+        layer.setCrs(QgsCoordinateReferenceSystem.fromWkt(crs_wkt))
     layer.setOpacity(OPACITY)
     project.addMapLayer(layer)
     return layer

@@ -42,6 +42,7 @@ class SemRefDock(QgsDockWidget):
         self._wanted_state: Optional[DockState] = None
         self._state = ProjectState(self._state_now, self)
         self._state.opened.connect(self._restore)
+        self._state.cleared.connect(self._forget)
         self.visibilityChanged.connect(self._follow_visibility)
 
     def let_open(self) -> None:
@@ -121,6 +122,13 @@ class SemRefDock(QgsDockWidget):
             self._wanted_state = state
         else:
             self._content.localize.show_state(state)
+
+    def _forget(self) -> None:
+        """Nothing of a project stays for the next one: neither its marks and results nor its database."""
+        self._wanted_state = None
+        if self._content is not None:
+            opacity = self._content.localize.results.image.opacity.value()
+            self._content.localize.show_state(DockState(opacity=opacity))
 
     # --- the window ---
 

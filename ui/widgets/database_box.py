@@ -90,7 +90,9 @@ class DatabaseBox(QgsCollapsibleGroupBox):
 
     def _remember(self) -> None:
         self.chosen = self.path()
-        QgsSettings().setValue(DATABASE_SETTING, self.chosen)
+        if self.chosen:
+            # A project that is cleared takes its database along, but not what the next session begins with.
+            QgsSettings().setValue(DATABASE_SETTING, self.chosen)
         self.add_to_map.setEnabled(bool(self.path()))
         self._show_in_project()
         self.changed.emit()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from html import escape
+
 from qgis.core import Qgis, QgsMessageLog
 from qgis.gui import QgsMessageBar
 
@@ -18,11 +20,11 @@ class Messages:
 
     def info(self, sentence: str) -> None:
         """Something to know."""
-        self._bar.pushInfo(TAG, sentence)
+        self._bar.pushInfo(TAG, _shown(sentence))
 
     def success(self, sentence: str) -> None:
         """Something that was done."""
-        self._bar.pushSuccess(TAG, sentence)
+        self._bar.pushSuccess(TAG, _shown(sentence))
 
     def log(self, line: str) -> None:
         """Only for the log panel."""
@@ -30,11 +32,11 @@ class Messages:
 
     def warning(self, sentence: str) -> None:
         """Something that is not as the user may think."""
-        self._bar.pushWarning(TAG, sentence)
+        self._bar.pushWarning(TAG, _shown(sentence))
 
     def error(self, sentence: str) -> None:
         """Something that could not be done."""
-        self._bar.pushCritical(TAG, sentence)
+        self._bar.pushCritical(TAG, _shown(sentence))
 
     def bug(self, report: str) -> None:
         """One sentence in the bar, the traceback in the log panel."""
@@ -42,3 +44,8 @@ class Messages:
         self.error(
             tr("An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.")
         )
+
+
+def _shown(sentence: str) -> str:
+    """As the message bar shows it to the letter: it takes texts for HTML, and names of files may look like it."""
+    return escape(sentence, quote=False)

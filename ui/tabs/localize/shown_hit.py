@@ -41,7 +41,7 @@ class ShownHit(QObject):
         self._pictures = PictureShelf(shelf)
         self._picture_reader = Reader(self)
         self._drape_reader = Reader(self)
-        self._database = self._model = self._draped_name = ""
+        self._database = self._model = self._draped_name = self._draped_crs = ""
         self._connect()
 
     def _connect(self) -> None:
@@ -116,11 +116,12 @@ class ShownHit(QObject):
     def drape(self, finding: Finding) -> None:
         """Lays the image on the map as its fix says."""
         self._draped_name = finding.name
-        arguments = finding.image, finding.corners, wkt_for_gdal(finding.crs)
+        self._draped_crs = wkt_for_gdal(finding.crs)
+        arguments = finding.image, finding.corners, self._draped_crs
         self._drape_reader.read(tr("Laying an image on the map"), place_image, *arguments)
 
     def _show_drape(self, placed: str) -> None:
         try:
-            add_placed(placed, self._draped_name, self._database, QgsProject.instance())
+            add_placed(placed, self._draped_name, self._draped_crs, self._database, QgsProject.instance())
         except LabelMapError as error:
             self._messages.error(worded(error))
