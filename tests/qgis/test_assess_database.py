@@ -48,12 +48,14 @@ def rows_of(path):
     return [feature.items() for feature in dataset.GetLayer(0)]
 
 
+@pytest.mark.slow
 def test_every_square_has_a_row_for_every_footprint(assessed):
     rows = assessed[1]
     assert [sum(row["footprint"] == size for row in rows) for size in (250, 160)] == [40, 40]
     assert all(0 <= row["success_low"] <= row["success"] <= row["success_high"] <= 1 for row in rows)
 
 
+@pytest.mark.slow
 def test_success_is_expected_where_landmarks_are(assessed):
     results, rows = assessed
     large = [row for row in rows if row["footprint"] == 250]
@@ -65,12 +67,14 @@ def test_success_is_expected_where_landmarks_are(assessed):
     assert all(not row["reason"] for row in large if row["success"] >= 0.9)
 
 
+@pytest.mark.slow
 def test_the_fraction_is_that_of_the_first_footprint(assessed):
     results, rows = assessed
     good = [row["success"] >= 0.9 for row in rows if row["footprint"] == 250]
     assert results["LOCALIZABLE_FRACTION"] == pytest.approx(sum(good) / len(good))
 
 
+@pytest.mark.slow
 def test_the_layer_brings_its_style(assessed):
     layer = QgsVectorLayer(assessed[0]["OUTPUT"], "map", "ogr")
     renderer = layer.renderer()
@@ -99,12 +103,14 @@ def test_a_layer_that_is_loaded_gets_the_style(database, qgis_app):
     assert layer.renderer().classAttribute() == "success"
 
 
+@pytest.mark.slow
 def test_the_report_says_what_was_assumed(assessed):
     text = Path(assessed[0]["REPORT"]).read_text(encoding="utf-8")
     for part in ("<svg", "Footprint 160", "Assumed: a level camera", "too few landmarks", "Brier score", "building"):
         assert part in text
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_map(run_algorithm, database, tmp_path):
     parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "SEED": 4}
     one, two = (
@@ -155,6 +161,7 @@ class CancelAt(QgsProcessingFeedback):
         self.cancel()
 
 
+@pytest.mark.slow
 def test_cancel_takes_effect_at_once_and_leaves_nothing(database, tmp_path):
     algorithm = QgsApplication.processingRegistry().createAlgorithmById(ASSESS)
     parameters = {"DATABASE": database, "OUTPUT": str(tmp_path / "map.gpkg"), "REPORT": str(tmp_path / "report.html")}

@@ -176,6 +176,7 @@ def assessed(run_algorithm, database, tmp_path_factory):
     return results, [feature.items() for feature in dataset.GetLayer(0)]
 
 
+@pytest.mark.slow
 def test_points_lie_along_the_route_and_tell_what_to_expect(assessed):
     rows = assessed[1]
     assert [row["along"] for row in rows] == pytest.approx(np.arange(0, 551, 50).tolist(), abs=0.1)
@@ -184,6 +185,7 @@ def test_points_lie_along_the_route_and_tell_what_to_expect(assessed):
     assert all(row["success"] < 0.2 and row["reason"].startswith("Too few") for row in rows[-2:])
 
 
+@pytest.mark.slow
 def test_the_longest_gap_ends_the_route_and_is_told_in_seconds_too(assessed):
     results, rows = assessed
     assert 100 < results["LONGEST_GAP"] < 400
@@ -193,12 +195,14 @@ def test_the_longest_gap_ends_the_route_and_is_told_in_seconds_too(assessed):
     assert rows[-1]["gap_seconds"] == pytest.approx(results["LONGEST_GAP"] / 10)
 
 
+@pytest.mark.slow
 def test_the_report_has_profile_gaps_and_assumptions(assessed):
     text = Path(assessed[0]["REPORT"]).read_text(encoding="utf-8")
     for part in ("<svg", "Stretches without an expected fix", "Assumed: a level camera", "s at 10 m/s"):
         assert part in text
 
 
+@pytest.mark.slow
 def test_the_layer_brings_its_style(assessed):
     assert QgsVectorLayer(assessed[0]["OUTPUT"], "points", "ogr").renderer().type() == "graduatedSymbol"
 

@@ -9,7 +9,10 @@ import sys
 
 import pytest
 
-pytestmark = pytest.mark.skipif(shutil.which("git") is None, reason="a benchmark tells its commit, and git is not here")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(shutil.which("git") is None, reason="a benchmark tells its commit, and git is not here"),
+]
 
 
 def quick(repository, tmp_path, *names, data):

@@ -62,6 +62,7 @@ def of(found, method, kind="map"):
 # --- trials ---
 
 
+@pytest.mark.slow
 def test_every_trial_has_a_point_a_method_where_its_image_was_cut(evaluate):
     found, _ = evaluate()
     for method in ("automatic", "topology vector"):
@@ -78,6 +79,7 @@ def test_one_trial_is_of_the_map(evaluate):
     assert results["FALSE_ACCEPT_RATE"] is None and "JSON" not in results and "REPORT" not in results
 
 
+@pytest.mark.slow
 def test_the_rates_are_those_of_the_points(evaluate):
     found, results = evaluate(TRIALS=16)
     tried, mirrored = of(found, "automatic"), of(found, "automatic", "mirrored")
@@ -128,6 +130,7 @@ def reported(run_algorithm, inputs, tmp_path_factory):
     return report, json.loads(numbers), results
 
 
+@pytest.mark.slow
 def test_the_report_has_the_papers_tables_and_needs_nothing_else(reported):
     report, _, _ = reported
     for title in ("Table 4", "Table 5", "False accepts", "Reliability", "Success against offset", "landmarks invented"):
@@ -139,6 +142,7 @@ def test_the_report_has_the_papers_tables_and_needs_nothing_else(reported):
     assert [table_4.count("<tr>"), table_5.split("Settings</h2>")[0].count("<tr>")] == [1 + 30, 1 + 36]
 
 
+@pytest.mark.slow
 def test_the_numbers_agree_with_the_outputs_and_hold_the_tables(reported):
     _, numbers, results = reported
     summary = numbers["methods"]["automatic"]
@@ -150,6 +154,7 @@ def test_the_numbers_agree_with_the_outputs_and_hold_the_tables(reported):
     assert numbers["settings"]["TRIALS"] == 8 and numbers["settings"]["SCALE"] == [0.8, 1.25]
 
 
+@pytest.mark.slow
 def test_a_window_of_the_paper_is_found_at_distance_0_unscaled_and_unturned(reported):
     _, numbers, _ = reported
     unchanged = [row for row in numbers["scaling"] if row["scale"] == 1 and row["method"] == "topology vector"]
@@ -159,6 +164,7 @@ def test_a_window_of_the_paper_is_found_at_distance_0_unscaled_and_unturned(repo
         assert row["right"] == 1 and row["distance"] == pytest.approx(0, abs=1e-6) and row["confidence"] == 1
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_files_and_another_one_others(evaluate, tmp_path):
     texts = []
     for n, seed in enumerate((3, 3, 4)):

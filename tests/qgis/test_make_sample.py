@@ -37,6 +37,7 @@ def truth_of(sample: Path) -> dict:
         return {row["image"]: (float(row["x"]), float(row["y"])) for row in csv.DictReader(file)}
 
 
+@pytest.mark.slow
 def test_it_makes_annotation_class_table_orthophoto_and_photos(sample):
     from osgeo import gdal
 
@@ -53,6 +54,7 @@ def test_it_makes_annotation_class_table_orthophoto_and_photos(sample):
     assert len(photos) == PHOTO_COUNT
 
 
+@pytest.mark.slow
 def test_the_photos_are_found_with_the_model_that_ships(sample, repository, run_algorithm, tmp_path):
     pytest.importorskip("onnxruntime")
     labels, database, positions = (str(tmp_path / name) for name in ("labels.tif", "area.gpkg", "positions.gpkg"))
@@ -79,12 +81,14 @@ def test_a_folder_with_files_is_left_alone(run_algorithm, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
 
 
+@pytest.mark.slow
 def test_an_earlier_sample_is_left_alone_too(sample, run_algorithm):
     with pytest.raises(QgsProcessingException, match="left alone"):
         run_algorithm("semref:makesample", {"OUTPUT": str(sample)})
     assert (sample / "photos.csv").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", ["Making up the landscape", "Rendering it as a photo", "Taking photos"])
 def test_cancel_stops_at_once_and_leaves_nothing(small, run_algorithm, tmp_path, text):
     class CancelAtText(QgsProcessingFeedback):

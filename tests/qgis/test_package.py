@@ -117,10 +117,12 @@ def test_metadata_names_all_that_the_plugin_repository_requires(package):
     assert "supportsQt6" not in general
 
 
+@pytest.mark.slow
 def test_qgis_process_lists_the_provider_of_the_installed_zip(qgis_process):
     assert "semref:rasterizeannotation" in qgis_process("list", json_output=False)
 
 
+@pytest.mark.slow
 def test_qgis_process_runs_an_algorithm_of_the_installed_zip(qgis_process, annotation, tmp_path):
     from osgeo import gdal
 

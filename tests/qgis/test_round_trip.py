@@ -14,6 +14,8 @@ from semref.core.sample import landscape as landscape_module
 from semref.core.sample.classes import CLASSES
 from semref.storage import sample_files
 
+pytestmark = pytest.mark.slow
+
 FIND, APPLY = "semref:orthophototodisagreements", "semref:correctiontodatabase"
 BUILDING = next(entry for entry in CLASSES if entry.name == "building")
 SIZE_XY = (620.0, 520.0)

@@ -24,6 +24,8 @@ from qgis.core import (
     QgsProcessingModelAlgorithm,
 )
 
+pytestmark = pytest.mark.slow
+
 TIMEOUT_S = 120
 MOMENTS = {"last_change", "update_time", "timestamp"}
 """Columns that hold the time of writing."""

@@ -339,23 +339,3 @@ def test_distances_do_not_depend_on_what_else_is_compared():
         apart = (np.abs(windows[1] - windows[1][i]) >= 50).any(axis=1)
         exact = np.sqrt(((vectors[i].astype(float) - vectors[apart]) ** 2).sum(axis=1)).min()
         assert distances[0] == found[i] == pytest.approx(exact, rel=1e-12)
-
-
-@pytest.mark.parametrize("rows", [1, 7, 32, 45, 150])
-def test_hashes_are_the_blocks_whatever_pieces_the_map_comes_in(rows):
-    labels = blobs(6)
-    # Blocks of one value, of one until the last row, and of two halves.
-    labels[:70, :70] = 3
-    labels[63, 40] = 5
-    labels[96:112, :32] = 2
-    labels[112:128, :32] = 5
-    hasher = map_hash_module.BlockHasher(WIDTH)
-    for first in range(0, HEIGHT, rows):
-        hasher.add(labels[first : first + rows])
-    expected = [
-        map_hash_module.block_hash(labels[row : row + 32, column : column + 32])
-        for row in range(0, HEIGHT, 32)
-        for column in range(0, WIDTH, 32)
-    ]
-    assert list(hasher.hashes) == expected and len(set(expected)) == 28
-    assert map_hash_module.blocks_shape(labels.shape) == (5, 6)

@@ -25,7 +25,6 @@ from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
-from semref.core.onboard.area import area_mask, clipped
 from semref.core.onboard.format import digest, is_onboard_file
 from semref.core.onboard.read import read_onboard
 from semref.core.onboard.write import write_onboard
@@ -340,31 +339,6 @@ def test_a_class_table_that_was_changed_after_the_build_is_not_exported(database
 def test_a_precision_finer_than_the_format_holds_is_refused(database, tmp_path):
     with pytest.raises(DatabaseError, match="too fine"):
         write_onboard(str(tmp_path / "fine.npz"), database, None, precision=1e-9)
-
-
-# --- part of a database ---
-
-
-def test_what_lies_in_the_area_is_kept_and_nothing_else(database):
-    ring = np.array([(600200, 5199900), (600500, 5199900), (600500, 5199600), (600200, 5199600), (600200, 5199900)])
-    part = clipped(database, area_mask([ring], database.parameters))
-
-    def inside(points, margin):
-        low, high = ring.min(axis=0) - margin, ring.max(axis=0) + margin
-        return ((points >= low) & (points <= high)).all(axis=1)
-
-    pixel = 8.0
-    assert inside(part.references.positions, pixel).all() and inside(part.windows.centers, pixel).all()
-    assert inside(database.references.positions, -pixel).sum() <= len(part.references)
-    assert len(part.references) <= inside(database.references.positions, pixel).sum()
-    assert part.overview.shape == database.overview.shape
-    assert not part.overview[:, : 200 // 8 - 1].any() and part.overview[20:40, 30:60].any()
-
-
-def test_an_area_without_landmarks_is_refused(database):
-    ring = np.array([(600000, 5200000), (600001, 5200000), (600001, 5199999), (600000, 5200000)])
-    with pytest.raises(DatabaseError, match="No landmark lies in the area"):
-        clipped(database, area_mask([ring], database.parameters) & False)
 
 
 # --- longitude and latitude ---

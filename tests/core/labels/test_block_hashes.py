@@ -1,0 +1,67 @@
+"""What a label map is known by: blocks of one value and of many, in whatever bands the rows come."""
+
+from __future__ import annotations
+
+import hashlib
+
+import numpy as np
+import pytest
+
+from semref.core.labels import block_hashes
+from semref.core.labels.block_hashes import BlockHasher, block_hash, blocks_shape, map_hash
+
+
+@pytest.fixture(autouse=True)
+def small_blocks(monkeypatch):
+    monkeypatch.setattr(block_hashes, "HASHED_BLOCK", 32)
+
+
+def hashes_in_bands(labels_hw, rows):
+    hasher = BlockHasher(labels_hw.shape[1])
+    for first in range(0, len(labels_hw), rows):
+        hasher.add(labels_hw[first : first + rows])
+    return hasher.hashes
+
+
+@pytest.mark.parametrize("rows", [1, 7, 32, 100])
+def test_blocks_have_the_same_hashes_in_whatever_bands_rows_come(rows):
+    labels = np.random.default_rng(3).integers(0, 5, (70, 90), dtype=np.uint8)
+    # Blocks of one value, of one until the last row, and of two halves.
+    labels[:32, :32] = labels[:32, 32:64] = labels[32:48, :32] = 4
+    labels[31, 40] = labels[48:64, :32] = 0
+    expected = [
+        block_hash(labels[row : row + 32, column : column + 32]) for row in range(0, 70, 32) for column in (0, 32, 64)
+    ]
+    assert hashes_in_bands(labels, rows) == tuple(expected) and len(set(expected)) == 9
+
+
+def test_a_block_is_known_by_its_bytes():
+    labels = np.arange(12, dtype=np.uint8).reshape(3, 4)
+    assert block_hash(labels) == hashlib.blake2b(bytes(range(12)), digest_size=8).hexdigest()
+
+
+def test_one_changed_pixel_changes_its_block_alone():
+    before = np.full((64, 64), 2, np.uint8)
+    now = before.copy()
+    now[40, 10] = 3
+    changed = [old != new for old, new in zip(hashes_in_bands(before, 64), hashes_in_bands(now, 64))]
+    assert changed == [False, False, True, False]
+
+
+@pytest.mark.parametrize(
+    ("shape_hw", "blocks"), [((1, 1), (1, 1)), ((32, 32), (1, 1)), ((33, 32), (2, 1)), ((70, 90), (3, 3))]
+)
+def test_blocks_at_the_edges_count_as_well(shape_hw, blocks):
+    assert blocks_shape(shape_hw) == blocks
+
+
+def test_shape_place_and_labels_of_a_map_are_part_of_its_hash():
+    place = (600000.0, 1.0, 0.0, 5200000.0, 0.0, -1.0)
+    known = map_hash((70, 90), place, ["a", "b"])
+    others = {
+        map_hash((90, 70), place, ["a", "b"]),
+        map_hash((70, 90), (0.0, *place[1:]), ["a", "b"]),
+        map_hash((70, 90), place, ["b", "a"]),
+    }
+    assert len({known, *others}) == 4
+    assert map_hash((70, 90), list(place), ("a", "b")) == known
