@@ -219,9 +219,11 @@ def test_the_provider_and_classes_are_said(segment, tmp_path, feedback):
     assert "building, water, bare_land; run by CPU, tiles of 64 × 64 pixels" in feedback.textLog()
 
 
-def test_the_output_may_replace_its_input(segment, tmp_path):
+def test_a_label_map_never_replaces_its_photo(segment, tmp_path):
     image = write_raster(tmp_path / "a.tif", PHOTO)
-    np.testing.assert_array_equal(read_pixels(segment(image, OUTPUT=str(image))), SEEN)
+    with pytest.raises(QgsProcessingException, match="the same file"):
+        segment(image, OUTPUT=str(image))
+    np.testing.assert_array_equal(read_pixels(image), PHOTO)
 
 
 def test_a_label_map_of_many_rows_is_written_whole(segment, tmp_path):
