@@ -7,8 +7,9 @@ and then estimated (``estimate``). A trial is made from (seed, number) alone.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Dict, Iterable, List, Optional, Sequence, Tuple
+from typing import cast
 
 import cv2
 import numpy as np
@@ -76,7 +77,7 @@ class Estimates:
     classes: np.ndarray
     look_alikes: np.ndarray
     wrong: np.ndarray
-    reasons: Tuple[str, ...]
+    reasons: tuple[str, ...]
 
     def part(self, chosen: np.ndarray) -> Estimates:
         """The estimates of some places, by their numbers."""
@@ -87,7 +88,7 @@ class Estimates:
 class Assessment:
     """One footprint of a database under stated noise."""
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - what is assessed, and the five choices that the form offers
         self,
         database: ReferenceDatabase,
         localizer: Localizer,
@@ -118,10 +119,10 @@ class Assessment:
         self._localizer = localizer
         self._seed = seed
         self._texture = _texture(database, footprint)
-        self.model: Optional[SuccessModel] = None
+        self.model: SuccessModel | None = None
         """Of the last estimate, of landmarks alone."""
 
-    def plan(self, places: np.ndarray, spread: float, count: int) -> List[PlaceQuery]:
+    def plan(self, places: np.ndarray, spread: float, count: int) -> list[PlaceQuery]:
         """``count`` trials around places (P, 2), as evenly as may be: in squares of edge ``spread``, any heading."""
         rng = np.random.default_rng([self._seed, 0, round(1000 * self.footprint)])
         whole, rest = divmod(count, max(len(places), 1))
@@ -142,7 +143,7 @@ class Assessment:
         """The image, localized by map correlation; takes seconds on a large map."""
         return self.simulator.correlation(query, np.random.default_rng([self._seed, 2, query.number]))
 
-    def to_correlate(self, trials: Sequence[Trial], most: int) -> List[int]:
+    def to_correlate(self, trials: Sequence[Trial], most: int) -> list[int]:
         """Numbers, in ``trials``, of those without a fix that map correlation is tried on: ``most``, evenly spread."""
         failed = [n for n, trial in enumerate(trials) if not trial.is_fix]
         order = np.random.default_rng([self._seed, 3]).permutation(len(failed))[:most]
@@ -152,7 +153,7 @@ class Assessment:
         self,
         places: np.ndarray,
         trials: Sequence[Trial],
-        correlated: Optional[Dict[int, Trial]] = None,
+        correlated: dict[int, Trial] | None = None,
         spread: float = 0.0,
     ) -> Estimates:
         """What to expect after trials.
@@ -184,7 +185,9 @@ class Assessment:
             low,
             high,
             _errors_near(places, [*trials, *correlated.values()], reach),
-            np.bincount([trial.query.place for trial in trials], minlength=len(places))[: len(places)],
+            np.bincount([cast(PlaceQuery, trial.query).place for trial in trials], minlength=len(places))[
+                : len(places)
+            ],
             landmarks.reshape(-1, count).mean(axis=1),
             classes.reshape(-1, count).max(axis=1),
             shares[:, REASONS.index(Status.AMBIGUOUS.key)],
@@ -192,7 +195,7 @@ class Assessment:
             reasons,
         )
 
-    def features(self, places: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def features(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """What places show.
 
         Args:
@@ -233,7 +236,7 @@ def _right(trials: Iterable[Trial]) -> np.ndarray:
     return np.array([trial.is_right for trial in trials], bool)
 
 
-def _causes_near(places: np.ndarray, trials: Sequence[Trial], reach: float) -> Tuple[np.ndarray, Tuple[str, ...]]:
+def _causes_near(places: np.ndarray, trials: Sequence[Trial], reach: float) -> tuple[np.ndarray, tuple[str, ...]]:
     """(P, R) shares of the trials near places (P, 2) that failed for each of REASONS, and the commonest one of each."""
     causes = np.array([[_cause(trial) == reason for reason in REASONS] for trial in trials], float)
     counts, sums = local_sums(places, _centers(trials), reach, causes)
@@ -253,13 +256,13 @@ def _errors_near(places: np.ndarray, trials: Sequence[Trial], reach: float) -> n
     right = [trial for trial in trials if trial.is_right]
     if not right:
         return np.full(len(places), np.nan)
-    logs = np.log([max(trial.error, 1e-6) for trial in right])
+    logs = np.log([max(trial.error or 0.0, 1e-6) for trial in right])
     counts, sums = local_sums(places, _centers(right), reach, logs)
     expected = np.exp((sums + ERROR_STRENGTH * np.median(logs)) / (counts + ERROR_STRENGTH))
     return np.where(counts >= LOCAL_FIXES, expected, np.nan)
 
 
-def _parts(places: np.ndarray, spread: float) -> Tuple[np.ndarray, int]:
+def _parts(places: np.ndarray, spread: float) -> tuple[np.ndarray, int]:
     """(P · n, 2) middles of the n parts of squares of edge ``spread`` around places (P, 2), and n."""
     edge = next(k for k in (3, 2, 1) if k == 1 or spread > 0 and k * k * len(places) <= MOST_PARTS)
     steps = ((np.arange(edge) + 0.5) / edge - 0.5) * spread
@@ -269,11 +272,18 @@ def _parts(places: np.ndarray, spread: float) -> Tuple[np.ndarray, int]:
 
 @dataclass(frozen=True)
 class _Texture:
-    """Labeled share and texture of the ground in (h, w) pixels of edge ``pixel``; origin: map (x, y) of its corner."""
+    """Labeled share and texture of the ground around every place.
+
+    Attributes:
+        labeled: (h, w) share of the footprint with labels.
+        texture: (h, w) as of ``_texture``.
+        origin: Map (x, y) of the upper left corner.
+        pixel: Edge of a pixel, map units.
+    """
 
     labeled: np.ndarray
     texture: np.ndarray
-    origin: Tuple[float, float]
+    origin: tuple[float, float]
     pixel: float
 
     def at(self, places: np.ndarray) -> np.ndarray:
@@ -286,8 +296,10 @@ class _Texture:
 
 
 def _texture(database: ReferenceDatabase, footprint: float) -> _Texture:
-    """Over footprints everywhere: share of ground with labels, and standard deviation of the classes' areas in
-    TEXTURE_STEPS² parts, summed over classes. Zeros for a database without overview."""
+    """Labeled share and texture of footprints everywhere; zeros for a database without overview.
+
+    Texture is the standard deviation of the classes' areas in TEXTURE_STEPS² parts, summed over classes.
+    """
     parameters = database.parameters
     frame = parameters.overview_frame
     if database.overview is None:

@@ -17,7 +17,14 @@ MOST_CELLS = 100_000
 
 @dataclass(frozen=True)
 class Cells:
-    """C squares of ``size`` map units. centers: (C, 2) map x, y; columns, rows: (C,) in the grid, row 0 is north."""
+    """C squares of a grid.
+
+    Attributes:
+        size: Edge of a square, map units.
+        centers: (C, 2) map x, y.
+        columns: (C,) in the grid.
+        rows: (C,) in the grid, from the north.
+    """
 
     size: float
     centers: np.ndarray
@@ -29,10 +36,20 @@ class Cells:
 
 
 def ground_cells(database: ReferenceDatabase, size: float) -> Cells:
-    """Squares that cover the map, from its upper left corner, but for ground without any label or landmark that the
-    map's edge leads to: a map's frame that its country doesn't fill. Ground without labels inside the map counts.
+    """Squares that cover a map, from its upper left corner.
 
-    Raises ParameterError for a size that can't be used.
+    Ground without any label or landmark is left out where the map's edge leads to it: a map's frame that its country
+    doesn't fill. Ground without labels inside the map counts.
+
+    Args:
+        database: Of the map.
+        size: Edge of a square, map units.
+
+    Returns:
+        The squares, row by row.
+
+    Raises:
+        ParameterError: For a size that can't be used.
     """
     if not 0 < size < math.inf:
         raise ParameterError("assessment.square_edge", size=size)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Optional, Tuple
+from typing import cast
 
 import numpy as np
 
@@ -61,8 +61,9 @@ class ImageSimulator:
         parameters, settings = database.parameters, localizer.settings.constellation
         self.size_px = min(max(round(footprint / parameters.pixel_size), 1), LARGEST_IMAGE_PX)
         self.pixel = footprint / self.size_px
-        self._prior = Prior(pixel_size_range=localizer.pixel_sizes((self.size_px, self.size_px), settings.scales))
-        smallest = parameters.minimum_area / self._prior.pixel_size_range[1] ** 2
+        self._pixel_sizes = localizer.pixel_sizes((self.size_px, self.size_px), settings.scales)
+        self._prior = Prior(pixel_size_range=self._pixel_sizes)
+        smallest = parameters.minimum_area / self._pixel_sizes[1] ** 2
         self._smallest_px = max(smallest, settings.smallest_object_px)
         references = database.references
         self._half = _half_boxes(database)
@@ -77,7 +78,7 @@ class ImageSimulator:
     @property
     def is_searched(self) -> bool:
         """Whether images of this footprint are among those that the constellation looks for without being told."""
-        low, high = self._prior.pixel_size_range
+        low, high = self._pixel_sizes
         return low <= self.pixel <= high
 
     @property
@@ -88,7 +89,7 @@ class ImageSimulator:
         )
         return low <= self.pixel <= high
 
-    def whole_landmarks(self, view: View) -> Tuple[np.ndarray, np.ndarray]:
+    def whole_landmarks(self, view: View) -> tuple[np.ndarray, np.ndarray]:
         """What a view shows of the database's landmarks.
 
         Returns:
@@ -109,7 +110,7 @@ class ImageSimulator:
         whole = (off_x + across < edge) & (off_y + along < edge) & (areas >= self._smallest_px)
         return near[whole], centers[whole]
 
-    def landmarks(self, query: Query, rng: np.random.Generator) -> Tuple[Landmarks, int]:
+    def landmarks(self, query: Query, rng: np.random.Generator) -> tuple[Landmarks, int]:
         """Landmarks of the spoiled image, and how many the map has whole in it."""
         chosen, centers = self.whole_landmarks(query.view)
         seen = self._as_seen(chosen, centers)
@@ -132,7 +133,8 @@ class ImageSimulator:
     def correlation(self, query: Query, rng: np.random.Generator) -> Trial:
         """An image at a place, cut from the overview and spoiled, localized by its class areas."""
         database = self._database
-        frame, source = database.parameters.overview_frame, ArrayLabels(database.overview)
+        # Whoever asks for map correlation has a database with an overview.
+        frame, source = database.parameters.overview_frame, ArrayLabels(cast(np.ndarray, database.overview))
         pixel = frame.pixel_size
         labels = cut(source, frame, self._coarse_view(query.view, pixel))
         # Spurious landmarks look like those of some other place.
@@ -149,7 +151,7 @@ class ImageSimulator:
         size = max(round(self.footprint / pixel), 1)
         return replace(view, pixel_size=self.footprint / size, width_px=size, height_px=size)
 
-    def _as_seen(self, chosen: np.ndarray, centers: Optional[np.ndarray] = None) -> Landmarks:
+    def _as_seen(self, chosen: np.ndarray, centers: np.ndarray | None = None) -> Landmarks:
         references = self._database.references
         centers = np.zeros((len(chosen), 2)) if centers is None else centers
         areas = references.areas_m2[chosen] / self.pixel**2
@@ -180,6 +182,8 @@ def _half_boxes(database: ReferenceDatabase) -> np.ndarray:
 
 
 def _seen_half(half_width: np.ndarray, half_height: np.ndarray, cosine: float, sine: float) -> np.ndarray:
-    """(n,) half extents of upright boxes along an axis turned by that angle; of the ellipse in the box, not its
-    corners, which turned buildings hardly ever fill."""
+    """(n,) half extents of upright boxes along an axis turned by that angle.
+
+    They are those of the ellipse in the box, not of its corners, which turned buildings hardly ever fill.
+    """
     return np.hypot(half_width * cosine, half_height * sine)

@@ -35,7 +35,12 @@ LEAST_WEIGHT = 1e-3
 
 @dataclass(frozen=True)
 class Chances:
-    """Probabilities of P places: mean (P,), and their spread as Beta distributions with ``weights`` (P,) trials."""
+    """Probabilities of P places as Beta distributions.
+
+    Attributes:
+        means: (P,).
+        weights: (P,) trials that they are worth: the more, the narrower.
+    """
 
     means: np.ndarray
     weights: np.ndarray
@@ -47,8 +52,10 @@ class Chances:
         return np.minimum(low, self.means), np.maximum(high, self.means)
 
     def either(self, other: Chances) -> Chances:
-        """That one of two comes true of which the second is tried when the first fails; the Beta distribution with the
-        mean and variance of the product of both failures."""
+        """That one of two comes true of which the second is tried when the first fails.
+
+        It is the Beta distribution with the mean and variance of the product of both failures.
+        """
         one, two = 1 - self.means, 1 - other.means
         failure = one * two
         squares = (one**2 + self._variances()) * (two**2 + other._variances())
@@ -66,9 +73,18 @@ class Chances:
 
 @dataclass(frozen=True)
 class SuccessModel:
-    """Fitted to T trials. centers, scales, coefficients: of the regression (intercept first); places (T, 2),
-    successes (T,): the trials; reach: map units; strength: trials; left_out: (T,) what each trial was predicted from
-    the others, NaN beyond MOST_TUNED."""
+    """A regression on F features of places, and the T trials that it was fitted to.
+
+    Attributes:
+        centers: (F,) means of the features.
+        scales: (F,) standard deviations of the features.
+        coefficients: (1 + 2 F,) of the regression: intercept, features, their squares.
+        places: (T, 2) map x, y of the trials.
+        successes: (T,) 1 for a right fix, else 0.
+        reach: How far trials count, map units.
+        strength: How many trials the regression is worth.
+        left_out: (T,) what each trial was predicted from the others; NaN beyond MOST_TUNED.
+    """
 
     centers: np.ndarray
     scales: np.ndarray
@@ -93,7 +109,17 @@ class SuccessModel:
 
 
 def fit_success(features: np.ndarray, places: np.ndarray, successes: np.ndarray, footprint: float) -> SuccessModel:
-    """Fits trials at places (T, 2), T > 0, with features (T, F) and successes (T,) bool."""
+    """Fits T > 0 trials.
+
+    Args:
+        features: (T, F) of the places.
+        places: (T, 2) map x, y.
+        successes: (T,) bool.
+        footprint: Edge of the ground that an image shows, map units.
+
+    Returns:
+        The model.
+    """
     successes = np.asarray(successes, np.float64)
     centers = features.mean(axis=0)
     scales = np.maximum(features.std(axis=0), 1e-9)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import List, Sequence, Tuple
 
 import numpy as np
 
@@ -22,14 +22,21 @@ WORTH_SHIFTING = 0.1
 
 @dataclass(frozen=True)
 class RoutePoints:
-    """N points along lines. lines: (N,) number of the line, from 0; along: (N,) map units from its start; places:
-    (N, 2) map x, y; headings_deg: (N,) direction of flight, clockwise from grid north; lengths: of each line."""
+    """N points along lines.
+
+    Attributes:
+        lines: (N,) number of the line, from 0.
+        along: (N,) map units from its start.
+        places: (N, 2) map x, y.
+        headings_deg: (N,) direction of flight, clockwise from grid north.
+        lengths: Of each line, map units.
+    """
 
     lines: np.ndarray
     along: np.ndarray
     places: np.ndarray
     headings_deg: np.ndarray
-    lengths: Tuple[float, ...]
+    lengths: tuple[float, ...]
 
     def __len__(self) -> int:
         return len(self.along)
@@ -42,8 +49,14 @@ class RoutePoints:
 
 @dataclass(frozen=True)
 class Gap:
-    """A stretch of a line without an expected fix. start, end: map units from the line's start, from the last good
-    point before to the first one after; points: (n,) numbers of those that are not good enough."""
+    """A stretch of a line without an expected fix.
+
+    Attributes:
+        line: Number of the line, from 0.
+        start: The last good point before it, map units from the line's start.
+        end: The first good point after it, map units from the line's start.
+        points: (n,) numbers of the points that are not good enough.
+    """
 
     line: int
     start: float
@@ -52,13 +65,19 @@ class Gap:
 
     @property
     def length(self) -> float:
+        """Map units."""
         return self.end - self.start
 
 
 @dataclass(frozen=True)
 class ShiftHint:
-    """Where a stretch does better. offset: map units to the right of the direction of flight, < 0 to the left;
-    success: mean expected success there, before: on the line itself."""
+    """Where a stretch does better.
+
+    Attributes:
+        offset: Map units to the right of the direction of flight; below 0 to the left.
+        success: Mean expected success there, 0…1.
+        before: Mean expected success on the line itself, 0…1.
+    """
 
     offset: float
     success: float
@@ -66,9 +85,17 @@ class ShiftHint:
 
 
 def route_points(lines: Sequence[np.ndarray], spacing: float) -> RoutePoints:
-    """Points every ``spacing`` map units along lines (n, 2), their ends included.
+    """Points along lines, their ends included.
 
-    Raises ParameterError for a spacing that can't be used, and when no line has a length.
+    Args:
+        lines: (n, 2) map x, y of the corners of each.
+        spacing: From point to point, map units.
+
+    Returns:
+        The points, line by line; lines without a length are left out.
+
+    Raises:
+        ParameterError: For a spacing that can't be used, and when no line has a length.
     """
     if not 0 < spacing < math.inf:
         raise ParameterError("assessment.point_distance", spacing=spacing)
@@ -94,10 +121,12 @@ def route_points(lines: Sequence[np.ndarray], spacing: float) -> RoutePoints:
         along.append(at)
         places.append(line[segment] + share[:, None] * step)
         headings.append(np.degrees(np.arctan2(step[:, 0], step[:, 1])) % 360)
-    return RoutePoints(*(np.concatenate(part) for part in (numbers, along, places, headings)), lengths)
+    return RoutePoints(
+        np.concatenate(numbers), np.concatenate(along), np.concatenate(places), np.concatenate(headings), lengths
+    )
 
 
-def gaps(points: RoutePoints, success: np.ndarray, threshold: float) -> List[Gap]:
+def gaps(points: RoutePoints, success: np.ndarray, threshold: float) -> list[Gap]:
     """Stretches whose points have less success (N,) than ``threshold``, in the order of flight."""
     good, found = success >= threshold, []
     for line, length in enumerate(points.lengths):
@@ -111,10 +140,16 @@ def gaps(points: RoutePoints, success: np.ndarray, threshold: float) -> List[Gap
     return found
 
 
-def best_shift(before: np.ndarray, offsets: Sequence[float], successes: Sequence[np.ndarray]):
-    """The ShiftHint of a stretch with success (n,) on the line and (n,) at each offset; None when none is worth it.
+def best_shift(before: np.ndarray, offsets: Sequence[float], successes: Sequence[np.ndarray]) -> ShiftHint | None:
+    """Where to shift a stretch; of shifts that are almost as good the shortest.
 
-    Of shifts that are almost as good the shortest.
+    Args:
+        before: (n,) success of its points on the line.
+        offsets: Shifts that were tried, map units.
+        successes: (n,) success at each of them.
+
+    Returns:
+        The best shift; None when none is worth it.
     """
     means = [float(success.mean()) for success in successes]
     now = float(before.mean())

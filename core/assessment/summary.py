@@ -17,7 +17,8 @@ PROBABILITY_BINS = tuple(np.linspace(0, 1, 11).tolist())
 
 def success_by_landmarks(trials: Sequence[Trial]) -> list[RateAt]:
     """Right fixes of simulated images by the landmarks in view."""
-    return binned([t.landmarks for t in trials], [t.is_right for t in trials], (*LANDMARK_BINS, np.inf))
+    counted = [(t.landmarks, t.is_right) for t in trials if t.landmarks is not None]
+    return binned([count for count, _ in counted], [right for _, right in counted], (*LANDMARK_BINS, np.inf))
 
 
 def calibration(predicted: np.ndarray, right: np.ndarray) -> list[RateAt]:

@@ -47,7 +47,9 @@ class Verifier:
     minimum_area_px: float
 
 
-def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray, settings: ConstellationSettings) -> np.ndarray:
+def center_noise(
+    log_areas_px: np.ndarray, pixel_size: np.ndarray | float, settings: ConstellationSettings
+) -> np.ndarray:
     """Assumed σ of centers in map units, of objects with ln area in pixels."""
     return pixel_size * np.hypot(settings.center_noise_px, settings.center_noise_in_sizes * np.exp(log_areas_px / 2))
 

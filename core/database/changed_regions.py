@@ -69,7 +69,7 @@ class ChangedLandmarks:
             yield 0.3 * n / len(self._places)
         new = {}
         for n, region in enumerate(regions, start=1):
-            row = measure_region(self._source, value, region.bounds, region.first_pixel, self._minimum_area_px)
+            row = measure_region(self._source, value, region, self._minimum_area_px)
             if row is not None:
                 new[_key(self._landmarks([row]), 0)] = row
             yield 0.3 + 0.6 * n / len(regions)

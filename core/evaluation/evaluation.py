@@ -7,8 +7,8 @@ A query is made from (seed, part, number) alone, so every method sees the same o
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -65,13 +65,13 @@ class TrialRanges:
         ParameterError: for values that can't be.
     """
 
-    scale: Tuple[float, float] = (0.8, 1.25)
-    rotation: Tuple[float, float] = (0.0, 360.0)
-    offset: Tuple[float, float] = (0.0, 0.5)
-    missed: Tuple[float, float] = (20.0, 20.0)
-    invented: Tuple[float, float] = (20.0, 20.0)
-    misnamed: Tuple[float, float] = (5.0, 5.0)
-    ragged: Tuple[float, float] = (0.0, 1.0)
+    scale: tuple[float, float] = (0.8, 1.25)
+    rotation: tuple[float, float] = (0.0, 360.0)
+    offset: tuple[float, float] = (0.0, 0.5)
+    missed: tuple[float, float] = (20.0, 20.0)
+    invented: tuple[float, float] = (20.0, 20.0)
+    misnamed: tuple[float, float] = (5.0, 5.0)
+    ragged: tuple[float, float] = (0.0, 1.0)
 
     def __post_init__(self) -> None:
         limits = {"scale": (0.05, 20.0), "rotation": (-360.0, 360.0), "offset": (0.0, 0.5), "ragged": (0.0, math.inf)}
@@ -102,7 +102,7 @@ class WindowQuery(Query):
 class Evaluation:
     """Plans queries (``trials``, ``noise_grid``, ``moves``, ``tables``) and tries them one by one (``run``)."""
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - what is tried, on which map, with which draws, and what counts as right
         self,
         database: ReferenceDatabase,
         source: LabelSource,
@@ -110,7 +110,7 @@ class Evaluation:
         ranges: TrialRanges,
         seed: int,
         minimum_references: int = 3,
-        right_within: Optional[float] = None,
+        right_within: float | None = None,
     ) -> None:
         """Chooses the windows that images are taken around.
 
@@ -177,7 +177,7 @@ class Evaluation:
         labels = spoil_labels(labels, noise, rng, values, donor, smallest)
         return np.ascontiguousarray(labels[:, ::-1]) if query.view.is_mirrored else labels
 
-    def run(self, query: WindowQuery, methods: Sequence[str]) -> List[Trial]:
+    def run(self, query: WindowQuery, methods: Sequence[Method]) -> list[Trial]:
         """The query tried with each of ``methods``, in their order."""
         labels = self.image(query)
         return [self._judge(query, method, self.localizer.localize(labels, method)) for method in methods]
@@ -205,11 +205,10 @@ class Evaluation:
         rng = self._rng(SCALING, 0, 0)
         return np.sort(rng.choice(chosen, min(TABLE_WINDOWS, len(chosen)), replace=False))
 
-    def _rng(self, *key) -> np.random.Generator:
-        part, *numbers = key
+    def _rng(self, part: str, *numbers: int) -> np.random.Generator:
         return np.random.default_rng([self._seed, PARTS.index(part), *numbers])
 
-    def _draw(self, part: str, number: int, fixed: Optional[dict] = None, window: Optional[int] = None) -> WindowQuery:
+    def _draw(self, part: str, number: int, fixed: dict | None = None, window: int | None = None) -> WindowQuery:
         """A query with values drawn from the ranges, those ``fixed`` from theirs; around ``window`` if given."""
         rng = self._rng(part, number, 0)
         ranges = {**vars(self._ranges), **(fixed or {})}
@@ -243,7 +242,7 @@ class Evaluation:
         x, y = self._database.windows.centers[rng.choice(self._windows)]
         return cut(self._source, self._frame, self._view(x, y, float(rng.uniform(0, 360)), query.scale))
 
-    def _judge(self, query: WindowQuery, method: str, result: Localization) -> Trial:
+    def _judge(self, query: WindowQuery, method: Method, result: Localization) -> Trial:
         trial = judge(query, method, result, self._right_within, query.landmarks)
         if result.position is None:
             return trial
@@ -253,18 +252,18 @@ class Evaluation:
             trial = replace(trial, is_right=query.can_be_right and trial.is_fix and is_nearest)
         return replace(trial, window=result.window or self._nearest_window(result.position))
 
-    def _is_nearest(self, window: int, position: Tuple[float, float]) -> bool:
+    def _is_nearest(self, window: int | None, position: tuple[float, float]) -> bool:
         """Whether no window of its size has its center nearer to ``position``."""
         windows = self._database.windows
         away = np.hypot(*(windows.centers - position).T)
         return bool(away[window] <= away[windows.sizes == windows.sizes[window]].min() + 1e-6 * self._edge)
 
-    def _nearest_window(self, position: Tuple[float, float]) -> str:
+    def _nearest_window(self, position: tuple[float, float]) -> str:
         windows = self._database.windows
         return windows.name(np.hypot(*(windows.centers - position).T).argmin())
 
 
-def _offset(limits: Tuple[float, float], rng: np.random.Generator) -> np.ndarray:
+def _offset(limits: tuple[float, float], rng: np.random.Generator) -> np.ndarray:
     """(2,) offset whose larger axis lies in ``limits``, uniform over that frame of a square."""
     reach = math.sqrt(rng.uniform(limits[0] ** 2, limits[1] ** 2))
     offset = np.array([reach * rng.choice([-1, 1]), rng.uniform(-reach, reach)])

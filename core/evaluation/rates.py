@@ -70,15 +70,18 @@ def binned(values: Sequence[float], successes: Sequence[bool], edges: Sequence[f
         values: (n,) what the trials are sorted by
         successes: (n,) whether each was one
         edges: ends of the bins, rising; the last bin includes its end, and takes what lies beyond
+
+    Returns:
+        The rates, in the order of the bins.
     """
-    values, successes = np.asarray(values, float), np.asarray(successes, bool)
-    numbers = np.clip(np.searchsorted(edges, values, side="right") - 1, 0, len(edges) - 2)
+    at, hits = np.asarray(values, float), np.asarray(successes, bool)
+    numbers = np.clip(np.searchsorted(edges, at, side="right") - 1, 0, len(edges) - 2)
     return [
         RateAt(
-            float(values[numbers == number].mean()),
+            float(at[numbers == number].mean()),
             float(edges[number]),
             float(edges[number + 1]),
-            rate_of(successes[numbers == number].tolist()),
+            rate_of(hits[numbers == number].tolist()),
         )
         for number in np.unique(numbers)
     ]

@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 
-from .evaluation import MAP, MIRRORED, NOISE, NOISE_LEVELS, OFFSET, OFFSETS
+from .evaluation import MAP, MIRRORED, NOISE, NOISE_LEVELS, OFFSET, OFFSETS, WindowQuery
 from .rates import Rate, RateAt, binned, rate_of
 from .trial import Trial
 
-CONFIDENCE_BINS = np.linspace(0, 1, 11)
+CONFIDENCE_BINS = tuple(np.linspace(0, 1, 11).tolist())
 LANDMARK_BINS = (0, 5, 10, 20, 40, 80)
 """Landmarks of the window around which an image lies, from each number to the next, the last without end."""
 
@@ -83,13 +84,14 @@ def percentile(values: Sequence[float | None], percent: float) -> float | None:
 def success_by_offset(trials: Sequence[Trial], method: str) -> list[RateAt]:
     """Right fixes of windows that were moved by each of OFFSETS."""
     moved = of_method(trials, method, OFFSET)
-    return _right_by([round(t.query.offset, 6) for t in moved], moved, (*OFFSETS, np.inf))
+    offsets = [round(cast(WindowQuery, t.query).offset, 6) for t in moved]
+    return _right_by(offsets, moved, (*OFFSETS, np.inf))
 
 
 def success_by_landmarks(trials: Sequence[Trial], method: str) -> list[RateAt]:
     """Right fixes by the number of landmarks that the database has in the window."""
-    tried = of_method(trials, method, MAP)
-    return _right_by([t.landmarks for t in tried], tried, (*LANDMARK_BINS, np.inf))
+    tried = [t for t in of_method(trials, method, MAP) if t.landmarks is not None]
+    return _right_by([t.landmarks or 0 for t in tried], tried, (*LANDMARK_BINS, np.inf))
 
 
 def reliability(trials: Sequence[Trial], method: str) -> list[RateAt]:

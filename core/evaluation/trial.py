@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Optional
 
 import numpy as np
 
@@ -76,12 +75,12 @@ class Trial:
     method: Method
     result: Localization
     is_right: bool = False
-    error: Optional[float] = None
-    heading_error_deg: Optional[float] = None
-    scale_error: Optional[float] = None
-    radius_ratio: Optional[float] = None
-    window: Optional[str] = None
-    landmarks: Optional[int] = None
+    error: float | None = None
+    heading_error_deg: float | None = None
+    scale_error: float | None = None
+    radius_ratio: float | None = None
+    window: str | None = None
+    landmarks: int | None = None
     seconds: float = math.nan
 
     @property
@@ -100,17 +99,17 @@ class Trial:
         return self.is_fix and not self.is_right
 
     @property
-    def error_share(self) -> Optional[float]:
+    def error_share(self) -> float | None:
         """Error as a share of the footprint."""
         return None if self.error is None else self.error / self.query.view.footprint
 
 
-def judge(
+def judge(  # noqa: PLR0913 - the last three are notes that a trial carries along
     query: Query,
     method: Method,
     result: Localization,
-    right_within: Optional[float] = None,
-    landmarks: Optional[int] = None,
+    right_within: float | None = None,
+    landmarks: int | None = None,
     seconds: float = math.nan,
 ) -> Trial:
     """Compares a result with the truth.
@@ -122,13 +121,16 @@ def judge(
         right_within: map units that a right position may be off; None for RIGHT_SHARE of the footprint
         landmarks: as ``Trial`` says
         seconds: as ``Trial`` says
+
+    Returns:
+        The trial.
     """
     if result.position is None:
         return Trial(query, method, result, landmarks=landmarks, seconds=seconds)
     view = query.view
     x, y = result.position[0] - view.x, result.position[1] - view.y
     error, heading_error, scale_error = math.hypot(x, y), None, None
-    if result.heading_deg is not None:
+    if result.heading_deg is not None and result.pixel_size_m is not None:
         heading_error = abs((result.heading_deg - view.heading_deg + 180) % 360 - 180)
         scale_error = abs(result.pixel_size_m * view.width_px / view.footprint - 1)
     within = RIGHT_SHARE * view.footprint if right_within is None else right_within
@@ -147,7 +149,7 @@ def judge(
     )
 
 
-def _radius_ratio(x: float, y: float, result: Localization) -> Optional[float]:
+def _radius_ratio(x: float, y: float, result: Localization) -> float | None:
     if result.covariance is not None and result.covariance.ellipse_95 is not None:
         return ellipse_ratio(x, y, result.covariance.ellipse_95)
     return math.hypot(x, y) / result.error_95_m if result.error_95_m else None

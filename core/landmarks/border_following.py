@@ -30,6 +30,7 @@ class _Surroundings:
         self.offsets = tuple(dx + dy * self.width for dx, dy in _STEPS)
 
     def holds_neighbors(self, x: int, y: int) -> bool:
+        """Whether all eight neighbors of a pixel are held."""
         return 0 < x - self.left < self.width - 1 and 0 < y - self.top < self.width - 1
 
     def direction(self, x: int, y: int, first: int, turn: int) -> int | None:
@@ -45,10 +46,19 @@ class _Surroundings:
 def follow_outer_border(
     source: LabelSource, value: int, first_pixel: tuple[int, int], minimum_area: float
 ) -> tuple | None:
-    """Region row (class, center, area, bounds) of the 8-connected region whose first pixel in raster order is given.
+    """Measures an 8-connected region by following its border.
 
     Area and center are those of the polygon through the border pixels' centers (Green's formula, exact in
-    integers), as ``cv2.contourArea`` and ``cv2.moments`` give. None when the area is below ``minimum_area`` (pixels).
+    integers), as ``cv2.contourArea`` and ``cv2.moments`` give.
+
+    Args:
+        source: The label map.
+        value: The region's class.
+        first_pixel: (column, row) of its first pixel in raster order.
+        minimum_area: Pixels.
+
+    Returns:
+        Its row (class, center x, y, area, left, top, right, bottom); None when it is smaller.
     """
     x0, y0 = first_pixel
     around = _Surroundings(source, value, x0, y0)
@@ -64,7 +74,9 @@ def follow_outer_border(
     while True:
         if not around.holds_neighbors(x, y):
             around = _Surroundings(source, value, x, y)
-        direction = around.direction(x, y, back + 1, 1)
+        onward = around.direction(x, y, back + 1, 1)
+        # There is one: the pixel that it came from.
+        direction = back if onward is None else onward
         next_x, next_y = x + _STEPS[direction][0], y + _STEPS[direction][1]
         cross = (x - x0) * (next_y - y0) - (next_x - x0) * (y - y0)
         twice_area += cross

@@ -30,13 +30,13 @@ PATCH_PIXELS = 16_000_000
 
 
 class CatalogueBuilder:
-    """Collects the objects of a map: iterate ``bands()`` to the end, then take ``objects``.
+    """Collects the landmarks of a map: iterate ``bands()``, then ``crossing()`` to the end, then take ``objects``.
 
-    The bands are yielded as (first row, labels (h, W) uint8), so that one pass over the map serves others too
-    (overview, hash). 8-connected regions that cross from band to band are joined and measured whole.
+    The bands are yielded, so that one pass over the map serves others too (overview, hash). 8-connected regions that
+    cross from band to band are joined and measured whole.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - the last three are how it works, and tests make them small
         self,
         source: LabelSource,
         class_values: Sequence[int],
@@ -45,7 +45,16 @@ class CatalogueBuilder:
         patch_pixels: int = PATCH_PIXELS,
         band_multiple: int = 1,
     ) -> None:
-        """``band_multiple``: band heights are multiples of it, as a reducing consumer needs."""
+        """Takes a map.
+
+        Args:
+            source: The label map.
+            class_values: Classes of landmarks.
+            minimum_area_px: Smaller regions are no landmarks.
+            band_pixels: Pixels read at a time.
+            patch_pixels: A region that crosses bands is read in one piece up to so many pixels.
+            band_multiple: Band heights are multiples of it, as a reducing consumer needs.
+        """
         self._source = source
         self._values = sorted(class_values)
         self._minimum_area = minimum_area_px
@@ -58,9 +67,15 @@ class CatalogueBuilder:
 
     @property
     def band_count(self) -> int:
+        """How many bands the map is read in."""
         return -(-self._source.shape_hw[0] // self._band_rows)
 
     def bands(self) -> Iterator[tuple[int, np.ndarray]]:
+        """Reads the map and collects the regions that lie in one band.
+
+        Yields:
+            The first row of a band, and its labels (h, W) uint8.
+        """
         height, width = self._source.shape_hw
         for first in range(0, height, self._band_rows):
             labels = self._source.read(0, first, width, min(self._band_rows, height - first))
@@ -72,15 +87,14 @@ class CatalogueBuilder:
         """Measures the regions that cross bands, one a step; yields how many are left. Call after ``bands()``."""
         groups = [(value, group) for value in self._values for group in self._seams[value].groups()]
         for left, (value, group) in zip(range(len(groups) - 1, -1, -1), groups):
-            row = measure_region(
-                self._source, value, group.bounds, group.first_pixel, self._minimum_area, self._patch_pixels
-            )
+            row = measure_region(self._source, value, group, self._minimum_area, self._patch_pixels)
             if row is not None:
                 self._rows.append(rows_array([row]))
             yield left
 
     @property
     def objects(self) -> Landmarks:
+        """The landmarks of the whole map."""
         return objects_from_rows(np.concatenate(self._rows), self._source.shape_hw)
 
     def _collect(self, value: int, mask: np.ndarray, first: int) -> None:
@@ -109,23 +123,30 @@ class CatalogueBuilder:
 def measure_region(
     source: LabelSource,
     value: int,
-    bounds: tuple[int, int, int, int],
-    first_pixel: tuple[int, int],
+    region: Region,
     minimum_area_px: float,
     patch_pixels: int = PATCH_PIXELS,
 ) -> tuple | None:
-    """Region row of the region within ``bounds`` (left, top, right, bottom) with this first pixel (column, row).
+    """Measures one region.
 
-    None when the region is smaller than ``minimum_area_px``.
+    Args:
+        source: The label map.
+        value: The region's class.
+        region: Where it is.
+        minimum_area_px: Smaller ones are no landmarks.
+        patch_pixels: A region is read in one piece up to so many pixels, else its border is followed.
+
+    Returns:
+        Its row (class, center x, y, area, left, top, right, bottom); None when it is too small.
     """
-    left, top, right, bottom = bounds
+    left, top, right, bottom = region.bounds
     # A polygon through pixel centers is never larger than its bounding box.
     if (right - left) * (bottom - top) < minimum_area_px:
         return None
     if (right - left) * (bottom - top) > patch_pixels:
-        return follow_outer_border(source, value, first_pixel, minimum_area_px)
+        return follow_outer_border(source, value, region.first_pixel, minimum_area_px)
     labels = source.read(left, top, right - left, bottom - top)
-    start = np.array([first_pixel[0] - left, first_pixel[1] - top])
+    start = np.array([region.first_pixel[0] - left, region.first_pixel[1] - top])
     for contour in outer_contours(class_mask(labels, value)):
         if (contour[:, 0] == start).all(axis=1).any():
             row = contour_row(contour, value, minimum_area_px)

@@ -9,7 +9,15 @@ import numpy as np
 
 
 def connected_components(count: int, pairs: np.ndarray) -> np.ndarray:
-    """(count,) int64 component of each of ``count`` things, numbered in order of their first; pairs: (E, 2) links."""
+    """Joins things that are linked, also over others.
+
+    Args:
+        count: How many things there are.
+        pairs: (E, 2) numbers of things that are linked.
+
+    Returns:
+        (count,) int64 component of each, numbered in order of their first.
+    """
     labels = np.arange(count)
     first, second = pairs.T
     while True:
@@ -29,7 +37,9 @@ def touching_runs(rows: np.ndarray, starts: np.ndarray, stops: np.ndarray) -> np
     """Runs of pixels that touch (8-connected) in rows that follow each other.
 
     Args:
-        rows, starts, stops: (K,) int64, pixels ``starts`` … ``stops`` − 1 of a row; in reading order.
+        rows: (K,) int64 row of each run; runs are in reading order.
+        starts: (K,) int64 first column of each.
+        stops: (K,) int64 column after its last.
 
     Returns:
         (L, 2) int64 numbers of the runs, the upper one first.

@@ -24,11 +24,12 @@ _PARENT = 3
 class Landmarks:
     """Landmarks of one image or map, ordered by class, then from top to bottom.
 
-    centers_xy: (N, 2) float64 centers of gravity, pixel coordinates (column, row)
-    classes: (N,) uint8 class values
-    areas_px: (N,) float64 contour areas in pixels (``cv2.contourArea``, holes filled)
-    bounds: (N, 4) int64 first column, first row, last column + 1, last row + 1
-    touches_edge: (N,) bool, whether the object reaches the border of the image, so may go on outside it
+    Attributes:
+        centers_xy: (N, 2) float64 centers of gravity, pixel coordinates (column, row).
+        classes: (N,) uint8 class values.
+        areas_px: (N,) float64 contour areas in pixels (``cv2.contourArea``, holes filled).
+        bounds: (N, 4) int64 first column, first row, last column + 1, last row + 1.
+        touches_edge: (N,) bool, whether the landmark reaches the border of the image, so may go on outside it.
     """
 
     centers_xy: np.ndarray
@@ -41,7 +42,7 @@ class Landmarks:
         return len(self.classes)
 
     def select(self, index: np.ndarray) -> Landmarks:
-        """The objects picked by a boolean mask or an index array, in that order."""
+        """The landmarks picked by a boolean mask or an index array, in that order."""
         return Landmarks(
             self.centers_xy[index],
             self.classes[index],
@@ -52,11 +53,19 @@ class Landmarks:
 
 
 def extract_landmarks(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float) -> Landmarks:
-    """Every connected region of the reference classes whose contour area is at least ``minimum_area_px``.
+    """Finds every connected region that is large enough, of some classes.
 
-    ``labels_hw``: (H, W) uint8. Per class: mask → outer boundary of every 8-connected region (``RETR_CCOMP``, those
-    without a parent) → ``cv2.contourArea`` → ``cv2.moments`` → center of gravity (paper §2.2.2 (2)). Regions
-    without area (single pixels, lines) have no center of gravity and are never landmarks.
+    Per class: mask → outer boundary of every 8-connected region (``RETR_CCOMP``, those without a parent) →
+    ``cv2.contourArea`` → ``cv2.moments`` → center of gravity (paper §2.2.2 (2)). Regions without area (single pixels,
+    lines) have no center of gravity and are never landmarks.
+
+    Args:
+        labels_hw: (H, W) uint8.
+        class_values: Classes of landmarks.
+        minimum_area_px: Smallest contour area, pixels.
+
+    Returns:
+        The landmarks.
     """
     area_px = whole_half_pixels(minimum_area_px)
     rows = [region_rows(class_mask(labels_hw, value), value, area_px) for value in sorted(class_values)]
@@ -102,7 +111,7 @@ def region_rows(mask: np.ndarray, value: int, minimum_area: float) -> np.ndarray
     return rows_array([row for row in rows if row is not None])
 
 
-def contour_row(contour: np.ndarray, value: int, minimum_area: float):
+def contour_row(contour: np.ndarray, value: int, minimum_area: float) -> tuple | None:
     """One region's row from its outer contour, or None when it is too small."""
     # A contour of one or two points has no area; most specks end here, cheaply.
     if len(contour) < 3:

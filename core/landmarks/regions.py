@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeVar
 
 import cv2
 import numpy as np
@@ -23,12 +24,20 @@ _TileKey = tuple[int, int]
 _Part = tuple[_TileKey, int]
 """A tile (column, row of tiles) and the number of one connected part in it."""
 
+_Places = TypeVar("_Places", int, np.ndarray)
+"""A column or row, or an array of them."""
+
 _AROUND = [(dx, dy) for dy in (-1, 0, 1) for dx in (-1, 0, 1) if (dx, dy) != (0, 0)]
 
 
 @dataclass(frozen=True)
 class Region:
-    """An 8-connected region: bounds (left, top, right, bottom) and first pixel (column, row) in raster order."""
+    """An 8-connected region of a map.
+
+    Attributes:
+        bounds: (left, top, right, bottom), pixels; the last two lie beyond it.
+        first_pixel: (column, row) of its first pixel in raster order.
+    """
 
     bounds: tuple[int, int, int, int]
     first_pixel: tuple[int, int]
@@ -118,8 +127,8 @@ class RegionFinder:
         left, top = self._first_of(tile_column), self._first_of(tile_row)
         return Region((left + x, top + y, left + x + width, top + y + height), (left + first, top + y))
 
-    def _tile_of(self, place):
-        """The column (or row) of tiles that a column (or row) of pixels lies in; −1 is the map's edge."""
+    def _tile_of(self, place: _Places) -> _Places:
+        """The columns (or rows) of tiles that columns (or rows) of pixels lie in; −1 is the map's edge."""
         return (place + self._size // 2) // self._size
 
     def _first_of(self, tile: int) -> int:

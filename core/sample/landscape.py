@@ -1,4 +1,4 @@
-"""A believable piece of Central Europe, made up from a seed."""
+"""A made-up piece of Central Europe, drawn from a seed."""
 
 from __future__ import annotations
 
@@ -32,7 +32,13 @@ BOW_TIES = 3
 
 @dataclass(frozen=True)
 class Feature:
-    """One drawn polygon: class value, drawing order (higher on top), geometry in map coordinates (None: empty)."""
+    """One drawn polygon.
+
+    Attributes:
+        class_value: Its class.
+        zorder: Drawing order; higher ones lie on top.
+        geometry: Shapely geometry in map coordinates; None for a feature without one.
+    """
 
     class_value: int
     zorder: int
@@ -41,7 +47,15 @@ class Feature:
 
 @dataclass(frozen=True)
 class Landscape:
-    """Polygons as an annotator drew them, the road surface between them, extent (x0, y0, x1, y1), meters."""
+    """A drawn area.
+
+    Attributes:
+        features: Polygons as an annotator drew them.
+        road_surface: The ground that roads cover.
+        extent: (x0, y0, x1, y1), map coordinates in meters.
+        epsg: Of the map's CRS.
+        seed: It was drawn from.
+    """
 
     features: tuple[Feature, ...]
     road_surface: BaseGeometry
@@ -82,7 +96,7 @@ def make_landscape(seed: int) -> Landscape:
 class _Draws:
     """One random generator for each step, so that a change in one step leaves the others as they are."""
 
-    def __init__(self, seed: int):
+    def __init__(self, seed: int) -> None:
         self._seed = seed
 
     def __call__(self, *step: int) -> np.random.Generator:
@@ -109,7 +123,7 @@ def _buildings(
     return built
 
 
-def _fill(
+def _fill(  # noqa: PLR0913 - it adds to three lists
     rng: np.random.Generator, ground: Ground, buildings: list, still: list, bare: list, woods: BaseGeometry
 ) -> None:
     """Add farms, ponds and gravel where a window would hold too few objects to be recognized."""

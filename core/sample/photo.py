@@ -62,7 +62,14 @@ class Sun:
 
 @dataclass(frozen=True)
 class Scene:
-    """What stands where: index of the uppermost feature (−1: none), class, road, height in meters, all (H, W)."""
+    """What stands where.
+
+    Attributes:
+        owner: (H, W) int32 index of the uppermost feature, −1 for none.
+        kind: (H, W) uint8 class value, 0 for none.
+        road: (H, W) uint8, 1 on roads.
+        pixel_m: Edge of a pixel, meters.
+    """
 
     owner: np.ndarray
     kind: np.ndarray
@@ -71,9 +78,15 @@ class Scene:
 
 
 def render(landscape: Landscape, frame: Frame, pixel_m: float) -> np.ndarray:
-    """The photo of the whole landscape, (H, W, 3) uint8 RGB.
+    """The photo of the whole landscape.
 
-    frame: west and north edge in map units, width and height in pixels, as the label map has them.
+    Args:
+        landscape: What is seen.
+        frame: West and north edge in map units, width and height in pixels, as the label map has them.
+        pixel_m: Edge of a pixel, meters.
+
+    Returns:
+        (H, W, 3) uint8 RGB.
     """
     rng = np.random.default_rng([landscape.seed, SEED_OFFSET])
     azimuth = np.deg2rad(rng.uniform(120, 240))  # clockwise from north: a flight around noon
@@ -118,7 +131,7 @@ def outlines(geometry: BaseGeometry | None, frame: Frame, pixel_m: float) -> Ite
 
 
 def linear(rgb: npt.ArrayLike) -> np.ndarray:
-    """sRGB 0…255 as linear light."""
+    """Linear light of sRGB 0…255."""
     return (np.asarray(rgb, np.float32) / 255) ** np.float32(2.2)
 
 
@@ -250,7 +263,7 @@ def plant_trees(
         plant_tree(rng, scene, (row, column), rng.uniform(*TREE_RADII_M), color, relief, height)
 
 
-def plant_tree(
+def plant_tree(  # noqa: PLR0913 - it draws into three layers
     rng: np.random.Generator,
     scene: Scene,
     at_rc: tuple[int, int],
@@ -273,7 +286,7 @@ def plant_tree(
     height[rows, columns] = np.maximum(height[rows, columns], 1.6 * radius_m * np.clip(2 * crown, 0, 1))
 
 
-def build_roofs(
+def build_roofs(  # noqa: PLR0913 - it draws into three layers
     rng: np.random.Generator,
     scene: Scene,
     features: Sequence[Feature],
@@ -304,7 +317,14 @@ def build_roofs(
 
 @dataclass(frozen=True)
 class Roof:
-    """Color (3,), height of the eaves in meters, and on the pixels around it relief in meters and streaks of light."""
+    """What the roof of one building looks like.
+
+    Attributes:
+        color: (3,) linear red, green, blue.
+        eaves: Height of the eaves, meters.
+        relief: (h, w) height above the eaves, meters.
+        streaks: (h, w) change of light by courses and skylights.
+    """
 
     color: np.ndarray
     eaves: float

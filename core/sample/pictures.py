@@ -108,13 +108,18 @@ def plan_photos(shape_hw: tuple[int, int], seed: int, count: int = PHOTO_COUNT) 
     return tuple(_off_grid(rng, shape_hw, count, "photo", suffix="jpg"))
 
 
-def _on(at: tuple[int, int], kind: str, stem: str, **settings: Any) -> Picture:
+def _on(at: tuple[int, int], kind: str, stem: str, **settings: Any) -> Picture:  # noqa: ANN401 - fields of Picture
     half = WINDOW_PX / 2
     return Picture(f"{stem}.png", kind, at[0] + half, at[1] + half, window=_text(at), **settings)
 
 
 def _off_grid(
-    rng: np.random.Generator, shape_hw: tuple[int, int], count: int, kind: str, suffix: str = "png", **settings: Any
+    rng: np.random.Generator,
+    shape_hw: tuple[int, int],
+    count: int,
+    kind: str,
+    suffix: str = "png",
+    **settings: Any,  # noqa: ANN401 - fields of Picture
 ) -> list[Picture]:
     """Views at any place, heading and scale whose corners stay on the map."""
     pictures = []

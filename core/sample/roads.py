@@ -45,6 +45,7 @@ class Road:
 
     @property
     def surface(self) -> BaseGeometry:
+        """The ground that it covers."""
         return self.line.buffer(self.width / 2, 3)
 
 

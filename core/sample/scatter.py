@@ -16,7 +16,7 @@ TRIES = 60
 class Ground:
     """The map's rectangle with what is already taken; grows as things are placed."""
 
-    def __init__(self, size_xy: tuple[float, float], blocked: BaseGeometry, margin: float = 6.0):
+    def __init__(self, size_xy: tuple[float, float], blocked: BaseGeometry, margin: float = 6.0) -> None:
         self.size_xy = size_xy
         self._inside = prep(box(margin, margin, size_xy[0] - margin, size_xy[1] - margin))
         self._blocked = prep(blocked)
@@ -32,6 +32,7 @@ class Ground:
         return not any(wide.intersects(other) for other in self._near(wide))
 
     def add(self, shape: Polygon) -> None:
+        """Keeps the ground of a shape from then on."""
         for cell in _cells(shape):
             self._cells.setdefault(cell, []).append(shape)
 

@@ -30,6 +30,7 @@ class Rivers:
 
     @property
     def surface(self) -> BaseGeometry:
+        """The ground that both cover."""
         return unary_union([self.river, self.stream])
 
 

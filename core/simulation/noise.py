@@ -15,8 +15,8 @@ Example:
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
-from typing import List, Optional, Sequence, Tuple
 
 import cv2
 import numpy as np
@@ -79,7 +79,7 @@ class LabelNoise:
     spurious: float = 0.0
     mislabeled: float = 0.0
     jitter: float = 0.0
-    jitter_length: Optional[float] = None
+    jitter_length: float | None = None
     missed_below: float = math.inf
     merge_gap: float = 0.0
     merge_share: float = 1.0
@@ -131,12 +131,12 @@ missed."""
 # --- label images ---
 
 
-def spoil_labels(
+def spoil_labels(  # noqa: PLR0913 - an image, how it is spoiled, and what is known of its classes
     labels_hw: np.ndarray,
     noise: LabelNoise,
     rng: np.random.Generator,
     class_values: Sequence[int],
-    donor_hw: Optional[np.ndarray] = None,
+    donor_hw: np.ndarray | None = None,
     minimum_area_px: float = 1.0,
 ) -> np.ndarray:
     """A label image as a network, or an annotator, with these errors would have given it.
@@ -168,15 +168,22 @@ def spoil_labels(
 
 @dataclass(frozen=True)
 class _Region:
-    """A connected region of one class: its bounding box as slices (rows, columns) and its mask in it."""
+    """A connected region of one class.
+
+    Attributes:
+        value: Its class.
+        area_px: Pixels.
+        box: Its bounding box as slices (rows, columns).
+        mask: (h, w) bool, its pixels in the box.
+    """
 
     value: int
     area_px: int
-    box: Tuple[slice, slice]
+    box: tuple[slice, slice]
     mask: np.ndarray
 
 
-def _regions(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float) -> List[_Region]:
+def _regions(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float) -> list[_Region]:
     found = []
     for value in class_values:
         _, numbers, stats, _ = cv2.connectedComponentsWithStats(class_mask(labels_hw, value))
@@ -188,12 +195,12 @@ def _regions(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px
     return found
 
 
-def _with_changed_landmarks(
+def _with_changed_landmarks(  # noqa: PLR0913 - as spoil_labels
     labels_hw: np.ndarray,
     noise: LabelNoise,
     rng: np.random.Generator,
     class_values: Sequence[int],
-    donor_hw: Optional[np.ndarray],
+    donor_hw: np.ndarray | None,
     minimum_area_px: float,
 ) -> np.ndarray:
     """Missed landmarks get the nearest label of no landmark; spurious ones lie where they touch no other."""
@@ -215,7 +222,7 @@ def _with_changed_landmarks(
 
 
 def _draw_spurious(
-    labels_hw: np.ndarray, donors: List[_Region], count: int, rng: np.random.Generator, class_values: Sequence[int]
+    labels_hw: np.ndarray, donors: list[_Region], count: int, rng: np.random.Generator, class_values: Sequence[int]
 ) -> None:
     """Draws ``count`` of the donors into ``labels_hw`` itself, each with a margin of a pixel to other landmarks."""
     taken = np.isin(labels_hw, class_values)
@@ -271,8 +278,8 @@ def _split(labels_hw: np.ndarray, value: int, noise: LabelNoise, rng: np.random.
         if not is_cut or lengths[longest] < noise.split_length:
             continue
         at = corners[longest] + edges[longest] * rng.uniform(1 / 3, 2 / 3)
-        ends = [tuple(int(v) for v in np.rint(point)) for point in (at, at + edges[(longest + 1) % 4])]
-        cv2.line(cuts, *ends, 1, max(1, int(round(noise.split_gap))))
+        start, end = (tuple(int(v) for v in np.rint(point)) for point in (at, at + edges[(longest + 1) % 4]))
+        cv2.line(cuts, start, end, 1, max(1, int(round(noise.split_gap))))
     return _filled_from_around(labels_hw, (cuts & mask) > 0, labels_hw != value)
 
 
@@ -319,7 +326,7 @@ def _displaced(image_hw: np.ndarray, sigma_px: float, length_px: float, rng: np.
     return cv2.remap(image_hw, columns, rows, cv2.INTER_NEAREST, borderMode=cv2.BORDER_REPLICATE)
 
 
-def _smooth_noise(shape_hw: Tuple[int, ...], length_px: float, rng: np.random.Generator) -> np.ndarray:
+def _smooth_noise(shape_hw: tuple[int, ...], length_px: float, rng: np.random.Generator) -> np.ndarray:
     """(H, W) float32 of variance 1, alike over about ``length_px``: white noise on a coarse grid, enlarged."""
     small = tuple(max(int(np.ceil(size / max(length_px, 1.0))) + 1, 2) for size in shape_hw)
     field = rng.normal(size=small).astype(np.float32)
@@ -327,7 +334,7 @@ def _smooth_noise(shape_hw: Tuple[int, ...], length_px: float, rng: np.random.Ge
     return field / max(float(field.std()), 1e-6)
 
 
-def _ellipse(diameter_px: float) -> Optional[np.ndarray]:
+def _ellipse(diameter_px: float) -> np.ndarray | None:
     """Structuring element of about that diameter, odd so that nothing is shifted; None when it would do nothing."""
     size = min(2 * int(round((diameter_px - 1) / 2)) + 1, LARGEST_KERNEL_PX)
     return None if size < 3 else cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
@@ -360,7 +367,7 @@ def spoil_landmarks(
     noise: LabelNoise,
     rng: np.random.Generator,
     population: Landmarks,
-    size_px: Tuple[int, int],
+    size_px: tuple[int, int],
 ) -> Landmarks:
     """Landmarks of an image missed, spurious, mislabeled, their centers and areas perturbed.
 
@@ -370,6 +377,9 @@ def spoil_landmarks(
         rng: a seeded one repeats the result
         population: spurious ones lie anywhere in the image and have class and area (px²) of one of these
         size_px: (width, height) of the image
+
+    Returns:
+        Those that are left, then the spurious ones.
     """
     kept = landmarks.select(rng.random(len(landmarks)) >= noise.missed)
     count = rng.binomial(len(landmarks), min(noise.spurious, 1.0)) if len(population) else 0
@@ -396,7 +406,7 @@ def joined(one: Landmarks, other: Landmarks) -> Landmarks:
     return Landmarks(*(np.concatenate([getattr(one, name), getattr(other, name)]) for name in names))
 
 
-def _spurious(population: Landmarks, count: int, rng: np.random.Generator, size_px: Tuple[int, int]) -> Landmarks:
+def _spurious(population: Landmarks, count: int, rng: np.random.Generator, size_px: tuple[int, int]) -> Landmarks:
     drawn = population.select(rng.integers(0, max(len(population), 1), count))
     centers = rng.uniform((0, 0), size_px, (count, 2))
     half = np.sqrt(drawn.areas_px)[:, None] / 2

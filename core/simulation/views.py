@@ -98,7 +98,7 @@ def cut(source: LabelSource | np.ndarray, frame: MapFrame, view: View) -> np.nda
     Returns:
         (height_px, width_px[, bands]) of the raster's type; 0 beyond the raster.
     """
-    column, row = frame.to_pixels(view.position)
+    column, row = frame.to_pixels(np.array(view.position))
     columns, rows = np.meshgrid(np.arange(view.width_px) + 0.5, np.arange(view.height_px) + 0.5)
     east, south = _offsets(view, columns, rows, view.pixel_size / frame.pixel_size)
     # Rounding keeps quarter turns exact: cos 90° ≈ 6e-17 could push a sample over a pixel's edge.
@@ -147,6 +147,9 @@ def random_view(
         extent: (x_min, y_min, x_max, y_max), map units, that the center lies in
         size_px: (width, height)
         pixel_sizes: smallest and largest; drawn uniformly in the logarithm
+
+    Returns:
+        The view.
     """
     # From north to south, as rows of a map go.
     x, y = rng.uniform(extent[0], extent[2]), -rng.uniform(-extent[3], -extent[1])
@@ -184,14 +187,17 @@ def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.nd
 
 def _sampled(source: LabelSource | np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """(h, w[, bands]) pixels of a raster at integer places (h, w); 0 beyond it. Reads what holds them alone."""
-    is_array = isinstance(source, np.ndarray)
-    height, width = source.shape[:2] if is_array else source.shape_hw
+    height, width = source.shape[:2] if isinstance(source, np.ndarray) else source.shape_hw
     left, top = max(int(columns.min()), 0), max(int(rows.min()), 0)
     right, bottom = min(int(columns.max()) + 1, width), min(int(rows.max()) + 1, height)
     if right <= left or bottom <= top:
-        kind = (source.dtype, source.shape[2:]) if is_array else (np.uint8, ())
-        return np.zeros((*columns.shape, *kind[1]), kind[0])
-    piece = source[top:bottom, left:right] if is_array else source.read(left, top, right - left, bottom - top)
+        if isinstance(source, np.ndarray):
+            return np.zeros((*columns.shape, *source.shape[2:]), source.dtype)
+        return np.zeros(columns.shape, np.uint8)
+    if isinstance(source, np.ndarray):
+        piece = source[top:bottom, left:right]
+    else:
+        piece = source.read(left, top, right - left, bottom - top)
     seen = (columns >= left) & (columns < right) & (rows >= top) & (rows < bottom)
     pixels = piece[np.where(seen, rows - top, 0), np.where(seen, columns - left, 0)]
     pixels[~seen] = 0

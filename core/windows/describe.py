@@ -49,10 +49,13 @@ PENDING_PIXELS = 256_000_000
 
 @dataclass(frozen=True)
 class DescribedWindows:
-    """Windows of one row of the grid: M windows.
+    """M windows of one row of the grid.
 
-    columns, rows: (M,) first pixels; counts: (M,) landmarks in each;
-    vectors: (M, 3·X) float32, zeros where ``counts`` is below 3.
+    Attributes:
+        columns: (M,) first pixel column of each.
+        rows: (M,) first pixel row of each.
+        counts: (M,) int64 landmarks in each.
+        vectors: (M, 3·X) float32, zeros where ``counts`` is below MINIMUM_REFERENCES.
     """
 
     columns: np.ndarray
@@ -61,7 +64,7 @@ class DescribedWindows:
     vectors: np.ndarray
 
 
-def describe_windows(
+def describe_windows(  # noqa: PLR0913 - a map, what is sought in it, and how to work: nothing else takes these together
     source: LabelSource,
     grid: WindowGrid,
     objects: Landmarks,
@@ -71,10 +74,20 @@ def describe_windows(
     threads: int = 1,
     strip_pixels: int = STRIP_PIXELS,
 ) -> Iterator[DescribedWindows]:
-    """Yields the windows of the grid, one row of them (of one column block) at a time, in a fixed order.
+    """Describes the windows of a grid, one row of them (of one column block) at a time, in a fixed order.
 
-    ``objects``: every landmark of the whole map with at least the same minimum area. ``threads``
-    rows of windows are worked on at once; only the calling thread reads from ``source``.
+    Args:
+        source: The label map; only the calling thread reads from it.
+        grid: Where the windows lie.
+        objects: Every landmark of the whole map with at least the same minimum area.
+        reference_values: Class values of landmarks.
+        minimum_area_px: Smaller regions are no landmarks.
+        references_per_vector: X, landmarks that a vector holds at most.
+        threads: Rows of windows that are worked on at once.
+        strip_pixels: Pixels of a row of windows held at a time.
+
+    Yields:
+        The windows of one row.
     """
     strips = _strips(source, grid, rows_from_objects(objects), strip_pixels)
 
@@ -104,7 +117,8 @@ def _strips(source: LabelSource, grid: WindowGrid, all_rows: np.ndarray, strip_p
         in_block = shift_rows(all_rows[inside], -first, 0)
         for row in grid.rows:
             near = in_block[(in_block[:, BOTTOM] > row) & (in_block[:, TOP] < row + grid.size)]
-            yield _Strip(rows_of(int(row)), shift_rows(near, 0, -int(row)), first, int(row), columns - first, cuts)
+            near = shift_rows(near, 0, -int(row))
+            yield _Strip(rows_of(int(row)), near, (first, int(row)), columns - first, cuts)
 
 
 def _row_reader(source: LabelSource, column: int, width: int, height: int) -> Callable[[int], np.ndarray]:
@@ -123,6 +137,26 @@ def _column_blocks(grid: WindowGrid, strip_pixels: int) -> list[np.ndarray]:
     return [columns[i : i + per_block] for i in range(0, len(columns), per_block)]
 
 
+@dataclass(frozen=True)
+class _Border:
+    """One side of a frame that cuts regions.
+
+    Attributes:
+        frame: (left, top, right, bottom), pixels of the strip.
+        side: LEFT, TOP, RIGHT or BOTTOM.
+        done: Sides on which regions were found already.
+    """
+
+    frame: tuple[int, int, int, int]
+    side: int
+    done: Sequence[int] = ()
+
+    def is_first_of(self, row: tuple) -> bool:
+        """Whether a region (row) lies on this side and on none of those done."""
+        lies_on = row[self.side] == self.frame[self.side - LEFT]
+        return lies_on and all(row[other] != self.frame[other - LEFT] for other in self.done)
+
+
 class _Strip:
     """One row of windows: its labels and the regions near it, in the strip's own pixel coordinates."""
 
@@ -130,20 +164,23 @@ class _Strip:
         self,
         labels: np.ndarray,
         near: np.ndarray,
-        column: int,
-        row: int,
+        origin: tuple[int, int],
         columns: np.ndarray,
         known_cuts: dict[tuple, list],
     ) -> None:
-        """``labels``: (size, W) uint8; ``near``: region rows of the map that reach into the strip.
+        """Takes what one row of windows shows.
 
-        ``column``, ``row``: the strip's first pixel; ``columns``: (M,) the windows' first columns in the strip;
-        ``known_cuts``: shared by the strips of a column block, kept up to date.
+        Args:
+            labels: (size, W) uint8.
+            near: (N, 8) region rows of the map that reach into the strip.
+            origin: (column, row) of the strip's first pixel on the map.
+            columns: (M,) the windows' first columns in the strip.
+            known_cuts: Shared by the strips of a column block, kept up to date.
         """
         self._known_cuts = known_cuts
         self.labels = labels
         self._near = near
-        self._origin = column, row
+        self._origin = origin
         self._columns = columns
 
     def describe(
@@ -174,9 +211,9 @@ class _Strip:
             frame = (column, 0, column + size, size)
             cut = []
             if k in on_left:
-                cut += self._cut(regions[on_left[k]], frame, LEFT, (), minimum_area)
+                cut += self._cut(regions[on_left[k]], _Border(frame, LEFT), minimum_area)
             if k in on_right:
-                cut += self._cut(regions[on_right[k]], frame, RIGHT, (LEFT,), minimum_area)
+                cut += self._cut(regions[on_right[k]], _Border(frame, RIGHT, (LEFT,)), minimum_area)
             yield np.concatenate([inside, rows_array(cut)]) if cut else inside
 
     def _regions(self, minimum_area: float) -> np.ndarray:
@@ -186,49 +223,45 @@ class _Strip:
         reaches = _reaches(self._near, frame)
         cut = []
         for n, side in enumerate(_SIDES):
-            cut += self._cut(self._near[reaches[side]], frame, side, _SIDES[:n], minimum_area)
+            cut += self._cut(self._near[reaches[side]], _Border(frame, side, _SIDES[:n]), minimum_area)
         whole = self._near[~np.any([reaches[side] for side in _SIDES], axis=0)]
         rows = np.concatenate([whole, rows_array(cut)])
         return rows[np.argsort(rows[:, LEFT], kind="stable")]
 
-    def _cut(
-        self,
-        crossing: np.ndarray,
-        frame: tuple[int, int, int, int],
-        side: int,
-        done: Sequence[int],
-        minimum_area: float,
-    ) -> list:
-        """Rows (tuples) of what is left inside ``frame`` of the regions that reach over one of its sides.
+    def _cut(self, crossing: np.ndarray, border: _Border, minimum_area: float) -> list:
+        """Rows (tuples) of what is left inside a frame of the regions ``crossing`` one of its sides.
 
         Every part of a region that a frame cuts has pixels on one of the frame's sides, and every pixel of a reference
         class on this side belongs to one of the regions ``crossing`` it (or to one too small to count): so the
-        contours that touch the side are exactly the wanted ones. Those on a side already ``done`` were found there.
+        contours that touch the side are exactly the wanted ones. Those on a side already done were found there.
         """
         found = []
-        for value in np.unique(crossing[:, CLASS]).tolist():
-            for patch in _patches(crossing[crossing[:, CLASS] == value], frame, side):
-                if side in (LEFT, RIGHT) and patch[1] > 0 and patch[3] < len(self.labels):
-                    found += self._cut_in_many_strips(value, patch, frame, side, done, minimum_area)
+        for value in np.unique(crossing[:, CLASS]).astype(int).tolist():
+            for patch in _patches(crossing[crossing[:, CLASS] == value], border.frame, border.side):
+                if border.side in (LEFT, RIGHT) and patch[1] > 0 and patch[3] < len(self.labels):
+                    found += self._cut_in_many_strips(value, patch, border, minimum_area)
                 else:
-                    found += self._cut_in_patch(value, patch, frame, side, done, minimum_area)
+                    found += self._cut_in_patch(value, patch, border, minimum_area)
         return found
 
-    def _cut_in_many_strips(self, value: float, patch: tuple, frame: tuple, side: int, done, minimum_area) -> list:
+    def _cut_in_many_strips(
+        self, value: int, patch: tuple[int, int, int, int], border: _Border, minimum_area: float
+    ) -> list:
         """What a vertical line cuts well inside the strip, it cuts in the strips above and below just the same."""
         row = self._origin[1]
         left, top, right, bottom = patch
-        key = side, value, left, top + row, right, bottom + row, frame[0], frame[2], LEFT in done
+        frame = border.frame
+        key = border.side, value, left, top + row, right, bottom + row, frame[0], frame[2], LEFT in border.done
         known = self._known_cuts.get(key)
         if known is None:
             if len(self._known_cuts) >= KNOWN_CUTS:
                 self._known_cuts.clear()
-            cut = self._cut_in_patch(value, patch, frame, side, done, minimum_area)
+            cut = self._cut_in_patch(value, patch, border, minimum_area)
             known = [shift_row(found, 0, row) for found in cut]
             self._known_cuts[key] = known
         return [shift_row(found, 0, -row) for found in known]
 
-    def _cut_in_patch(self, value: float, patch: tuple, frame: tuple, side: int, done, minimum_area) -> list:
+    def _cut_in_patch(self, value: int, patch: tuple[int, int, int, int], border: _Border, minimum_area: float) -> list:
         left, top, right, bottom = patch
         found = []
         for contour in outer_contours(class_mask(self.labels[top:bottom, left:right], value)):
@@ -236,7 +269,7 @@ class _Strip:
             if row is None:
                 continue
             row = shift_row(row, left, top)
-            if row[side] == frame[side - LEFT] and all(row[other] != frame[other - LEFT] for other in done):
+            if border.is_first_of(row):
                 found.append(row)
         return found
 

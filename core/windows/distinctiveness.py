@@ -20,19 +20,31 @@ _TOUCHING = 1 - 1e-6
 
 
 def distinctiveness(vectors: np.ndarray, centers: np.ndarray, sizes: np.ndarray) -> Iterator[tuple[slice, np.ndarray]]:
-    """Yields (slice of windows, (n,) float64 distances); infinity where every other window overlaps.
+    """Compares every window with those elsewhere, block by block.
 
-    ``vectors``: (N, 3·X) float32; ``centers``: (N, 2) map coordinates; ``sizes``: (N,) edge lengths in map units.
     Two windows overlap when their squares share area.
+
+    Args:
+        vectors: (N, 3·X) float32.
+        centers: (N, 2) map x, y.
+        sizes: (N,) edges, map units.
+
+    Yields:
+        A slice of n windows, and their (n,) float64 distances; infinity where every other window overlaps.
     """
     windows = vectors, centers, sizes
     yield from nearest_distances(windows, windows)
 
 
 def nearest_distances(windows: _Windows, others: _Windows) -> Iterator[tuple[slice, np.ndarray]]:
-    """The same for ``windows`` compared with ``others``, both (vectors, centers, sizes) as of ``distinctiveness``.
+    """Compares windows with others. Distances depend on nothing but the two vectors, to the last bit.
 
-    Distances depend on nothing but the two vectors, to the last bit.
+    Args:
+        windows: Their vectors, centers and sizes as of ``distinctiveness``.
+        others: Those of the windows that they are compared with.
+
+    Yields:
+        As ``distinctiveness``.
     """
     vectors, centers, sizes = windows
     other_vectors, other_centers, other_sizes = others

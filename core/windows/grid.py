@@ -12,10 +12,16 @@ from ..errors import WindowError
 
 @dataclass(frozen=True)
 class WindowGrid:
-    """Windows of one size sliding over a map of ``width`` × ``height`` pixels; all in whole pixels.
+    """Windows of one size sliding over a map; only those that lie wholly on it count, as in the paper.
 
-    Only windows that lie wholly on the map count, as in the paper. Raises WindowError when none does
-    or when the stride would leave gaps.
+    Attributes:
+        width: Of the map, pixels.
+        height: Of the map, pixels.
+        size: Edge of a window, pixels.
+        stride: From one window to the next, pixels.
+
+    Raises:
+        WindowError: When no window lies on the map, or when the stride would leave gaps.
     """
 
     width: int
@@ -56,7 +62,14 @@ def whole_pixels(length: float, pixel_size: float) -> int:
 
 
 def centered_square(shape_hw: Sequence[int]) -> tuple[int, int, int]:
-    """(first column, first row, size) of the largest centered square of an image (docs/method.md#topology-vector)."""
+    """The largest centered square of an image (docs/method.md#topology-vector).
+
+    Args:
+        shape_hw: (height, width) of the image, pixels.
+
+    Returns:
+        (first column, first row, size).
+    """
     height, width = shape_hw
     size = min(height, width)
     return (width - size) // 2, (height - size) // 2, size

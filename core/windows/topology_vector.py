@@ -23,10 +23,17 @@ def topology_vector(
     reference_values: Sequence[int],
     references_per_vector: int = REFERENCES_PER_VECTOR,
 ) -> np.ndarray | None:
-    """The vector of one image: (3·X,) float32 in [0, 1], or None with fewer than 3 landmarks.
+    """The vector of one image, by equations (1)–(4) of the paper.
 
-    ``centers_xy``: (N, 2) centers of gravity, y down; ``classes``: (N,) class values, each one of
-    ``reference_values`` (the reference classes in order of value). Equations (1)–(4) of the paper.
+    Args:
+        centers_xy: (N, 2) centers of gravity (column, row), pixels.
+        classes: (N,) class values, each one of ``reference_values``.
+        image_center_xy: (column, row) of the image's center, pixels.
+        reference_values: Class values of landmarks.
+        references_per_vector: X, landmarks that the vector holds at most.
+
+    Returns:
+        (3·X,) float32 in [0, 1]; None with fewer than MINIMUM_REFERENCES landmarks.
     """
     if len(classes) < MINIMUM_REFERENCES:
         return None
@@ -42,15 +49,21 @@ def class_ranks(classes: np.ndarray, reference_values: Sequence[int]) -> np.ndar
 
 
 def topology_vectors(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: int) -> np.ndarray:
-    """The vectors of M images at once: (M, 3·X) float32, row after row.
-
-    ``offsets_xy``: (M, N, 2) float64 offsets in pixels of the landmarks from each image's center, y down,
-    padded with infinity; ``ranks``: (M, N) as of ``class_ranks``. Every image must have at least one object.
+    """The vectors of M images at once.
 
     Per image: keep the X nearest; order them by their angle from the +x axis in [0°, 360°); begin with the farthest;
     then three rows, zero-padded at the end: distance ratios (eq. 2), angle differences to the next one, the last to
     the first, over the largest (eqs. 3, 4), and ranks. Ties, to a millionth of a pixel or degree, go by
     distance, then angle, then rank.
+
+    Args:
+        offsets_xy: (M, N, 2) float64 offsets (column, row) in pixels of the landmarks from each image's center, padded
+            with infinity; every image has at least one.
+        ranks: (M, N) as of ``class_ranks``.
+        references_per_vector: X, landmarks that a vector holds at most.
+
+    Returns:
+        (M, 3·X) float32, row after row.
     """
     _, distances, angles, ranks = _in_order(offsets_xy, ranks, references_per_vector)
     kept = distances.shape[1]
@@ -81,7 +94,7 @@ def vector_objects(
     return _in_order(offsets, class_ranks(classes, reference_values)[None], references_per_vector)[0][0]
 
 
-def _in_order(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: int):
+def _in_order(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: int) -> tuple[np.ndarray, ...]:
     """Indices (M, K) of the objects kept in the vector's order, with their distances, angles and ranks."""
     kept = min(references_per_vector, offsets_xy.shape[1])
     distances = np.hypot(offsets_xy[..., 0], offsets_xy[..., 1])

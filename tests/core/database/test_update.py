@@ -319,7 +319,7 @@ def test_regions_are_found_from_any_pixel_in_tiles_of_any_size(kind, tile):
     objects = extract_landmarks(labels, (5,), 1)
     regions = finder.touching((0, 0, WIDTH, HEIGHT))
     for patch_pixels in (10**9, 100):
-        rows = [measure_region(source, 5, r.bounds, r.first_pixel, 1, patch_pixels) for r in regions]
+        rows = [measure_region(source, 5, r, 1, patch_pixels) for r in regions]
         assert {row for row in rows if row} == {tuple(row) for row in rows_from_objects(objects).tolist()}
     count, parts = cv2.connectedComponents((labels == 5).astype(np.uint8), connectivity=8)
     assert len(regions) == count - 1

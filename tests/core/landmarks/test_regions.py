@@ -5,8 +5,6 @@ import numpy as np
 import pytest
 
 from semref.core.labels.sources import ArrayLabels
-from semref.core.landmarks.border_following import follow_outer_border
-from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
 from semref.core.landmarks.regions import Region, RegionFinder, whole_region
 
 
@@ -37,11 +35,3 @@ def test_the_region_at_each_pixel_has_its_bounds_and_its_first_pixel(tile):
 def test_pieces_make_the_region_around_all_that_begins_where_the_first_does():
     pieces = [Region((5, 8, 9, 9), (6, 8)), Region((2, 4, 6, 8), (4, 4)), Region((1, 4, 3, 6), (2, 4))]
     assert whole_region(pieces) == Region((1, 4, 9, 9), (2, 4))
-
-
-def test_following_a_border_measures_what_opencv_does():
-    labels = winding()
-    for row in rows_from_objects(extract_landmarks(labels, (5,), 1.0)).tolist():
-        top = int(row[5])
-        first = int(row[4]) + int(np.flatnonzero(labels[top, int(row[4]) : int(row[6])] == 5)[0])
-        assert follow_outer_border(ArrayLabels(labels), 5, (first, top), 1.0) == tuple(row)
