@@ -7,6 +7,7 @@ file says in one number that its values are to be looked up; with that number se
 from __future__ import annotations
 
 import os
+import stat
 import struct
 import zlib
 from collections.abc import Iterator
@@ -25,6 +26,9 @@ IMAGE_EXTENSIONS = (".png", ".tif", ".tiff", ".jpg", ".jpeg")
 
 MAXIMUM_IMAGE_PIXELS = 400_000_000
 """A query image is held in memory; larger ones are refused."""
+
+MAXIMUM_IMAGE_BYTES = 4 * MAXIMUM_IMAGE_PIXELS
+"""What the largest image has uncompressed, in four bands of 8 bits."""
 
 _PNG = b"\x89PNG\r\n\x1a\n"
 _PNG_PALETTE, _PNG_GRAY, _PNG_GRAY_ALPHA = 3, 0, 4
@@ -133,7 +137,11 @@ def image_files(paths: list[str]) -> list[str]:
         if not os.path.isdir(path):
             found.append(path)
             continue
-        images = [os.path.join(path, name) for name in sorted(os.listdir(path)) if is_image_name(name)]
+        try:
+            names = sorted(os.listdir(path))
+        except OSError as error:
+            raise LabelMapError("labels.image_unreadable", path=path, reason=error.strerror) from None
+        images = [os.path.join(path, name) for name in names if is_image_name(name)]
         if not images:
             raise LabelMapError("labels.folder_without_images", path=path, endings=IMAGE_EXTENSIONS)
         found += images
@@ -147,10 +155,30 @@ def is_image_name(name: str) -> bool:
 
 def _read(path: str, kind: type[SemRefError]) -> bytes:
     try:
-        with open(path, "rb") as file:
-            return file.read()
-    except OSError as error:
-        raise kind("labels.image_unreadable", path=path, reason=error.strerror) from None
+        with open(path, "rb", opener=_open_at_once) as file:
+            state = os.fstat(file.fileno())
+            if not stat.S_ISREG(state.st_mode):
+                raise kind("labels.no_regular_file", path=path)
+            if state.st_size > MAXIMUM_IMAGE_BYTES:
+                raise kind(
+                    "labels.file_too_large",
+                    path=path,
+                    size_mb=state.st_size // 1_000_000,
+                    most_mb=MAXIMUM_IMAGE_BYTES // 1_000_000,
+                )
+            # No more than was there: a file that grows meanwhile is read again by whoever watches it.
+            return file.read(state.st_size)
+    except IsADirectoryError:
+        raise kind("labels.no_regular_file", path=path) from None
+    except (OSError, ValueError) as error:
+        # ValueError: a path with a null character.
+        reason = getattr(error, "strerror", None) or str(error)
+        raise kind("labels.image_unreadable", path=path, reason=reason) from None
+
+
+def _open_at_once(path: str, flags: int) -> int:
+    """Opens a file without waiting: a pipe that nobody writes into would be waited for without end."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _decoded(data: bytes, flags: int, path: str, kind: type[SemRefError]) -> np.ndarray:

@@ -4,47 +4,51 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import json
 import logging
+import math
 import os
-import socket
 import sys
 import time
-from collections.abc import Iterator
 from datetime import datetime, timezone
-from typing import Any, Callable, NoReturn, TextIO
+from typing import Any, Callable
 
 import cv2
 import numpy as np
 
 from ..errors import DatabaseError, ParameterError, SemRefError
 from ..labels.class_table import ClassTable
-from ..labels.image_files import image_files, is_image_name, read_label_image, read_photo
+from ..labels.image_files import image_files, read_label_image, read_photo
 from ..localization import Method, Prior, Status
 from ..localizer.localizer import Localizer
-from ..localizer.record import gga_sentence, record
+from ..localizer.record import record
 from ..sentences import english
 from .format import OnboardDatabase
+from .log import json_line, say, start_log
 from .read import read_onboard
+from .sinks import is_udp, udp_port
+from .watch import watch
 
 ALL_FIXED, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED = range(4)
 """Exit codes; argparse ends with 2 by itself."""
 
+INTERRUPTED = 130
+"""As of any program that was ended by Ctrl+C."""
+
 ERROR = "error"
 """Status of an image that could not be read, as in the plugin."""
 
-LOOK_EVERY_S = 0.2
-"""How often a folder is looked into; an image is taken when it has not changed from one look to the next."""
+MOST_THREADS = 256
+"""More than any computer on board has; each costs memory before it does anything."""
 
-LOOPBACK = "127.0.0.1"
-
-_LOG = logging.getLogger("semref")
+FARTHEST = 1e9
+"""Map coordinates and radii beyond are no place on Earth, in any unit of a map."""
 
 _EXIT_CODES = f"""exit codes:
   {ALL_FIXED}  every image has a fix (watch: it was ended)
   {SOME_WITHOUT_FIX}  an image has none, its reason is told
   {WRONG_USAGE}  the command line is wrong
-  {REFUSED}  a file could not be used, or an image could not be read"""
+  {REFUSED}  a file could not be used, an image not be read, a result not be written, or the program has a fault
+  {INTERRUPTED}  localize was ended by Ctrl+C"""
 
 _EXAMPLES = """examples:
   python -m core info area.npz
@@ -58,14 +62,52 @@ _EXAMPLES = """examples:
 def main(arguments: list[str] | None = None) -> int:
     """Runs one command; gives its exit code."""
     options = _parser().parse_args(arguments)
-    _start_log(options.log_level)
+    start_log(options.log_level)
+    try:
+        _check_values(options)
+    except ParameterError as error:
+        return _ended(options, str(error), WRONG_USAGE)
     try:
         return options.command(options)
     except SemRefError as error:
-        print(f"{options.name}: {error}", file=sys.stderr)
-        return REFUSED
+        return _ended(options, str(error), REFUSED)
     except KeyboardInterrupt:
-        return ALL_FIXED if options.name == "watch" else SOME_WITHOUT_FIX
+        return ALL_FIXED if options.name == "watch" else INTERRUPTED
+    except Exception as error:
+        # Python itself would end with 1, which means “no fix”.
+        say(logging.ERROR, "fault", traceback=True)
+        return _ended(options, f"{type(error).__name__}: {error}", REFUSED)
+
+
+def _ended(options: argparse.Namespace, sentence: str, code: int) -> int:
+    """Says why a command ends; gives the exit code."""
+    # A closed or full stderr must not change the exit code.
+    with contextlib.suppress(OSError):
+        print(f"{options.name}: {sentence}", file=sys.stderr, flush=True)
+    return code
+
+
+def _check_values(options: argparse.Namespace) -> None:
+    """Refuses values of options that are out of range, before any work; raises ParameterError."""
+    threads, near = getattr(options, "threads", 1), getattr(options, "near", None)
+    if not 1 <= threads <= MOST_THREADS:
+        raise ParameterError("onboard.threads", threads=threads, most=MOST_THREADS)
+    if near and not all(math.isfinite(value) and abs(value) <= FARTHEST for value in near):
+        raise ParameterError("onboard.near", near=" ".join(f"{value:g}" for value in near), most=FARTHEST)
+    if near and not near[2] > 0:
+        raise ParameterError("onboard.near_radius", radius=near[2])
+    for where in (getattr(options, "fixes", None), getattr(options, "gga", None)):
+        if is_udp(where):
+            udp_port(str(where))
+
+
+def _write(text: str) -> None:
+    """Writes a line to stdout; a name's bytes that are no text are escaped. Raises ParameterError when it can't."""
+    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
+    try:
+        print(text.encode(encoding, "backslashreplace").decode(encoding), flush=True)
+    except OSError as error:
+        raise ParameterError("onboard.unwritable", where="stdout", reason=error.strerror) from None
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -119,10 +161,10 @@ def _option(method: Method) -> str:
 def _info(options: argparse.Namespace) -> int:
     found = description(read_onboard(options.database))
     if options.json:
-        print(json.dumps(found, ensure_ascii=False))
+        _write(json_line(found))
     else:
         for name, value in found.items():
-            print(f"{name + ':':24}{value}")
+            _write(f"{name + ':':24}{value}")
     return ALL_FIXED
 
 
@@ -159,16 +201,15 @@ def description(onboard: OnboardDatabase) -> dict[str, Any]:
 
 def _localize(options: argparse.Namespace) -> int:
     find = _finder(options, read_onboard(options.database))
-    records = []
+    statuses = set()
     for path in image_files(options.images):
         found = find(path)
-        print(json.dumps(found, ensure_ascii=False) if options.json else _line(found), flush=True)
-        records.append(found)
-    return _exit_code(records)
+        _write(json_line(found) if options.json else _line(found))
+        statuses.add(found["status"])
+    return _exit_code(statuses)
 
 
-def _exit_code(records: list[dict[str, Any]]) -> int:
-    statuses = {found["status"] for found in records}
+def _exit_code(statuses: set[str]) -> int:
     if ERROR in statuses:
         return REFUSED
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
@@ -176,11 +217,7 @@ def _exit_code(records: list[dict[str, Any]]) -> int:
 
 def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[str], dict[str, Any]]:
     """The function path → record that the options ask for; everything that can be refused is refused here."""
-    if options.threads < 1:
-        raise ParameterError("onboard.threads", threads=options.threads)
     cv2.setNumThreads(options.threads)
-    if options.near and not options.near[2] > 0:
-        raise ParameterError("onboard.near_radius", radius=options.near[2])
     method = next(method for method in Method if _option(method) == options.method)
     localizer = Localizer(onboard.database)
     localizer.check(method)
@@ -188,7 +225,7 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
         raise DatabaseError("onboard.no_overview", database=options.database)
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
     read_labels = label_reader(options.model, options.threads, onboard.database.class_table)
-    _say(logging.INFO, "ready", database=options.database, content_hash=onboard.content_hash)
+    say(logging.INFO, "ready", database=options.database, content_hash=onboard.content_hash)
 
     def find(path: str) -> dict[str, Any]:
         started = time.perf_counter()
@@ -204,9 +241,13 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
         except SemRefError as error:
             # One bad image must not stop the others.
             found.update(status=ERROR, reason=str(error))
+        except Exception as error:
+            # Nor must a fault of the program, which the log tells with its traceback.
+            say(logging.ERROR, "fault", traceback=True, image=path)
+            found.update(status=ERROR, reason=f"{type(error).__name__}: {error}")
         level = logging.WARNING if found["status"] == ERROR else logging.INFO
         seconds = round(time.perf_counter() - started, 3)
-        _say(level, "image", image=path, status=found["status"], reason=found["reason"], seconds=seconds)
+        say(level, "image", image=path, status=found["status"], reason=found["reason"], seconds=seconds)
         return found
 
     return find
@@ -234,8 +275,10 @@ def _time_of(path: str) -> datetime:
     """When an image was written, which a camera does when it was taken."""
     try:
         return datetime.fromtimestamp(os.stat(path).st_mtime, timezone.utc)
-    except OSError as error:
-        raise ParameterError("labels.image_unreadable", path=path, reason=error.strerror) from None
+    except (OSError, OverflowError, ValueError) as error:
+        # A file system may hold years that no calendar has.
+        reason = getattr(error, "strerror", None) or str(error)
+        raise ParameterError("labels.image_unreadable", path=path, reason=reason) from None
 
 
 def _line(found: dict[str, Any]) -> str:
@@ -266,102 +309,5 @@ def _watch(options: argparse.Namespace) -> int:
     find = _finder(options, onboard)
     if options.gga and onboard.lon_lat is None:
         raise DatabaseError("onboard.no_lon_lat", database=options.database)
-    records = []
-    with _destination(options.fixes) as send_fix, _destination(options.gga) as send_gga:
-        for path in _arriving(options.folder, options.once):
-            found = find(path)
-            send_fix(json.dumps(found, ensure_ascii=False) + "\n")
-            send_gga(_gga(found) + "\r\n")
-            if options.once:
-                records.append(found)
-    return _exit_code(records)
-
-
-def _gga(found: dict[str, Any]) -> str:
-    taken = datetime.fromisoformat(found["time"]) if found["time"] else datetime.now(timezone.utc)
-    return gga_sentence(taken, found.get("longitude"), found.get("latitude"), found.get("inliers") or 0)
-
-
-def _arriving(folder: str, once: bool) -> Iterator[str]:
-    """Images of a folder, each when it is complete, in order of time and name; one that is written anew comes again."""
-    before: dict[str, tuple[int, int]] = {}
-    done: dict[str, tuple[int, int]] = {}
-    while True:
-        now = _images_in(folder)
-        complete = [path for path, state in now.items() if done.get(path) != state]
-        if not once:
-            complete = [path for path in complete if before.get(path) == now[path] and now[path][1] > 0]
-        for path in sorted(complete, key=lambda path: (now[path][0], path)):
-            done[path] = now[path]
-            yield path
-        if once:
-            return
-        before = now
-        time.sleep(LOOK_EVERY_S)
-
-
-def _images_in(folder: str) -> dict[str, tuple[int, int]]:
-    """(time of change in ns, bytes) of each image by path."""
-    try:
-        with os.scandir(folder) as entries:
-            found = {entry.path: entry.stat() for entry in entries if is_image_name(entry.name) and entry.is_file()}
-    except FileNotFoundError:
-        # An image was removed between being listed and being looked at: the next look sees the rest.
-        return {} if os.path.isdir(folder) else _folder_is_gone(folder)
-    return {path: (state.st_mtime_ns, state.st_size) for path, state in found.items()}
-
-
-def _folder_is_gone(folder: str) -> NoReturn:
-    raise ParameterError("onboard.folder_gone", folder=folder)
-
-
-@contextlib.contextmanager
-def _destination(where: str | None) -> Iterator[Callable[[str], object]]:
-    """Gives a function that sends one line there: nowhere, stdout, a file, a UDP port of this computer."""
-    if where is None:
-        yield lambda line: None
-    elif where == "-":
-        yield lambda line: print(line, end="", flush=True)
-    elif where.startswith("udp:"):
-        port = _port(where)
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
-            yield lambda line: sender.sendto(line.encode("utf-8"), (LOOPBACK, port))
-    else:
-        with _opened(where) as file:
-            yield lambda line: print(line, end="", file=file, flush=True)
-
-
-def _opened(where: str) -> TextIO:
-    try:
-        return open(where, "a", encoding="utf-8", newline="")
-    except OSError as error:
-        raise ParameterError("onboard.unwritable", where=where, reason=error.strerror) from None
-
-
-def _port(where: str) -> int:
-    text = where[len("udp:") :]
-    if not text.isdecimal() or not 0 < int(text) < 65_536:
-        raise ParameterError("onboard.no_udp_port", where=where)
-    return int(text)
-
-
-# --- log ---
-
-
-def _say(level: int, event: str, **details: object) -> None:
-    _LOG.log(level, event, extra={"details": details})
-
-
-class _JsonLines(logging.Formatter):
-    def format(self, entry: logging.LogRecord) -> str:
-        """One JSON object: time, level, event and its details."""
-        moment = datetime.fromtimestamp(entry.created, timezone.utc).isoformat(timespec="milliseconds")
-        found = {"time": moment, "level": entry.levelname.lower(), "event": entry.getMessage()}
-        return json.dumps({**found, **getattr(entry, "details", {})}, ensure_ascii=False)
-
-
-def _start_log(level: str) -> None:
-    handler = logging.StreamHandler(sys.stderr)
-    handler.setFormatter(_JsonLines())
-    _LOG.handlers = [handler]
-    _LOG.setLevel(level.upper())
+    statuses, lost = watch(options.folder, options.once, find, options.fixes, options.gga)
+    return REFUSED if lost else _exit_code(statuses)

@@ -36,6 +36,11 @@ SENTENCES = {
     "labels.photo_not_8_bits": "{path} holds {kind} values; a photo has 8 bits a band: convert it first.",
     "labels.folder_without_images": "The folder {path} holds no image ({endings}).",
     "labels.image_unreadable": "Image {path} can't be read: {reason}.",
+    "labels.no_regular_file": "Image {path} is no regular file but a folder, pipe or device; choose an image file.",
+    "labels.file_too_large": (
+        "Image {path} has {size_mb} MB, more than a query image may have ({most_mb} MB); cut it to what one photo "
+        "shows."
+    ),
     "labels.image_not_decoded": (
         "Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know."
     ),

@@ -1,12 +1,13 @@
 """What is wrong with an onboard file, or with how the command line is called."""
 
 SENTENCES = {
-    "onboard.threads": "--threads is {threads}; it must be at least 1.",
+    "onboard.threads": "--threads is {threads}; it must be from 1 to {most}.",
+    "onboard.near": "--near is {near}; it must be three numbers up to {most:g}.",
     "onboard.near_radius": "The radius of --near is {radius:g}; it must be more than 0 map units.",
     "onboard.no_overview": "{database} has no overview, which map correlation searches; export it with one.",
     "onboard.no_folder": "There is no folder {folder}; create it or watch another one.",
     "onboard.no_lon_lat": "{database} can't tell longitude and latitude, which GGA sentences need.",
-    "onboard.folder_gone": "The folder {folder} is gone; start again when it is back.",
+    "onboard.folder_gone": "The folder {folder} can't be looked into ({reason}); start again when it can.",
     "onboard.unwritable": "{where} can't be written: {reason}; choose another place.",
     "onboard.no_udp_port": "“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.",
     "onboard.no_file": "There is no file {path}; export one or choose another.",

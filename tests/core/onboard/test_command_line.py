@@ -3,77 +3,30 @@
 from __future__ import annotations
 
 import json
+import os
 import re
-import shutil
-import socket
 import subprocess
 import sys
-import threading
-from dataclasses import replace
 from datetime import datetime, timezone
-from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 from made_models import metadata, write_model
+from onboard_area import CENTER, HERE, NOTHING, copy_aircraft_rooms, linear, write_area
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder
-from semref.core.geometry.frame import MapFrame
-from semref.core.geometry.lon_lat import fit_lon_lat
-from semref.core.labels.class_table import ClassTable, LandCoverClass
-from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
 from semref.core.localizer.record import gga_sentence
 from semref.core.onboard import command_line
-from semref.core.onboard.aircraft import AIRCRAFT_ROOMS
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, WRONG_USAGE, main
 from semref.core.onboard.read import read_onboard
-from semref.core.onboard.write import write_onboard
-
-TABLE = ClassTable(
-    (
-        LandCoverClass(1, "building", "#ff0000", "reference"),
-        LandCoverClass(2, "water", "#0000ff", "reference"),
-        LandCoverClass(3, "bare_land", "#ffff00", "reference"),
-        LandCoverClass(4, "field", "#00ff00"),
-    )
-)
-FRAME = MapFrame('PROJCS["a metric CRS"]', (600000.0, 1.0, 0.0, 5200000.0, 0.0, -1.0))
-SIZE = 200
-
-
-def scattered(height=700, width=700, count=420):
-    random = np.random.default_rng(7)
-    labels = np.full((height, width), 4, np.uint8)
-    while count:
-        h, w = random.integers(6, 16, 2)
-        row, column = random.integers(1, height - h - 1), random.integers(1, width - w - 1)
-        if (labels[row - 1 : row + h + 1, column - 1 : column + w + 1] == 4).all():
-            labels[row : row + h, column : column + w] = random.integers(1, 4)
-            count -= 1
-    return labels
-
-
-MAP = scattered()
-HERE = np.ascontiguousarray(np.rot90(MAP[300 : 300 + SIZE, 150 : 150 + SIZE]))
-CENTER = (600250.0, 5199600.0)
-NOTHING = np.full((SIZE, SIZE), 4, np.uint8)
-
-
-def linear(points_xy):
-    return 9 + (points_xy[:, 0] - 600000) / 80000, 47 + (points_xy[:, 1] - 5200000) / 111000
 
 
 @pytest.fixture(scope="module")
 def database(tmp_path_factory):
-    builder = DatabaseBuilder(ArrayLabels(MAP), FRAME, TABLE, BuildSettings(200.0, 100.0, minimum_area=30.0), "1.2.3")
-    for _ in builder.steps():
-        pass
     path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
-    lon_lat = fit_lon_lat(linear, builder.database.parameters.extent)
-    write_onboard(path, replace(builder.database, overview=builder.overview), lon_lat)
+    write_area(path)
     return path
 
 
@@ -147,12 +100,9 @@ def test_places_far_from_near_are_not_searched(database, image, capsys):
     ("arguments", "said"),
     [
         (["localize", "IMAGE", "--database", "missing.npz"], "There is no file missing.npz"),
-        (["localize", "IMAGE", "--database", "DATABASE", "--near", "1", "2", "0"], "radius of --near is 0"),
-        (["localize", "IMAGE", "--database", "DATABASE", "--threads", "0"], "--threads is 0"),
         (["localize", "FOLDER", "--database", "DATABASE"], "holds no image"),
         (["localize", "IMAGE", "--database", "DATABASE", "--model", "no.onnx"], "no.onnx"),
         (["watch", "nowhere", "--database", "DATABASE"], "There is no folder nowhere"),
-        (["watch", "FOLDER", "--database", "DATABASE", "--gga", "udp:http"], "udp:http"),
         (["info", "IMAGE"], "no onboard file"),
     ],
 )
@@ -161,7 +111,7 @@ def test_what_cannot_be_used_is_refused_in_one_sentence(database, image, tmp_pat
     folder.mkdir()
     values = {"IMAGE": image("here.png"), "DATABASE": database, "FOLDER": str(folder)}
     arguments = [values.get(argument, argument) for argument in arguments]
-    assert main(arguments + (["--once"] if "udp:http" in arguments else [])) == REFUSED
+    assert main(arguments) == REFUSED
     captured = capsys.readouterr()
     assert said in captured.err and captured.err.count("\n") == 1
     assert captured.out == ""
@@ -172,6 +122,68 @@ def test_a_model_without_class_names_is_refused_without_a_parameter_of_the_plugi
     assert main(["localize", image("here.png"), "--database", database, "--model", str(model)]) == REFUSED
     said = capsys.readouterr().err
     assert "does not name its classes" in said and "CLASS_TABLE" not in said
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--near", "1", "2", "0"], "radius of --near is 0"),
+        (["--near", "nan", "nan", "100"], "--near is nan nan 100"),
+        (["--near", "inf", "0", "100"], "--near is inf 0 100"),
+        (["--near", "0", "0", "inf"], "--near is 0 0 inf"),
+        (["--near", "1e308", "0", "100"], "--near is 1e+308 0 100"),
+        (["--threads", "0"], "--threads is 0"),
+        (["--threads", "1000000000000"], "from 1 to 256"),
+        (["--gga", "udp:http"], "udp:http"),
+        (["--fixes", "udp:99999999999999999999"], "no UDP port"),
+    ],
+)
+def test_a_value_that_is_out_of_range_is_a_wrong_command_line(database, tmp_path, capsys, arguments, said):
+    assert main(["watch", str(tmp_path), "--once", "--database", database, *arguments]) == WRONG_USAGE
+    captured = capsys.readouterr()
+    assert said in captured.err and captured.err.count("\n") == 1
+    assert captured.out == ""
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+def test_only_regular_files_of_a_bounded_size_are_read(database, tmp_path, capsys):
+    """A pipe would be waited for without end, /dev/zero fill the memory."""
+    pipe, sparse = tmp_path / "pipe.png", tmp_path / "sparse.png"
+    os.mkfifo(pipe)
+    with open(sparse, "wb") as file:
+        file.truncate(2_000_000_000)
+    images = [str(pipe), "/dev/zero", str(sparse), str(tmp_path / "no.png")]
+    assert main(["localize", *images, "--database", database, "--json"]) == REFUSED
+    rows = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert [row["status"] for row in rows] == ["error"] * 4
+    for row, said in zip(rows, ("no regular file", "no regular file", "2000 MB", "No such file")):
+        assert said in row["reason"]
+
+
+def test_a_fault_of_the_program_is_no_missing_fix(database, image, capsys, monkeypatch):
+    """Python's own exit code for a traceback is 1, which means that an image has no fix."""
+
+    def broken(*_):
+        raise ZeroDivisionError("by chance")
+
+    monkeypatch.setattr(Localizer, "localize", broken)
+    assert main(["localize", image("here.png"), "--database", database, "--json"]) == REFUSED
+    captured = capsys.readouterr()
+    assert json.loads(captured.out)["reason"] == "ZeroDivisionError: by chance"
+    assert "Traceback" in json.loads(captured.err.splitlines()[0])["traceback"]
+    monkeypatch.setattr(command_line, "read_onboard", broken)
+    assert main(["info", database]) == REFUSED
+    assert capsys.readouterr().err.splitlines()[-1] == "info: ZeroDivisionError: by chance"
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this system has no full device")
+def test_a_full_stdout_is_told_in_one_sentence(database, repository, tmp_path):
+    copy_aircraft_rooms(repository, tmp_path)
+    command = [sys.executable, "-m", "core", "info", database]
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(command, cwd=tmp_path, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert done.returncode == REFUSED
+    assert done.stderr == "info: stdout can't be written: No space left on device; choose another place.\n"
 
 
 def test_a_wrong_command_line_ends_with_the_usage(capsys):
@@ -189,16 +201,6 @@ def test_the_help_names_the_commands_and_exit_codes(capsys):
         assert text in said
 
 
-def copy_aircraft_rooms(repository, folder):
-    (folder / "core").mkdir()
-    for name in AIRCRAFT_ROOMS:
-        source, target = repository / "core" / name, folder / "core" / name
-        if source.is_dir():
-            shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
-        else:
-            shutil.copy(source, target)
-
-
 def test_a_copy_of_the_rooms_of_an_aircraft_is_all_that_is_needed(database, image, repository, tmp_path):
     copy_aircraft_rooms(repository, tmp_path)
     program = (
@@ -212,68 +214,6 @@ def test_a_copy_of_the_rooms_of_an_aircraft_is_all_that_is_needed(database, imag
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (ALL_FIXED, "")
     assert json.loads(done.stdout)["status"] == "fix"
-
-
-# --- watch ---
-
-
-def test_watch_writes_json_lines_and_sentences_into_files(database, image, tmp_path):
-    folder = tmp_path / "incoming"
-    folder.mkdir()
-    for name, labels in (("a.png", HERE), ("b.png", NOTHING)):
-        cv2.imwrite(str(folder / name), labels)
-    fixes, gga = tmp_path / "fixes.jsonl", tmp_path / "fixes.nmea"
-    where = ["--fixes", str(fixes), "--gga", str(gga)]
-    assert main(["watch", str(folder), "--database", database, "--once", *where]) == SOME_WITHOUT_FIX
-    rows = [json.loads(line) for line in fixes.read_text(encoding="utf-8").splitlines()]
-    assert [row["status"] for row in rows] == ["fix", "too_few_references"]
-    first, second = gga.read_bytes().decode("ascii").split("\r\n")[:2]
-    # 9.003125° E, 46.996396…° N
-    assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,4659\.78\d{3},N,00900\.18\d{3},E,6,\d\d,,,M,,M,,\*[0-9A-F]{2}", first)
-    assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,,,,,0,00,,,M,,M,,\*[0-9A-F]{2}", second)
-
-
-def test_watch_sends_sentences_to_a_port_of_this_computer(database, tmp_path):
-    cv2.imwrite(str(tmp_path / "a.png"), HERE)
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
-        receiver.bind(("127.0.0.1", 0))
-        receiver.settimeout(10)
-        where = ["--fixes", str(tmp_path / "fixes"), "--gga", f"udp:{receiver.getsockname()[1]}"]
-        assert main(["watch", str(tmp_path), "--database", database, "--once", *where]) == ALL_FIXED
-        assert receiver.recv(200).startswith(b"$GPGGA,")
-
-
-def test_watch_takes_an_image_when_it_is_complete(monkeypatch):
-    """Size and time of change, look by look: an image that grows waits, one that is written anew comes again."""
-    looks = iter(
-        [{"b": (2, 10)}, {"b": (2, 10), "a": (3, 5)}, {"b": (2, 10), "a": (4, 9)}, {"b": (5, 11), "a": (4, 9)}]
-        + 2 * [{"b": (5, 11), "a": (4, 9)}]
-    )
-    monkeypatch.setattr(command_line, "_images_in", lambda folder: next(looks))
-    monkeypatch.setattr(command_line.time, "sleep", lambda seconds: None)
-    arriving = command_line._arriving("folder", once=False)
-    assert [next(arriving), next(arriving), next(arriving)] == ["b", "a", "b"]
-
-
-def test_watch_takes_images_as_they_come(database, tmp_path, repository):
-    folder = tmp_path / "incoming"
-    folder.mkdir()
-    copy_aircraft_rooms(repository, tmp_path)
-    command = [sys.executable, "-m", "core", "watch", "incoming", "--database", database]
-    watching = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, text=True)
-    killer = threading.Timer(60, watching.kill)
-    killer.start()
-    try:
-        for name in ("a.png", "b.png"):
-            cv2.imwrite(str(tmp_path / name), HERE)
-            (tmp_path / name).rename(folder / name)
-            found = json.loads(watching.stdout.readline())
-            assert (found["image"], found["status"]) == (str(Path("incoming", name)), "fix")
-        assert watching.poll() is None
-    finally:
-        killer.cancel()
-        watching.kill()
-        watching.communicate()
 
 
 def test_a_sentence_has_its_checksum_and_never_sixty_minutes():

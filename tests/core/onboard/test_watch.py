@@ -1,0 +1,205 @@
+"""``python -m core watch``: what ends it (nothing in the folder, no sink), what it says."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import cv2
+import pytest
+from onboard_area import HERE, NOTHING, copy_aircraft_rooms, write_area
+
+from semref.core.onboard import watch
+from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, main
+
+needs_full_device = pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this system has no full device")
+
+
+@pytest.fixture(scope="module")
+def database(tmp_path_factory):
+    path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
+    write_area(path)
+    return path
+
+
+@pytest.fixture
+def folder(tmp_path):
+    (tmp_path / "incoming").mkdir()
+    return tmp_path / "incoming"
+
+
+@pytest.fixture
+def watching(database, folder, repository, tmp_path):
+    """`watching(arguments)` starts a watch of `folder` as on board; it is ended with the test."""
+    copy_aircraft_rooms(repository, tmp_path)
+    started = []
+
+    def start(*arguments):
+        command = [sys.executable, "-m", "core", "watch", "incoming", "--database", database, *arguments]
+        process = subprocess.Popen(
+            command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8"
+        )
+        killer = threading.Timer(60, process.kill)
+        killer.start()
+        started.append((process, killer))
+        return process
+
+    yield start
+    for process, killer in started:
+        killer.cancel()
+        process.kill()
+        for stream in (process.stdout, process.stderr):
+            stream.close()
+        process.wait()
+
+
+def put(folder, name, labels=HERE):
+    """Moves a complete image into the folder."""
+    cv2.imwrite(str(folder.parent / "made.png"), labels)
+    os.rename(folder.parent / "made.png", os.path.join(os.fsencode(folder), os.fsencode(name)))
+
+
+def test_watch_writes_json_lines_and_sentences_into_files(database, folder, tmp_path):
+    for name, labels in (("a.png", HERE), ("b.png", NOTHING)):
+        cv2.imwrite(str(folder / name), labels)
+    fixes, gga = tmp_path / "fixes.jsonl", tmp_path / "fixes.nmea"
+    where = ["--fixes", str(fixes), "--gga", str(gga)]
+    assert main(["watch", str(folder), "--database", database, "--once", *where]) == SOME_WITHOUT_FIX
+    rows = [json.loads(line) for line in fixes.read_text(encoding="utf-8").splitlines()]
+    assert [row["status"] for row in rows] == ["fix", "too_few_references"]
+    first, second = gga.read_bytes().decode("ascii").split("\r\n")[:2]
+    # 9.003125° E, 46.996396…° N
+    assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,4659\.78\d{3},N,00900\.18\d{3},E,6,\d\d,,,M,,M,,\*[0-9A-F]{2}", first)
+    assert re.fullmatch(r"\$GPGGA,\d{6}\.\d\d,,,,,0,00,,,M,,M,,\*[0-9A-F]{2}", second)
+
+
+def test_watch_sends_sentences_to_a_port_of_this_computer(database, tmp_path):
+    cv2.imwrite(str(tmp_path / "a.png"), HERE)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
+        receiver.bind(("127.0.0.1", 0))
+        receiver.settimeout(10)
+        where = ["--fixes", str(tmp_path / "fixes"), "--gga", f"udp:{receiver.getsockname()[1]}"]
+        assert main(["watch", str(tmp_path), "--database", database, "--once", *where]) == ALL_FIXED
+        assert receiver.recv(200).startswith(b"$GPGGA,")
+
+
+def test_watch_takes_an_image_when_it_is_complete(monkeypatch):
+    """Size and time of change, look by look: an image that grows waits, one that is written anew comes again."""
+    looks = iter(
+        [{"b": (2, 10)}, {"b": (2, 10), "a": (3, 5)}, {"b": (2, 10), "a": (4, 9)}, {"b": (5, 11), "a": (4, 9)}]
+        + 2 * [{"b": (5, 11), "a": (4, 9)}]
+    )
+    monkeypatch.setattr(watch, "_images_in", lambda folder: next(looks))
+    monkeypatch.setattr(watch.time, "sleep", lambda seconds: None)
+    arriving = watch.arriving("folder", once=False)
+    assert [next(arriving), next(arriving), next(arriving)] == ["b", "a", "b"]
+
+
+def test_watch_takes_images_as_they_come(watching, folder):
+    process = watching()
+    for name in ("a.png", "b.png"):
+        put(folder, name)
+        found = json.loads(process.stdout.readline())
+        assert (found["image"], found["status"]) == (str(Path("incoming", name)), "fix")
+    assert process.poll() is None
+
+
+# --- what must not end it ---
+
+
+def test_names_that_are_no_text_links_to_themselves_and_pipes_do_not_end_it(watching, folder):
+    os.symlink("loop.png", folder / "loop.png")
+    os.symlink("nowhere", folder / "broken.png")
+    os.mkfifo(folder / "pipe.png")
+    (folder / "folder.png").mkdir()
+    process = watching("--log-level", "info")
+    assert json.loads(process.stderr.readline())["event"] == "ready"
+    name = os.fsdecode(b"\xff\xfe.png")
+    put(folder, name)
+    found = json.loads(process.stdout.readline())
+    assert (found["image"], found["status"]) == (os.path.join("incoming", name), "fix")
+    assert json.loads(process.stderr.readline())["image"] == os.path.join("incoming", name)
+    put(folder, "after.png")
+    assert json.loads(process.stdout.readline())["image"] == str(Path("incoming", "after.png"))
+    assert process.poll() is None
+
+
+def test_with_once_the_images_beside_a_link_to_itself_are_done(database, folder, capsys):
+    os.symlink("loop.png", folder / "loop.png")
+    put(folder, os.fsdecode(b"\xff.png"))
+    assert main(["watch", str(folder), "--database", database, "--once"]) == ALL_FIXED
+    assert json.loads(capsys.readouterr().out)["status"] == "fix"
+
+
+@pytest.mark.parametrize("replaced_by_a_file", [True, False])
+def test_a_folder_that_is_gone_is_waited_for(watching, folder, replaced_by_a_file):
+    process = watching()
+    put(folder, "a.png")
+    assert json.loads(process.stdout.readline())["status"] == "fix"
+    shutil.rmtree(folder)
+    if replaced_by_a_file:
+        folder.write_text("no folder")
+    told = json.loads(process.stderr.readline())
+    assert (told["level"], told["event"], told["folder"]) == ("error", "folder_gone", "incoming")
+    # It is told once, not at each look.
+    time.sleep(3 * watch.LOOK_EVERY_S)
+    folder.unlink(missing_ok=True)
+    folder.mkdir()
+    assert json.loads(process.stderr.readline())["event"] == "folder_back"
+    put(folder, "b.png")
+    assert json.loads(process.stdout.readline())["image"] == str(Path("incoming", "b.png"))
+
+
+def test_with_once_a_folder_that_is_gone_is_an_error(database, folder, monkeypatch, capsys):
+    def gone(path):
+        raise NotADirectoryError(20, "Not a directory")
+
+    monkeypatch.setattr(watch, "_images_in", gone)
+    assert main(["watch", str(folder), "--database", database, "--once"]) == REFUSED
+    assert "can't be looked into (Not a directory)" in capsys.readouterr().err
+
+
+@needs_full_device
+@pytest.mark.parametrize(("full", "other"), [("--fixes", "--gga"), ("--gga", "--fixes")])
+def test_a_full_disk_under_one_sink_stops_neither_the_other_nor_the_watching(
+    database, folder, tmp_path, capsys, full, other
+):
+    for name in ("a.png", "b.png"):
+        put(folder, name)
+    arguments = [full, "/dev/full", other, str(tmp_path / "lines")]
+    assert main(["watch", str(folder), "--database", database, "--once", *arguments]) == REFUSED
+    assert len((tmp_path / "lines").read_bytes().splitlines()) == 2
+    told = json.loads(capsys.readouterr().err)
+    assert (told["level"], told["event"], told["where"]) == ("error", "sink_fails", "/dev/full")
+
+
+def test_a_closed_stdout_ends_neither_the_sentences_nor_the_watching(watching, folder, tmp_path):
+    process = watching("--gga", "sentences")
+    process.stdout.close()
+    put(folder, "a.png")
+    assert json.loads(process.stderr.readline())["event"] == "sink_fails"
+    put(folder, "b.png")
+    deadline = time.monotonic() + 30
+    while (tmp_path / "sentences").read_bytes().count(b"\n") < 2 and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert (tmp_path / "sentences").read_bytes().count(b"\n") == 2
+    assert process.poll() is None
+
+
+def test_what_was_removed_from_the_folder_is_forgotten(folder):
+    """A watch of weeks must not grow."""
+    put(folder, "a.png")
+    arriving = watch.arriving(str(folder), once=False)
+    assert next(arriving) == str(folder / "a.png")
+    (folder / "a.png").unlink()
+    put(folder, "b.png")
+    assert next(arriving) == str(folder / "b.png")
+    assert list(arriving.gi_frame.f_locals["done"]) == [str(folder / "b.png")]

@@ -1,0 +1,69 @@
+"""A small made-up map as an onboard file, and images of it."""
+
+from __future__ import annotations
+
+import shutil
+from dataclasses import replace
+
+import numpy as np
+
+from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.geometry.frame import MapFrame
+from semref.core.geometry.lon_lat import fit_lon_lat
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.labels.sources import ArrayLabels
+from semref.core.onboard.aircraft import AIRCRAFT_ROOMS
+from semref.core.onboard.write import write_onboard
+
+TABLE = ClassTable(
+    (
+        LandCoverClass(1, "building", "#ff0000", "reference"),
+        LandCoverClass(2, "water", "#0000ff", "reference"),
+        LandCoverClass(3, "bare_land", "#ffff00", "reference"),
+        LandCoverClass(4, "field", "#00ff00"),
+    )
+)
+FRAME = MapFrame('PROJCS["a metric CRS"]', (600000.0, 1.0, 0.0, 5200000.0, 0.0, -1.0))
+SIZE = 200
+
+
+def scattered(height=700, width=700, count=420):
+    random = np.random.default_rng(7)
+    labels = np.full((height, width), 4, np.uint8)
+    while count:
+        h, w = random.integers(6, 16, 2)
+        row, column = random.integers(1, height - h - 1), random.integers(1, width - w - 1)
+        if (labels[row - 1 : row + h + 1, column - 1 : column + w + 1] == 4).all():
+            labels[row : row + h, column : column + w] = random.integers(1, 4)
+            count -= 1
+    return labels
+
+
+MAP = scattered()
+HERE = np.ascontiguousarray(np.rot90(MAP[300 : 300 + SIZE, 150 : 150 + SIZE]))
+CENTER = (600250.0, 5199600.0)
+NOTHING = np.full((SIZE, SIZE), 4, np.uint8)
+
+
+def linear(points_xy):
+    return 9 + (points_xy[:, 0] - 600000) / 80000, 47 + (points_xy[:, 1] - 5200000) / 111000
+
+
+def write_area(path):
+    """Writes the map's onboard file."""
+    builder = DatabaseBuilder(ArrayLabels(MAP), FRAME, TABLE, BuildSettings(200.0, 100.0, minimum_area=30.0), "1.2.3")
+    for _ in builder.steps():
+        pass
+    lon_lat = fit_lon_lat(linear, builder.database.parameters.extent)
+    write_onboard(path, replace(builder.database, overview=builder.overview), lon_lat)
+
+
+def copy_aircraft_rooms(repository, folder):
+    """Copies what of core an aircraft needs into a folder."""
+    (folder / "core").mkdir()
+    for name in AIRCRAFT_ROOMS:
+        source, target = repository / "core" / name, folder / "core" / name
+        if source.is_dir():
+            shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
+        else:
+            shutil.copy(source, target)
