@@ -8,8 +8,12 @@
    <translation>%v von %m erledigt</translation>
   </message>
   <message>
-   <source>--threads is {threads}; it must be at least 1.</source>
-   <translation>--threads ist {threads}; es muss mindestens 1 sein.</translation>
+   <source>--near is {near}; it must be three numbers up to {most:g}.</source>
+   <translation>--near ist {near}; es müssen drei Zahlen bis {most:g} sein.</translation>
+  </message>
+  <message>
+   <source>--threads is {threads}; it must be from 1 to {most}.</source>
+   <translation>--threads ist {threads}; es muss von 1 bis {most} sein.</translation>
   </message>
   <message>
    <source>2 % of the ground’s edge</source>
@@ -1014,6 +1018,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Image {path} can't be read: {reason}.</source>
    <translation>Das Bild {path} ist nicht lesbar: {reason}.</translation>
+  </message>
+  <message>
+   <source>Image {path} has {size_mb} MB, more than a query image may have ({most_mb} MB); cut it to what one photo shows.</source>
+   <translation>Das Bild {path} hat {size_mb} MB, mehr als ein gesuchtes Bild haben darf ({most_mb} MB); es auf das zuschneiden, was ein Foto zeigt.</translation>
+  </message>
+  <message>
+   <source>Image {path} is no regular file but a folder, pipe or device; choose an image file.</source>
+   <translation>Das Bild {path} ist keine gewöhnliche Datei, sondern ein Ordner, eine Pipe oder ein Gerät; eine Bilddatei wählen.</translation>
   </message>
   <message>
    <source>Images</source>
@@ -2380,16 +2392,16 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Brennweite ist {focal_length_px:g} Pixel; sie muss größer als 0 sein.</translation>
   </message>
   <message>
+   <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
+   <translation>In den Ordner {folder} lässt sich nicht hineinsehen ({reason}); neu starten, wenn es wieder geht.</translation>
+  </message>
+  <message>
    <source>The folder {folder} can't be written to; choose another place for {name}.</source>
    <translation>In den Ordner {folder} lässt sich nicht schreiben; einen anderen Ort für {name} wählen.</translation>
   </message>
   <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
    <translation>Den Ordner {folder} gibt es nicht; ihn anlegen oder einen anderen Ort für {name} wählen.</translation>
-  </message>
-  <message>
-   <source>The folder {folder} is gone; start again when it is back.</source>
-   <translation>Der Ordner {folder} ist verschwunden; neu starten, wenn er wieder da ist.</translation>
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>

@@ -8,8 +8,12 @@
    <translation>%v de %m hechos</translation>
   </message>
   <message>
-   <source>--threads is {threads}; it must be at least 1.</source>
-   <translation>--threads es {threads}; debe ser al menos 1.</translation>
+   <source>--near is {near}; it must be three numbers up to {most:g}.</source>
+   <translation>--near es {near}; deben ser tres números de hasta {most:g}.</translation>
+  </message>
+  <message>
+   <source>--threads is {threads}; it must be from 1 to {most}.</source>
+   <translation>--threads es {threads}; debe ir de 1 a {most}.</translation>
   </message>
   <message>
    <source>2 % of the ground’s edge</source>
@@ -1014,6 +1018,14 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Image {path} can't be read: {reason}.</source>
    <translation>No se puede leer la imagen {path}: {reason}.</translation>
+  </message>
+  <message>
+   <source>Image {path} has {size_mb} MB, more than a query image may have ({most_mb} MB); cut it to what one photo shows.</source>
+   <translation>La imagen {path} tiene {size_mb} MB, más de lo que puede tener una imagen de consulta ({most_mb} MB); recórtela a lo que muestra una foto.</translation>
+  </message>
+  <message>
+   <source>Image {path} is no regular file but a folder, pipe or device; choose an image file.</source>
+   <translation>La imagen {path} no es un archivo normal sino una carpeta, una tubería o un dispositivo; elija un archivo de imagen.</translation>
   </message>
   <message>
    <source>Images</source>
@@ -2380,16 +2392,16 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La distancia focal es de {focal_length_px:g} píxeles; debe ser mayor que 0.</translation>
   </message>
   <message>
+   <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
+   <translation>No se puede consultar la carpeta {folder} ({reason}); vuelva a empezar cuando se pueda.</translation>
+  </message>
+  <message>
    <source>The folder {folder} can't be written to; choose another place for {name}.</source>
    <translation>No se puede escribir en la carpeta {folder}; elija otro lugar para {name}.</translation>
   </message>
   <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
    <translation>La carpeta {folder} no existe; créela o elija otro lugar para {name}.</translation>
-  </message>
-  <message>
-   <source>The folder {folder} is gone; start again when it is back.</source>
-   <translation>La carpeta {folder} ha desaparecido; vuelva a empezar cuando esté de nuevo.</translation>
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>

@@ -8,8 +8,12 @@
    <translation>%v sur %m terminés</translation>
   </message>
   <message>
-   <source>--threads is {threads}; it must be at least 1.</source>
-   <translation>--threads vaut {threads} ; il en faut au moins 1.</translation>
+   <source>--near is {near}; it must be three numbers up to {most:g}.</source>
+   <translation>--near vaut {near} ; il faut trois nombres d’au plus {most:g}.</translation>
+  </message>
+  <message>
+   <source>--threads is {threads}; it must be from 1 to {most}.</source>
+   <translation>--threads vaut {threads} ; il doit aller de 1 à {most}.</translation>
   </message>
   <message>
    <source>2 % of the ground’s edge</source>
@@ -1014,6 +1018,14 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Image {path} can't be read: {reason}.</source>
    <translation>L’image {path} est illisible : {reason}.</translation>
+  </message>
+  <message>
+   <source>Image {path} has {size_mb} MB, more than a query image may have ({most_mb} MB); cut it to what one photo shows.</source>
+   <translation>L’image {path} fait {size_mb} Mo, plus qu’une image à localiser ne peut avoir ({most_mb} Mo) ; découpez-la à ce que montre une photo.</translation>
+  </message>
+  <message>
+   <source>Image {path} is no regular file but a folder, pipe or device; choose an image file.</source>
+   <translation>L’image {path} n’est pas un fichier ordinaire mais un dossier, un tube ou un périphérique ; choisissez un fichier d’image.</translation>
   </message>
   <message>
    <source>Images</source>
@@ -2380,16 +2392,16 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La focale est de {focal_length_px:g} pixels ; elle doit être supérieure à 0.</translation>
   </message>
   <message>
+   <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
+   <translation>Le dossier {folder} ne peut pas être consulté ({reason}) ; redémarrez quand il pourra l’être.</translation>
+  </message>
+  <message>
    <source>The folder {folder} can't be written to; choose another place for {name}.</source>
    <translation>Impossible d’écrire dans le dossier {folder} ; choisissez un autre emplacement pour {name}.</translation>
   </message>
   <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
    <translation>Le dossier {folder} n’existe pas ; créez-le ou choisissez un autre emplacement pour {name}.</translation>
-  </message>
-  <message>
-   <source>The folder {folder} is gone; start again when it is back.</source>
-   <translation>Le dossier {folder} a disparu ; relancez quand il sera revenu.</translation>
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>

@@ -8,8 +8,12 @@
    <translation>已完成 %v / %m</translation>
   </message>
   <message>
-   <source>--threads is {threads}; it must be at least 1.</source>
-   <translation>--threads 为 {threads}；至少须为 1。</translation>
+   <source>--near is {near}; it must be three numbers up to {most:g}.</source>
+   <translation>--near 为 {near}；必须是三个绝对值不超过 {most:g} 的数。</translation>
+  </message>
+  <message>
+   <source>--threads is {threads}; it must be from 1 to {most}.</source>
+   <translation>--threads 为 {threads}；必须在 1 到 {most} 之间。</translation>
   </message>
   <message>
    <source>2 % of the ground’s edge</source>
@@ -1014,6 +1018,14 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Image {path} can't be read: {reason}.</source>
    <translation>无法读取影像 {path}：{reason}。</translation>
+  </message>
+  <message>
+   <source>Image {path} has {size_mb} MB, more than a query image may have ({most_mb} MB); cut it to what one photo shows.</source>
+   <translation>图像 {path} 有 {size_mb} MB，超过查询图像的上限（{most_mb} MB）；请裁剪到一张照片的范围。</translation>
+  </message>
+  <message>
+   <source>Image {path} is no regular file but a folder, pipe or device; choose an image file.</source>
+   <translation>图像 {path} 不是普通文件，而是文件夹、管道或设备；请选择图像文件。</translation>
   </message>
   <message>
    <source>Images</source>
@@ -2380,16 +2392,16 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>焦距为 {focal_length_px:g} 像元；必须大于 0。</translation>
   </message>
   <message>
+   <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
+   <translation>无法查看文件夹 {folder}（{reason}）；可以查看时再重新开始。</translation>
+  </message>
+  <message>
    <source>The folder {folder} can't be written to; choose another place for {name}.</source>
    <translation>无法写入文件夹 {folder}；请为 {name} 选择其他位置。</translation>
   </message>
   <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
    <translation>文件夹 {folder} 不存在；请创建该文件夹，或为 {name} 选择其他位置。</translation>
-  </message>
-  <message>
-   <source>The folder {folder} is gone; start again when it is back.</source>
-   <translation>文件夹 {folder} 已不存在；待其恢复后请重新启动。</translation>
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>

@@ -11,7 +11,7 @@ import time
 from collections.abc import Iterator
 from contextlib import closing
 from datetime import datetime, timezone
-from typing import Any, Callable, Tuple
+from typing import Any, Callable
 
 from ..errors import ParameterError
 from ..labels.image_files import is_image_name
@@ -22,7 +22,7 @@ from .sinks import opened
 LOOK_EVERY_S = 0.2
 """How often a folder is looked into; an image is taken when it has not changed from one look to the next."""
 
-State = Tuple[int, int]
+State = tuple[int, int]
 """(time of change in ns, bytes) of an image."""
 
 
