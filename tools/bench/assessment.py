@@ -24,6 +24,9 @@ from semref.core.simulation.views import View
 
 PAGE = "benchmarks.md"
 COUNT, QUICK_COUNT = 1000, 5
+LEAST_SIMULATED = 50
+"""Images that the assessment simulates are never fewer."""
+
 SPACING, FOOTPRINT = 640.0, 1280.0
 NOISE = {"MISSED": 20, "INVENTED": 20, "MISNAMED": 5, "RAGGED": 1}
 """That of ``USUAL``, as the algorithms are told."""
@@ -47,9 +50,10 @@ def measure(run: inputs.Run) -> dict[str, str]:
     folder = run.work / f"assessment_{machine.revision().replace(' ', '_')}"
     folder.mkdir(exist_ok=True)
     count = run.how_many(COUNT, QUICK_COUNT)
-    squares = _assessed(run, folder, count)
+    simulated = max(count, LEAST_SIMULATED)
+    squares = _assessed(run, folder, simulated)
     fresh = _fresh(run, folder, count)
-    text = [_ABOUT.format(count=count), _compared(squares, fresh), _route(run, folder)]
+    text = [_ABOUT.format(count=count, simulated=simulated), _compared(squares, fresh), _route(run, folder)]
     if run.pictures:
         from bench import assessment_pictures
 
@@ -59,9 +63,9 @@ def measure(run: inputs.Run) -> dict[str, str]:
 
 _ABOUT = """\
 Images that show 1,280 m, 20 % of the landmarks missed, 20 % spurious, 5 % mislabeled, boundaries off by 1 m,
-constellation. *Assess reference database* saw the database alone and simulated {count:,} images; then {count:,} fresh
-images were cut from the *label map* anywhere on the ground. The expectation is that of the square an image's center
-lies in."""
+constellation. *Assess reference database* saw the database alone and simulated {simulated:,} images; then {count:,}
+fresh images were cut from the *label map* anywhere on the ground. The expectation is that of the square an image's
+center lies in."""
 
 
 def _assessed(run: inputs.Run, folder: Path, count: int) -> list[dict]:

@@ -115,7 +115,7 @@ def radius(run: inputs.Run) -> str:
             rng = np.random.default_rng([SEED, 95])
             found = [refined(ground, case, rng) for _ in range(run.count)]
             kept = [one for one, footprint in found if one.error <= RIGHT_SHARE * footprint and one.score > FIX_SCORE]
-            text += [f"{name}, {case.name}, right {page.rate(len(kept), len(found))}", radius_table(kept)]
+            text += [f"{name}: {case.name}, right {page.rate(len(kept), len(found))}", radius_table(kept)]
     return "\n\n".join(text)
 
 
@@ -129,13 +129,15 @@ def refined(ground: Ground, case: Case, rng: np.random.Generator) -> tuple[Refin
     step = view.footprint / settings.coarse_edge
     off = rng.uniform(-0.5, 0.5, 4) * (step, step, settings.turn_step_deg, 1)
     pixel = view.pixel_size * settings.scale_step ** off[3]
-    pose = ScoredPose(view.x + off[0], view.y + off[1], view.heading_deg + off[2], pixel)
+    # Right and down of the map's corner.
+    x, y = view.x - pyramid.frame.origin[0], pyramid.frame.origin[1] - view.y
+    pose = ScoredPose(x + off[0], y + off[1], view.heading_deg + off[2], pixel)
     for edge in (settings.coarse_edge, settings.decision_edge):
         pose = refine(reduced_image(evidence, edge), pyramid, pose, pyramid.quiet, 4)
     finest, covariance = finest_pose(evidence, pyramid, pose)
     spread = axes(finest) @ covariance[:2, :2] @ axes(finest).T
-    error = float(np.hypot(finest.x - view.x, finest.y - view.y))
-    overview = ground.database.parameters.overview_frame.pixel_size
+    error = float(np.hypot(finest.x - x, finest.y - y))
+    overview = pyramid.frame.pixel_size
     return Refined(
         pose.score, error, _deviation(spread), position_error_95(spread, pose.score, overview)
     ), view.footprint
