@@ -2324,6 +2324,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Klasse mit dem Wert {value} hat keinen Namen; ihr einen geben.</translation>
   </message>
   <message>
+   <source>The class {name} has a draw_order that is no number; give one such as 3.</source>
+   <translation>Die Klasse {name} hat als draw_order keine Zahl; geben Sie eine an, zum Beispiel 3.</translation>
+  </message>
+  <message>
+   <source>The class {value} has a name of more than {most} characters; give it a shorter one.</source>
+   <translation>Die Klasse {value} hat einen Namen mit mehr als {most} Zeichen; geben Sie ihr einen kürzeren.</translation>
+  </message>
+  <message>
    <source>The corrected map shows no landmark any more; choose another label map.</source>
    <translation>Die korrigierte Karte zeigt keine Landmarke mehr; eine andere Klassenkarte wählen.</translation>
   </message>
@@ -3848,6 +3856,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} ist eine ältere Version, als SemRef nutzen kann, und QGIS findet sie zuerst; aktualisieren oder entfernen Sie sie.</translation>
   </message>
   <message>
+   <source>{path} is being written by another program; try again.</source>
+   <translation>{path} wird gerade von einem anderen Programm geschrieben; versuchen Sie es noch einmal.</translation>
+  </message>
+  <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
    <translation>{path} ist beschädigt oder abgeschnitten ({reason}); neu erstellen oder eine andere Kopie holen.</translation>
   </message>
@@ -3964,6 +3976,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} verwendet ONNX-Operatoren der Version {found} (Opset), onnxruntime {version} kennt sie aber nur bis {known}; ein neueres onnxruntime installieren oder das Modell mit einem älteren Opset exportieren.</translation>
   </message>
   <message>
+   <source>{path} was changed by another program meanwhile; try again.</source>
+   <translation>{path} wurde inzwischen von einem anderen Programm geändert; versuchen Sie es noch einmal.</translation>
+  </message>
+  <message>
+   <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
+   <translation>{path} wurde von einem anderen Programm halb geschrieben zurückgelassen und lässt sich an diesem Ort nicht reparieren; kopieren Sie die Datei zusammen mit {path}-journal oder {path}-wal an einen Ort, an dem Sie schreiben dürfen.</translation>
+  </message>
+  <message>
    <source>{place}: no image is named; give each image one line.</source>
    <translation>{place}: Es ist kein Bild genannt; jedem Bild eine Zeile geben.</translation>
   </message>
@@ -4050,6 +4070,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
    <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); sie in CLASS_TABLE angeben, in der Reihenfolge der Ausgaben des Netzes.</translation>
+  </message>
+  <message>
+   <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>
+   <translation>{source} hat eine Zeile mit mehr als {most} Zeichen, wie sie keine Klassentabelle hat; wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>

@@ -2324,6 +2324,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La clase con el valor {value} no tiene nombre; dele uno.</translation>
   </message>
   <message>
+   <source>The class {name} has a draw_order that is no number; give one such as 3.</source>
+   <translation>La clase {name} tiene un draw_order que no es un número; indique uno, por ejemplo 3.</translation>
+  </message>
+  <message>
+   <source>The class {value} has a name of more than {most} characters; give it a shorter one.</source>
+   <translation>La clase {value} tiene un nombre de más de {most} caracteres; dele uno más corto.</translation>
+  </message>
+  <message>
    <source>The corrected map shows no landmark any more; choose another label map.</source>
    <translation>El mapa corregido ya no muestra ningún hito; elija otro mapa de etiquetas.</translation>
   </message>
@@ -3848,6 +3856,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} es una versión más antigua de la que SemRef puede usar, y QGIS la encuentra primero; actualícela o quítela.</translation>
   </message>
   <message>
+   <source>{path} is being written by another program; try again.</source>
+   <translation>Otro programa está escribiendo en {path}; inténtelo de nuevo.</translation>
+  </message>
+  <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
    <translation>{path} está dañada o cortada ({reason}); vuelva a crearla o consiga otra copia.</translation>
   </message>
@@ -3964,6 +3976,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} usa operadores ONNX de la versión {found} (opset), pero onnxruntime {version} solo los conoce hasta {known}; instale un onnxruntime más nuevo o exporte el modelo con un opset anterior.</translation>
   </message>
   <message>
+   <source>{path} was changed by another program meanwhile; try again.</source>
+   <translation>Otro programa cambió {path} entretanto; inténtelo de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
+   <translation>Otro programa dejó {path} a medio escribir y no se puede reparar donde está; cópielo junto con el archivo {path}-journal o {path}-wal a un lugar donde pueda escribir.</translation>
+  </message>
+  <message>
    <source>{place}: no image is named; give each image one line.</source>
    <translation>{place}: no se nombra ninguna imagen; dé una línea a cada imagen.</translation>
   </message>
@@ -4050,6 +4070,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
    <translation>{source} no nombra sus clases (clave de metadatos class_names); indíquelas en CLASS_TABLE, en el orden de las salidas de la red.</translation>
+  </message>
+  <message>
+   <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>
+   <translation>{source} tiene una línea de más de {most} caracteres, que ninguna tabla de clases tiene; elija otro archivo.</translation>
   </message>
   <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>

@@ -2324,6 +2324,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La classe de valeur {value} n’a pas de nom ; donnez-lui-en un.</translation>
   </message>
   <message>
+   <source>The class {name} has a draw_order that is no number; give one such as 3.</source>
+   <translation>La classe {name} a un draw_order qui n’est pas un nombre ; indiquez-en un, par exemple 3.</translation>
+  </message>
+  <message>
+   <source>The class {value} has a name of more than {most} characters; give it a shorter one.</source>
+   <translation>La classe {value} a un nom de plus de {most} caractères ; donnez-lui un nom plus court.</translation>
+  </message>
+  <message>
    <source>The corrected map shows no landmark any more; choose another label map.</source>
    <translation>La carte corrigée ne montre plus aucun repère visuel ; choisissez une autre carte d’étiquettes.</translation>
   </message>
@@ -3848,6 +3856,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} est une version trop ancienne pour SemRef, et QGIS la trouve d’abord ; mettez-la à jour ou supprimez-la.</translation>
   </message>
   <message>
+   <source>{path} is being written by another program; try again.</source>
+   <translation>{path} est en cours d’écriture par un autre programme ; réessayez.</translation>
+  </message>
+  <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
    <translation>{path} est endommagée ou tronquée ({reason}) ; recréez-la ou procurez-vous une autre copie.</translation>
   </message>
@@ -3964,6 +3976,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} utilise des opérateurs ONNX de version {found} (opset), mais onnxruntime {version} ne les connaît que jusqu’à {known} ; installez un onnxruntime plus récent ou exportez le modèle avec un opset plus ancien.</translation>
   </message>
   <message>
+   <source>{path} was changed by another program meanwhile; try again.</source>
+   <translation>{path} a été modifié entre-temps par un autre programme ; réessayez.</translation>
+  </message>
+  <message>
+   <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
+   <translation>{path} a été laissé à moitié écrit par un autre programme et ne peut être réparé à cet endroit ; copiez-le avec le fichier {path}-journal ou {path}-wal à un endroit où vous pouvez écrire.</translation>
+  </message>
+  <message>
    <source>{place}: no image is named; give each image one line.</source>
    <translation>{place} : aucune image n’est nommée ; donnez une ligne à chaque image.</translation>
   </message>
@@ -4050,6 +4070,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
    <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; donnez-les dans CLASS_TABLE, dans l’ordre des sorties du réseau.</translation>
+  </message>
+  <message>
+   <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>
+   <translation>{source} a une ligne de plus de {most} caractères, ce qu’aucune table de classes n’a ; choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>

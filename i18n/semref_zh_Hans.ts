@@ -2324,6 +2324,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>值为 {value} 的类别没有名称；请为其命名。</translation>
   </message>
   <message>
+   <source>The class {name} has a draw_order that is no number; give one such as 3.</source>
+   <translation>类别 {name} 的 draw_order 不是数字；请给出数字，例如 3。</translation>
+  </message>
+  <message>
+   <source>The class {value} has a name of more than {most} characters; give it a shorter one.</source>
+   <translation>类别 {value} 的名称超过 {most} 个字符；请改用更短的名称。</translation>
+  </message>
+  <message>
    <source>The corrected map shows no landmark any more; choose another label map.</source>
    <translation>改正后的地图不再显示任何地标；请选择其他标签图。</translation>
   </message>
@@ -3848,6 +3856,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 的版本对 SemRef 来说过旧，而 QGIS 会先找到它；请更新或移除它。</translation>
   </message>
   <message>
+   <source>{path} is being written by another program; try again.</source>
+   <translation>{path} 正被另一个程序写入；请重试。</translation>
+  </message>
+  <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
    <translation>{path} 已损坏或不完整（{reason}）；请重新构建或获取另一份副本。</translation>
   </message>
@@ -3964,6 +3976,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 使用版本 {found} 的 ONNX 算子（opset），但 onnxruntime {version} 最高支持 {known}；请安装更新的 onnxruntime，或以较旧的 opset 导出模型。</translation>
   </message>
   <message>
+   <source>{path} was changed by another program meanwhile; try again.</source>
+   <translation>{path} 在此期间被另一个程序更改；请重试。</translation>
+  </message>
+  <message>
+   <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
+   <translation>{path} 被另一个程序写了一半，且无法在原处修复；请将它连同 {path}-journal 或 {path}-wal 文件复制到可写的位置。</translation>
+  </message>
+  <message>
    <source>{place}: no image is named; give each image one line.</source>
    <translation>{place}：没有写出影像；请为每幅影像写一行。</translation>
   </message>
@@ -4050,6 +4070,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
    <translation>{source} 没有给出类别名称（元数据键 class_names）；请按网络输出的顺序在 CLASS_TABLE 中给出。</translation>
+  </message>
+  <message>
+   <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>
+   <translation>{source} 有一行超过 {most} 个字符，类别表不会如此；请选择其他文件。</translation>
   </message>
   <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>

@@ -17,6 +17,12 @@ SENTENCES = {
     "storage.overview_unwritable": "The overview can't be written: {reason}.",
     "storage.no_database": "There is no database {path}; build one or choose another file.",
     "storage.database_damaged": "{path} is damaged or cut short ({reason}); build it again or fetch another copy.",
+    "storage.database_in_use": "{path} is being written by another program; try again.",
+    "storage.database_unfinished": (
+        "{path} was left half written by another program and can't be mended where it lies; copy it with the file "
+        "{path}-journal or {path}-wal to a place where you may write."
+    ),
+    "storage.database_changed": "{path} was changed by another program meanwhile; try again.",
     "storage.no_readable_overview": "{path} has no overview that can be read ({reason}); build it again.",
     "storage.no_geopackage": "{path} is not a GeoPackage; choose a database that SemRef built.",
     "storage.foreign_database": (

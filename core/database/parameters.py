@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any
 
 from ..errors import DatabaseError
 from ..geometry.frame import MapFrame
+from ..values import LONGEST_TEXT, checked, number, short_text, shown
 
 FORMAT_VERSION = 1
 
@@ -23,6 +23,19 @@ _JSON_TYPES: dict[str, type | tuple[type, ...]] = {
 _LENGTHS = ("pixel_size", "window_size", "stride", "minimum_area")
 _COUNTS = ("map_width_px", "map_height_px", "overview_factor", "references_per_vector")
 _MOST = 1 << 31
+"""Pixels along an edge of a map are 32-bit numbers in GDAL and OpenCV."""
+
+LONGEST_VECTOR = 1000
+"""Landmarks that a topology vector may hold."""
+
+_MOST_LEVELS = 255
+"""Levels are bytes on board."""
+
+_FARTHEST = 1e9
+"""Map units from the origin; the false eastings of zoned CRS come to 6e7."""
+
+_MOST_UNITS = 1e12
+"""Map units or square meters of a length or an area."""
 
 
 @dataclass(frozen=True)
@@ -102,47 +115,31 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
     known: dict[str, Any] = {}
     for item in fields(BuildParameters):
         known[item.name] = checked(values[item.name], _JSON_TYPES[str(item.type)], item.name)
+        if item.type == "str":
+            short_text(known[item.name], item.name, LONGEST_TEXT)
     known["geotransform"] = tuple(number(value, "geotransform") for value in known["geotransform"])
-    known["levels"] = tuple(number(value, "levels") for value in known["levels"])
-    known["block_hashes"] = tuple(checked(value, str, "block_hashes") for value in known["block_hashes"])
-    if len(known["geotransform"]) != 6 or not known["levels"]:
-        raise ValueError(f"geotransform is {known['geotransform']!r}, levels are {known['levels']!r}")
+    known["levels"] = tuple(number(value, "levels", above=0, most=_MOST_UNITS) for value in known["levels"])
+    known["block_hashes"] = tuple(short_text(value, "block_hashes") for value in known["block_hashes"])
+    if not 0 < len(known["levels"]) <= _MOST_LEVELS:
+        raise ValueError(f"levels are {shown(known['levels'])}")
     for name in _LENGTHS:
-        number(known[name], name, above=0)
+        number(known[name], name, above=0, most=_MOST_UNITS)
     for name in _COUNTS:
         if not 0 < known[name] < _MOST:
-            raise ValueError(f"{name} is {known[name]}")
-    return BuildParameters(**known)
+            raise ValueError(f"{name} is {shown(known[name])}")
+    if known["references_per_vector"] > LONGEST_VECTOR:
+        raise ValueError(f"references_per_vector is {known['references_per_vector']}")
+    _require_north_up(known["geotransform"])
+    found = BuildParameters(**known)
+    if not max(map(abs, found.extent)) < _FARTHEST:
+        raise ValueError(f"geotransform is {shown(known['geotransform'])}, which no map has")
+    return found
 
 
-def checked(value: Any, kind: type | tuple[type, ...], name: str) -> Any:  # noqa: ANN401 - JSON has values of any type
-    """``value`` if it has one of some types; true and false are no numbers.
-
-    Args:
-        value: As JSON gave it.
-        kind: The type, or the types, that it may have.
-        name: Of the value, for the message.
-
-    Raises:
-        ValueError: It is of another type.
-    """
-    if isinstance(value, bool) or not isinstance(value, kind):
-        raise ValueError(f"{name} is {value!r}")
-    return value
-
-
-def number(value: object, name: str, above: float = -math.inf) -> float:
-    """``value`` as a finite number.
-
-    Args:
-        value: As JSON gave it.
-        name: Of the value, for the message.
-        above: It must be more than that.
-
-    Raises:
-        ValueError: It is anything else.
-    """
-    found = checked(value, (int, float), name)
-    if not above < found < math.inf:
-        raise ValueError(f"{name} is {value!r}")
-    return float(found)
+def _require_north_up(geotransform: tuple[float, ...]) -> None:
+    """Raises ValueError unless GDAL's numbers are those of a north-up grid of square pixels."""
+    if len(geotransform) == 6:
+        _, pixel, column_turn, _, row_turn, down = geotransform
+        if pixel > 0 and abs(down + pixel) <= 1e-6 * pixel and max(abs(column_turn), abs(row_turn)) <= 1e-6 * pixel:
+            return
+    raise ValueError(f"geotransform is {shown(geotransform)}")

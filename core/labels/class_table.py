@@ -5,12 +5,14 @@ from __future__ import annotations
 import csv
 import hashlib
 import io
+import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from ..errors import ClassTableError
 from ..sentences import Sentence
+from ..values import LONGEST_NAME, shown
 
 UNLABELED = 0
 """Label of pixels that no class covers ("unlabeled/other")."""
@@ -21,6 +23,9 @@ MAXIMUM_VALUE = 255
 REFERENCE = "reference"
 BACKGROUND = "background"
 ROLES = (REFERENCE, BACKGROUND)
+
+LONGEST_LINE = 10_000
+"""Characters of a line of a class table; csv itself stops at 131,072 a field."""
 
 LIST_SEPARATOR = ";"
 """Separates the items of lists given as text (REFERENCE_CLASSES=building;water)."""
@@ -72,10 +77,14 @@ class LandCoverClass:
 
     def __post_init__(self) -> None:
         """Refuses values that no class can have."""
+        if self.draw_order is not None and not math.isfinite(self.draw_order):
+            raise ClassTableError("labels.class_order_not_finite", name=shown(self.name))
         if not 0 <= self.value <= MAXIMUM_VALUE:
             raise ClassTableError(
-                "labels.class_value_out_of_range", name=self.name, value=self.value, most=MAXIMUM_VALUE
+                "labels.class_value_out_of_range", name=self.name, value=shown(self.value), most=MAXIMUM_VALUE
             )
+        if len(self.name) > LONGEST_NAME:
+            raise ClassTableError("labels.class_name_too_long", value=self.value, most=LONGEST_NAME)
         if not self.name:
             raise ClassTableError("labels.class_without_name", value=self.value)
         if not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
@@ -215,6 +224,8 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
     if len(lines) < 2:
         raise ClassTableError("labels.class_table_empty", source=source)
     separator = max(",;\t", key=lines[0].count)
+    if max(map(len, lines)) > LONGEST_LINE:
+        raise ClassTableError("labels.class_table_line_too_long", source=source, most=LONGEST_LINE)
     reader = csv.DictReader(lines, delimiter=separator, skipinitialspace=True)
     header = [(name or "").strip().lower() for name in reader.fieldnames or []]
     missing = [name for name in ("value", "name") if name not in header]

@@ -5,6 +5,7 @@ AIRCRAFT_ROOMS = (
     "__main__.py",
     "errors.py",
     "localization.py",
+    "values.py",
     "sentences",
     "geometry",
     "labels",

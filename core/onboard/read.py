@@ -7,7 +7,6 @@ zip's directory, shapes and types in the arrays' headers, before anything is unp
 from __future__ import annotations
 
 import io
-import json
 import math
 import os
 import struct
@@ -19,11 +18,13 @@ from typing import Any
 import numpy as np
 from numpy.lib import format as npy_format
 
+from ..database.checks import MAXIMUM_LANDMARKS, MAXIMUM_WINDOWS, require_sound
 from ..database.model import MapLandmarks, ReferenceDatabase, Windows
-from ..database.parameters import BuildParameters, build_parameters, checked, number
+from ..database.parameters import LONGEST_VECTOR, BuildParameters, build_parameters
 from ..errors import ClassTableError, DatabaseError
 from ..geometry.lon_lat import HIGHEST_DEGREE, LonLatPolynomial, term_count
 from ..labels.class_table import ClassTable, class_table_from_csv
+from ..values import checked, number, read_json
 from .format import (
     FORMAT,
     HASH,
@@ -36,11 +37,8 @@ from .format import (
     digest,
 )
 
-MAXIMUM_WINDOWS = 10_000_000
-MAXIMUM_REFERENCES = 50_000_000
-LONGEST_VECTOR = 1000
 MAXIMUM_OVERVIEW_PIXELS = 1 << 30
-"""Beyond these a file is refused: the whole of a country fits."""
+"""Beyond this a file is refused: the whole of a country fits."""
 
 _DEFLATE_RATIO = 1032
 """What deflate makes of one byte at most; a member that claims more is damaged or hostile."""
@@ -49,6 +47,9 @@ _ALWAYS_ALLOWED_BYTES, _BYTES_A_FILE_BYTE = 1 << 26, 200
 """All members together may take so much memory, and so much more for each byte of the file."""
 
 _LONGEST_NPY_HEADER = 1024
+
+_LARGEST_LOG = 50.0
+"""Logarithms of areas beyond it would leave the range that areas may have, or overflow."""
 
 
 def read_onboard(path: str, with_overview: bool = True) -> OnboardDatabase:
@@ -76,7 +77,7 @@ def read_onboard(path: str, with_overview: bool = True) -> OnboardDatabase:
         members = {name: _array(name, data) for name, data in files.items()}
         if members[HASH].tobytes() != digest(files):
             raise ValueError("its content hash is another")
-        header = json.loads(members[HEADER].tobytes().decode("utf-8"))
+        header = read_json(members[HEADER].tobytes().decode("utf-8"), MAXIMUM_HEADER_BYTES)
         _check_version(header, path)
         return _onboard(members, header, path, with_overview)
     except ClassTableError as error:
@@ -127,7 +128,7 @@ def _largest_bytes(name: str) -> int:
         return MAXIMUM_HEADER_BYTES + _LONGEST_NPY_HEADER
     if name == "overview_labels":
         return MAXIMUM_OVERVIEW_PIXELS
-    count = MAXIMUM_WINDOWS if name.startswith("windows") else MAXIMUM_REFERENCES
+    count = MAXIMUM_WINDOWS if name.startswith("windows") else MAXIMUM_LANDMARKS
     return count * _item_bytes(name) * (3 * LONGEST_VECTOR if name == "windows_vectors" else 2)
 
 
@@ -179,14 +180,10 @@ def _onboard(members: Mapping[str, np.ndarray], header: dict, path: str, with_ov
     overview = _overview(members, parameters) if with_overview else None
     if tuple(header["reference_classes"]) != table.require_references().reference_values:
         raise ValueError("its reference_classes are not those of its class table")
-    database = ReferenceDatabase(
-        _windows(members, header, parameters, len(table.references)),
-        _references(members, header, table),
-        table,
-        parameters,
-        path,
-        overview,
-    )
+    windows = _windows(members, header, parameters, len(table.references))
+    landmarks = _references(members, header, table)
+    require_sound(windows, landmarks, parameters, table)
+    database = ReferenceDatabase(windows, landmarks, table, parameters, path, overview)
     return OnboardDatabase(
         database,
         _lon_lat(header["lon_lat"]),
@@ -236,16 +233,14 @@ def _references(members: Mapping[str, np.ndarray], header: dict, table: ClassTab
     )
     if not len(steps) == len(areas) == len(classes) == len(touches) or steps.shape[1] != 2:
         raise ValueError("its references_ arrays differ in length")
-    if not np.isin(classes, table.reference_values).all():
-        raise ValueError("references_classes has classes that are no reference classes")
     origin = [number(value, "position_origin") for value in header["position_origin"]]
     if len(origin) != 2:
         raise ValueError(f"position_origin is {origin}")
     logs = number(header["log_area_lowest"], "log_area_lowest") + areas * number(
         header["log_area_step"], "log_area_step", 0.0
     )
-    if not (np.abs(logs) < 50).all():
-        raise ValueError("its areas are none")
+    if not (np.abs(logs) < _LARGEST_LOG).all():
+        raise ValueError("a landmark has an impossible area")
     return MapLandmarks(
         positions=np.array(origin) + steps * number(header["position_step"], "position_step", 0.0),
         classes=classes.copy(),

@@ -26,6 +26,13 @@ SENTENCES = {
     ),
     "labels.class_value_not_whole": "{where}: “{text}” is not a whole number for value.",
     "labels.class_order_not_number": "{where}: “{text}” is not a number for draw_order.",
+    "labels.class_order_not_finite": "The class {name} has a draw_order that is no number; give one such as 3.",
+    "labels.class_name_too_long": (
+        "The class {value} has a name of more than {most} characters; give it a shorter one."
+    ),
+    "labels.class_table_line_too_long": (
+        "{source} has a line of more than {most} characters, which no class table has; choose another file."
+    ),
     "labels.at_line": "{where}: {fault}",
     "labels.class_hsv": "{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).",
     "labels.unknown_image_format": "{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.",

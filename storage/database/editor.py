@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sqlite3
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import fields
 
 import numpy as np
@@ -14,7 +14,8 @@ from ...core.database.update import DatabaseChanges
 from ...core.errors import DatabaseError
 from ..gdal_errors import gdal_failure
 from . import schema
-from .reader import StoredDatabase, copy_database, leave_wal
+from .copying import copy_database
+from .reader import StoredDatabase, leave_wal, store_checksums
 
 _FEATURES_A_STEP = 500
 
@@ -44,12 +45,13 @@ class DatabaseEditor:
             DatabaseError: GDAL can't write.
         """
         try:
-            copy_database(self._stored.database.source, self._path)
+            copy_database(self._stored.database.source, self._path, self._stored.state)
             yield "Writing the database", 0.2
             for share in self._edit():
                 yield "Writing the database", 0.2 + 0.6 * share
             self._edit_overview()
             leave_wal(self._path)
+            store_checksums(self._path)
             with open(self._path, "rb+") as file:
                 os.fsync(file.fileno())
             yield "Writing the database", 1.0
@@ -113,15 +115,15 @@ class DatabaseEditor:
                 _check(layer.SetFeature(feature))
 
     def _edit_overview(self) -> None:
-        dataset = _opened(f"GPKG:{self._path}:{schema.OVERVIEW}", gdal.OF_RASTER)
+        dataset = _opened(self._path, gdal.OF_RASTER, [f"TABLE={schema.OVERVIEW}"])
         band = dataset.GetRasterBand(1)
         for column, row, labels in self._changes.overview:
             band.WriteArray(labels, column, row)
         schema.close(dataset)
 
 
-def _opened(name: str, kind: int) -> gdal.Dataset:
-    dataset = gdal.OpenEx(name, kind | gdal.OF_UPDATE, open_options=_UNSAFE)
+def _opened(path: str, kind: int, options: Sequence[str] = ()) -> gdal.Dataset:
+    dataset = gdal.OpenEx(path, kind | gdal.OF_UPDATE, ["GPKG"], [*_UNSAFE, *options])
     if dataset is None:
         raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
     return dataset

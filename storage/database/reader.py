@@ -6,84 +6,85 @@ import contextlib
 import csv
 import io
 import json
-import os
 import sqlite3
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 from osgeo import gdal
 
+from ...core.database.checks import digest, require_sound
 from ...core.database.model import MapLandmarks, ReferenceDatabase, Windows, first_pixels_of
 from ...core.database.parameters import BuildParameters, build_parameters
 from ...core.errors import DatabaseError
-from ...core.labels.class_table import class_table_from_csv
+from ...core.labels.class_table import MAXIMUM_VALUE, class_table_from_csv
+from ...core.values import read_json
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
+from .checksums import CHECKSUMS, checksums_of, overview_checksum, require_unchanged
+from .connection import damaged, open_table, snapshot, state
+
+_LONGEST_REASON = 200
+
+_LONGEST_STYLE = 16 << 20
+"""Characters of a layer's style; QGIS's own for these layers have some thousand."""
 
 
 def read_database(path: str, with_overview: bool = False) -> ReferenceDatabase:
     """Reads a reference database. Raises DatabaseError for files that are missing, foreign, truncated or too new."""
-    if not os.path.isfile(path):
-        raise DatabaseError("storage.no_database", path=path)
-    try:
-        with contextlib.closing(_connect(path)) as connection:
-            _check_is_ours(connection, path)
-            parameters = _read_parameters(connection, path)
-            table = class_table_from_csv(_class_csv(connection), f"the class table of {path}")
-            windows = _read_windows(connection, parameters, path)
-            references = _read_references(connection)
-    except (sqlite3.Error, TypeError, ValueError, IndexError, struct.error) as error:
-        raise DatabaseError("storage.database_damaged", path=path, reason=str(error)) from None
-    overview = read_overview(path) if with_overview else None
-    return ReferenceDatabase(windows, references, table, parameters, path, overview)
+    with snapshot(path) as connection:
+        database = _read(connection, path)
+        return replace(database, overview=_overview(connection, path)) if with_overview else database
 
 
 def read_overview(path: str) -> np.ndarray:
     """(h, w) uint8 class values. Raises DatabaseError for a database that has none."""
+    with snapshot(path) as connection:
+        return _overview(connection, path)
+
+
+def _read(connection: sqlite3.Connection, path: str, is_checked: bool = True) -> ReferenceDatabase:
+    """What a database holds, without the overview; raises what ``snapshot`` makes a DatabaseError of."""
+    parameters = _read_parameters(connection, path)
+    table = class_table_from_csv(_class_csv(connection), f"the class table of {path}")
+    windows, landmarks = _read_windows(connection, parameters, path), _read_references(connection)
+    require_sound(windows, landmarks, parameters, table)
+    if is_checked:
+        require_unchanged(connection, checksums_of(connection, windows, landmarks))
+    return ReferenceDatabase(windows, landmarks, table, parameters, path)
+
+
+def _overview(connection: sqlite3.Connection, path: str) -> np.ndarray:
+    """Read by GDAL while the connection's lock keeps writers out."""
+    parameters = _read_parameters(connection, path)
+    require_unchanged(connection, {schema.OVERVIEW: overview_checksum(connection)})
     # Left as it is where GDAL raises.
     overview = None
     with gdal_failures() as failures:
-        dataset = gdal.OpenEx(f"GPKG:{path}:{schema.OVERVIEW}", gdal.OF_RASTER)
-        overview = None if dataset is None else dataset.GetRasterBand(1).ReadAsArray()
+        dataset = open_table(path, schema.OVERVIEW, gdal.OF_RASTER)
+        overview = None if dataset is None else _labels(dataset, parameters)
     if overview is None:
         reason = gdal_failure(failures[0] if failures else None)
         raise DatabaseError("storage.no_readable_overview", path=path, reason=reason)
     return overview
 
 
-def _connect(path: str) -> sqlite3.Connection:
-    with open(path, "rb") as file:
-        header = file.read(100)
-    if not header.startswith(b"SQLite format 3\0"):
-        raise DatabaseError("storage.no_geopackage", path=path)
-    # SQLite notices missing pages only when it comes to them.
-    page_size, pages = struct.unpack_from(">16xH10xI", header.ljust(100, b"\0"))
-    if os.path.getsize(path) < pages * (page_size if page_size > 1 else 65536):
-        raise ValueError("its end is missing")
-    wal = Path(path + "-wal")
-    # Without changes in waiting the file is read as it is, so that read-only places work and no -shm appears.
-    quiet = "" if wal.exists() and wal.stat().st_size else "&immutable=1"
-    return sqlite3.connect(f"{Path(path).resolve().as_uri()}?mode=ro{quiet}", uri=True)
-
-
-def _check_is_ours(connection: sqlite3.Connection, path: str) -> None:
-    found = {row[0] for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
-    missing = [
-        name for name in (schema.WINDOWS, schema.REFERENCES, schema.CLASSES, schema.PARAMETERS) if name not in found
-    ]
-    if missing:
-        raise DatabaseError("storage.foreign_database", path=path, missing=missing)
+def _labels(dataset: gdal.Dataset, parameters: BuildParameters) -> np.ndarray:
+    """(h, w) uint8; raises ValueError for a raster of another size or kind."""
+    shape, expected = (dataset.RasterYSize, dataset.RasterXSize), parameters.overview_frame.shape_hw
+    if shape != expected:
+        raise ValueError(f"its overview has {shape[1]} × {shape[0]} pixels instead of {expected[1]} × {expected[0]}")
+    return dataset.GetRasterBand(1).ReadAsArray()
 
 
 def _read_parameters(connection: sqlite3.Connection, path: str) -> BuildParameters:
     stored = connection.execute("SELECT key, value FROM parameters").fetchall()
     try:
-        return build_parameters({key: json.loads(value) for key, value in stored}, path)
+        return build_parameters({key: read_json(value) for key, value in stored if key != CHECKSUMS}, path)
     except (KeyError, ValueError, TypeError) as error:
-        raise DatabaseError("storage.no_readable_parameter", path=path, reason=str(error)) from None
+        reason = str(error)[:_LONGEST_REASON]
+        raise DatabaseError("storage.no_readable_parameter", path=path, reason=reason) from None
 
 
 def _class_csv(connection: sqlite3.Connection) -> str:
@@ -127,9 +128,10 @@ def _read_windows(connection: sqlite3.Connection, parameters: BuildParameters, p
 def _read_references(connection: sqlite3.Connection) -> MapLandmarks:
     rows = connection.execute('SELECT geom, class, area, touches_edge FROM "references" ORDER BY fid').fetchall()
     blobs, classes, areas, touches = zip(*rows) if rows else ((),) * 4
-    return MapLandmarks(
-        _points(blobs), np.array(classes, np.uint8), np.array(areas, np.float64), np.array(touches, bool)
-    )
+    values = np.array(classes, np.int64)
+    if not ((values >= 0) & (values <= MAXIMUM_VALUE)).all():
+        raise ValueError("a landmark has a class that is no reference class")
+    return MapLandmarks(_points(blobs), values.astype(np.uint8), np.array(areas, np.float64), np.array(touches, bool))
 
 
 def _points(blobs: Sequence[bytes]) -> np.ndarray:
@@ -148,27 +150,37 @@ class StoredDatabase:
     Attributes:
         database: With the landmarks' bounds, None when the file has none.
         window_fids, reference_fids: Of its windows and landmarks, in their order.
+        state: Of its files when it was read; another one tells that it was changed.
     """
 
     database: ReferenceDatabase
     window_fids: tuple[int, ...]
     reference_fids: tuple[int, ...]
+    state: tuple
 
 
 def read_stored_database(path: str) -> StoredDatabase:
     """Reads what ``read_database`` reads and what an update needs besides; raises DatabaseError as that does."""
-    database = read_database(path)
-    try:
-        with contextlib.closing(_connect(path)) as connection:
-            window_fids = connection.execute("SELECT fid FROM windows ORDER BY fid").fetchall()
-            fids = connection.execute('SELECT fid FROM "references" ORDER BY fid').fetchall()
-            bounds = _read_bounds(connection)
-    except (sqlite3.Error, ValueError) as error:
-        raise DatabaseError("storage.database_damaged", path=path, reason=str(error)) from None
+    with snapshot(path) as connection:
+        found = state(path)
+        database = _read(connection, path)
+        window_fids = connection.execute("SELECT fid FROM windows ORDER BY fid").fetchall()
+        fids = connection.execute('SELECT fid FROM "references" ORDER BY fid').fetchall()
+        bounds = _read_bounds(connection)
+        if bounds is not None:
+            require_unchanged(connection, {schema.BOUNDS: digest([bounds])})
     if bounds is not None and len(bounds) != len(fids):
         raise DatabaseError("storage.bounds_count", path=path, count=len(fids), bounds=len(bounds))
+    if bounds is not None and not _on_map(bounds, database.parameters):
+        raise damaged(path, "a landmark spans pixels that the map has not")
     database = replace(database, references=replace(database.references, bounds_px=bounds))
-    return StoredDatabase(database, tuple(fid for (fid,) in window_fids), tuple(fid for (fid,) in fids))
+    return StoredDatabase(database, tuple(fid for (fid,) in window_fids), tuple(fid for (fid,) in fids), found)
+
+
+def _on_map(bounds_px: np.ndarray, parameters: BuildParameters) -> bool:
+    first, end = bounds_px[:, :2], bounds_px[:, 2:]
+    size = parameters.map_width_px, parameters.map_height_px
+    return bool(((first >= 0) & (first < end) & (end <= size)).all())
 
 
 def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
@@ -185,18 +197,13 @@ def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
 
 def stored_style(path: str, table: str) -> str | None:
     """QML of the style of one table of a database, None when it has none."""
+    query = "SELECT styleQML FROM layer_styles WHERE f_table_name = ? AND length(styleQML) < ?"
     try:
-        with contextlib.closing(_connect(path)) as connection:
-            row = connection.execute("SELECT styleQML FROM layer_styles WHERE f_table_name = ?", (table,)).fetchone()
-    except (sqlite3.Error, ValueError):
+        with snapshot(path) as connection:
+            row = connection.execute(query, (table, _LONGEST_STYLE)).fetchone()
+    except DatabaseError:
         return None
     return row[0] if row else None
-
-
-def copy_database(path: str, target: str) -> None:
-    """Copies a database as it is, changes that still wait beside it included."""
-    with contextlib.closing(_connect(path)) as source, contextlib.closing(sqlite3.connect(target)) as copy:
-        source.backup(copy)
 
 
 def leave_wal(path: str) -> None:
@@ -204,3 +211,23 @@ def leave_wal(path: str) -> None:
     with contextlib.closing(sqlite3.connect(path)) as connection:
         connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
         connection.execute("PRAGMA journal_mode=DELETE")
+
+
+def store_checksums(path: str) -> None:
+    """Puts the checksums of a finished database's tables among its parameters, in place of older ones.
+
+    Raises:
+        DatabaseError: What was written can't be read back.
+    """
+    with snapshot(path) as connection:
+        database = _read(connection, path, is_checked=False)
+        found = checksums_of(connection, database.windows, database.references)
+        found[schema.OVERVIEW] = overview_checksum(connection)
+        bounds = _read_bounds(connection)
+        if bounds is not None:
+            found[schema.BOUNDS] = digest([bounds])
+    text = json.dumps(found)
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        changed = connection.execute("UPDATE parameters SET value = ? WHERE key = ?", (text, CHECKSUMS))
+        if not changed.rowcount:
+            connection.execute("INSERT INTO parameters (key, value) VALUES (?, ?)", (CHECKSUMS, text))

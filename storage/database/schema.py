@@ -7,7 +7,7 @@ import struct
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from osgeo import gdal, ogr
+from osgeo import gdal, ogr, osr
 
 from ...core.database.model import MapLandmarks
 from ...core.database.parameters import BuildParameters
@@ -72,6 +72,28 @@ STYLE_FIELDS = (
     ("ui", _TEXT),
     ("update_time", _MOMENT),
 )
+
+LAYERS = {
+    WINDOWS: (ogr.wkbPolygon, WINDOW_FIELDS),
+    REFERENCES: (ogr.wkbPoint, REFERENCE_FIELDS),
+    BOUNDS: (ogr.wkbNone, BOUNDS_FIELDS),
+    CLASSES: (ogr.wkbNone, CLASS_FIELDS),
+    PARAMETERS: (ogr.wkbNone, PARAMETER_FIELDS),
+    STYLES: (ogr.wkbNone, STYLE_FIELDS),
+}
+"""Type of geometry and columns of each layer, in the order in which they are written."""
+
+
+def create_layer(dataset: ogr.DataSource, name: str, srs: osr.SpatialReference | None) -> ogr.Layer:
+    """An empty layer of the schema; ``srs``: of those with geometries. Raises DatabaseError."""
+    geometry, columns = LAYERS[name]
+    fid = "FID=id" if name == STYLES else "FID=fid"
+    layer = dataset.CreateLayer(name, None if geometry == ogr.wkbNone else srs, geometry, [fid])
+    if layer is None:
+        raise DatabaseError("storage.layer_unwritable", name=name, reason=gdal_failure())
+    for column in columns:
+        layer.CreateField(field_definition(*column))
+    return layer
 
 
 def reference_rows(references: MapLandmarks, table: ClassTable) -> Iterator[tuple[bytes, tuple]]:

@@ -14,7 +14,7 @@ from ...core.errors import DatabaseError
 from ..gdal_errors import gdal_failure
 from ..label_map_file import set_class_colors
 from . import schema
-from .reader import leave_wal
+from .reader import leave_wal, store_checksums
 
 _FEATURES_A_STEP = 2000
 
@@ -74,24 +74,22 @@ class DatabaseWriter:
         yield 0.9
         self._write_overview(srs)
         leave_wal(self._path)
+        store_checksums(self._path)
         yield 1.0
 
     def _write_layers(self, dataset: ogr.DataSource, srs: osr.SpatialReference) -> Iterator[int]:
         done = 0
-        for name, srs_or_none, geometry, columns, rows in (
-            (schema.WINDOWS, srs, ogr.wkbPolygon, schema.WINDOW_FIELDS, self._window_rows()),
-            (schema.REFERENCES, srs, ogr.wkbPoint, schema.REFERENCE_FIELDS, self._reference_rows()),
-            (schema.BOUNDS, None, ogr.wkbNone, schema.BOUNDS_FIELDS, self._bounds_rows()),
-            (schema.CLASSES, None, ogr.wkbNone, schema.CLASS_FIELDS, self._class_rows()),
-            (schema.PARAMETERS, None, ogr.wkbNone, schema.PARAMETER_FIELDS, self._parameter_rows()),
-            (schema.STYLES, None, ogr.wkbNone, schema.STYLE_FIELDS, self._style_rows()),
-        ):
-            fid = "FID=id" if name == schema.STYLES else "FID=fid"
-            layer = dataset.CreateLayer(name, srs_or_none, geometry, [fid])
-            if layer is None:
-                raise DatabaseError("storage.layer_unwritable", name=name, reason=gdal_failure())
-            for column in columns:
-                layer.CreateField(schema.field_definition(*column))
+        rows_of = {
+            schema.WINDOWS: self._window_rows,
+            schema.REFERENCES: self._reference_rows,
+            schema.BOUNDS: self._bounds_rows,
+            schema.CLASSES: self._class_rows,
+            schema.PARAMETERS: self._parameter_rows,
+            schema.STYLES: self._style_rows,
+        }
+        for name, (_, columns) in schema.LAYERS.items():
+            layer = schema.create_layer(dataset, name, srs)
+            rows = rows_of[name]()
             dataset.StartTransaction()
             for wkb, values in rows:
                 schema.write_feature(layer, columns, wkb, values)

@@ -19,7 +19,7 @@ CORE_FOR_UI = ("core.errors", "core.database.model", "core.annotation.findings")
 """Errors, a type and the severities of issues."""
 MATHEMATICS = {"cv2", "shapely", "onnxruntime"}
 
-FOR_ALL = {"errors", "sentences"}
+FOR_ALL = {"errors", "sentences", "values"}
 """Rooms of core that every other one may import."""
 
 ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization", "localizer", "simulation"}
@@ -28,6 +28,7 @@ MAY_IMPORT = {
     "core": {
         "sentences": set(),
         "errors": set(),
+        "values": set(),
         "geometry": set(),
         "labels": {"geometry"},
         "landmarks": {"geometry", "labels"},

@@ -100,7 +100,9 @@ def assert_same_content(database, expected):
     # Of styles only whose they are: Qt writes their attributes in any order.
     for table in ("windows", "classes", "parameters", "layer_styles"):
         key, columns = ("id", "f_table_name") if table == "layer_styles" else ("fid", "*")
-        sql = f"SELECT {columns} FROM {table} ORDER BY {key}"
+        # Checksums are of rows and tiles as they lie in the file, which a rebuild may order otherwise.
+        where = "WHERE key <> 'checksums'" if table == "parameters" else ""
+        sql = f"SELECT {columns} FROM {table} {where} ORDER BY {key}"
         assert rows(database, sql) == rows(expected, sql), table
     assert sorted(references(database).values()) == sorted(references(expected).values())
     overviews = [read_pixels(f"GPKG:{path}:overview") for path in (database, expected)]
@@ -202,7 +204,7 @@ def test_a_database_of_an_older_version_is_refused_in_one_sentence(update, old, 
     place = shutil.copy(old, tmp_path / "older.gpkg")
     with contextlib.closing(sqlite3.connect(place)) as connection:
         connection.execute("DROP TABLE reference_bounds")
-        connection.execute("DELETE FROM parameters WHERE key = 'block_hashes'")
+        connection.execute("DELETE FROM parameters WHERE key IN ('block_hashes', 'checksums')")
         connection.commit()
     with refused("which kept no block hashes and bounds of landmarks"):
         update(DATABASE=str(place))

@@ -289,7 +289,7 @@ def test_a_newer_version_is_refused(written, tmp_path):
         ({"parameters": {}}, "format_version"),
         ({"position_step": float("nan")}, "position_step"),
         ({"position_step": -1}, "position_step"),
-        ({"log_area_lowest": 1e9}, "areas"),
+        ({"log_area_lowest": 1e9}, "impossible area"),
         ({"window_sizes_px": [60]}, "levels"),
         ({"lon_lat": {"degree": 50}}, "degree"),
         ({"lon_lat": "north"}, "damaged"),
@@ -402,3 +402,10 @@ def test_a_reader_in_javascript_reads_the_same(written, database, repository):
     np.testing.assert_allclose([r["area"] for r in references], mine.references.areas_m2)
     assert [r["class"] for r in references] == mine.references.classes.tolist()
     assert [r["touches_edge"] for r in references] == mine.references.touches_edge.tolist()
+
+
+@pytest.mark.parametrize("far", [5_420_000.0, -2_000.0])
+def test_landmarks_off_the_map_are_refused_although_all_hashes_fit(database, written, tmp_path, far):
+    origin = database.references.positions.min(axis=0) + far
+    said = refusal(with_header(tmp_path / "far.npz", written, position_origin=origin.tolist()))
+    assert "off the map" in said

@@ -1,0 +1,93 @@
+"""What holds of every database, whatever file it was read from: places on the map, sizes, classes and counts."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable
+
+import numpy as np
+
+from ..labels.class_table import ClassTable
+from .model import MapLandmarks, Windows
+from .parameters import BuildParameters
+
+MAXIMUM_WINDOWS = 10_000_000
+MAXIMUM_LANDMARKS = 50_000_000
+"""Beyond these a file is refused: the whole of a country fits."""
+
+LARGEST_VECTOR_ELEMENT = 1e6
+"""Elements of a topology vector are shares, some way beyond 1 for long thin landmarks."""
+
+LARGEST_AREA_M2 = 1e15
+"""Twice the surface of the Earth."""
+
+_MOST_COUNTED = 1 << 31
+
+_OFF_MAP_PX = 1.0
+"""Pixels by which rounding may put a landmark over the map's edge."""
+
+
+def require_sound(windows: Windows, landmarks: MapLandmarks, parameters: BuildParameters, table: ClassTable) -> None:
+    """Raises ValueError for a database that SemRef can't have built.
+
+    Args:
+        windows: Of the database.
+        landmarks: Of the database.
+        parameters: Checked already.
+        table: Its class table.
+    """
+    _require_sound_windows(windows, parameters)
+    _require_sound_landmarks(landmarks, parameters, table)
+
+
+def _require_sound_windows(windows: Windows, parameters: BuildParameters) -> None:
+    if len(windows) > MAXIMUM_WINDOWS:
+        raise ValueError(f"it has {len(windows)} windows")
+    _require_on_map(windows.centers, "a window", parameters)
+    _require(
+        (windows.levels >= 1) & (windows.levels <= len(parameters.levels)), "a window has a level that is not there"
+    )
+    _require((windows.counts >= 0) & (windows.counts < _MOST_COUNTED), "a window has an impossible number of landmarks")
+    width, height = parameters.map_width_px, parameters.map_height_px
+    _require(
+        (windows.sizes > 0) & (windows.sizes < (min(width, height) + 1) * parameters.pixel_size),
+        "a window has an impossible size",
+    )
+    _require(np.abs(windows.vectors) < LARGEST_VECTOR_ELEMENT, "a vector has values that are no numbers")
+    if windows.distinctiveness is not None:
+        found = windows.distinctiveness[~np.isnan(windows.distinctiveness)]
+        _require((found >= 0) & (found < np.inf), "a window has an impossible distinctiveness")
+
+
+def _require_sound_landmarks(landmarks: MapLandmarks, parameters: BuildParameters, table: ClassTable) -> None:
+    if len(landmarks) > MAXIMUM_LANDMARKS:
+        raise ValueError(f"it has {len(landmarks)} landmarks")
+    _require_on_map(landmarks.positions, "a landmark", parameters)
+    _require((landmarks.areas_m2 > 0) & (landmarks.areas_m2 < LARGEST_AREA_M2), "a landmark has an impossible area")
+    _require(np.isin(landmarks.classes, table.reference_values), "a landmark has a class that is no reference class")
+
+
+def _require_on_map(places_xy: np.ndarray, what: str, parameters: BuildParameters) -> None:
+    """Raises ValueError unless all (N, 2) places lie on the label map; NaN lies nowhere."""
+    x_min, y_min, x_max, y_max = parameters.extent
+    slack = _OFF_MAP_PX * parameters.pixel_size
+    lowest, highest = np.array([x_min - slack, y_min - slack]), np.array([x_max + slack, y_max + slack])
+    inside = ((places_xy >= lowest) & (places_xy <= highest)).all(axis=1)
+    if not inside.all():
+        x, y = places_xy[np.argmin(inside)].tolist()
+        raise ValueError(f"{what} lies at {x:g}, {y:g}, off the map")
+
+
+def _require(holds: np.ndarray, otherwise: str) -> None:
+    if not holds.all():
+        raise ValueError(otherwise)
+
+
+def digest(columns: Iterable[np.ndarray | bytes]) -> str:
+    """SHA-256 of columns of a table, one after the other, each with its length before it."""
+    found = hashlib.sha256()
+    for column in columns:
+        data = column if isinstance(column, bytes) else np.ascontiguousarray(column).tobytes()
+        found.update(len(data).to_bytes(8, "little"))
+        found.update(data)
+    return found.hexdigest()

@@ -1,0 +1,81 @@
+"""Values from files, checked where they are read: of the kind, finite, in range and of bounded length."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from typing import TypeVar
+
+Value = TypeVar("Value")
+
+LONGEST_NAME = 255
+"""Characters of a name, a version or a hash: what file systems and OGR's fields hold as well."""
+
+LONGEST_TEXT = 100_000
+"""Characters of any other text, such as a CRS; the longest of EPSG's has 30,000."""
+
+LONGEST_JSON = 64 << 20
+"""Characters of a JSON text: the block hashes of a map of 900,000 × 900,000 pixels, a plan of a million waypoints."""
+
+DEEPEST_JSON = 32
+"""Lists in lists of a JSON text; SemRef's own have three, QGroundControl's plans eight."""
+
+_LONGEST_NUMBER = 64
+
+_JSON_STRING = re.compile(r'"(?:[^"\\]|\\.)*"', re.DOTALL)
+
+
+def read_json(text: str, longest: int = LONGEST_JSON) -> object:
+    """What a JSON text says.
+
+    Args:
+        text: The text.
+        longest: Characters that it may have.
+
+    Raises:
+        ValueError: It is no JSON, too long or too deep, or has a whole number of too many digits.
+    """
+    if len(text) > longest:
+        raise ValueError(f"it has {len(text)} characters, more than {longest}")
+    depth = 0
+    for bracket in re.findall(r"[][{}]", _JSON_STRING.sub("", text)):
+        depth += 1 if bracket in "[{" else -1
+        if depth > DEEPEST_JSON:
+            raise ValueError(f"it has lists in more than {DEEPEST_JSON} lists")
+    return json.loads(text, parse_int=_whole)
+
+
+def _whole(text: str) -> int:
+    if len(text) > _LONGEST_NUMBER:
+        raise ValueError(f"a number has {len(text)} digits")
+    return int(text)
+
+
+def checked(value: object, kind: type[Value] | tuple[type[Value], ...], name: str) -> Value:
+    """``value`` if it is of one of the types ``kind``; raises ValueError otherwise. True and false are no numbers."""
+    if isinstance(value, bool) or not isinstance(value, kind):
+        raise ValueError(f"{name} is {shown(value)}")
+    return value
+
+
+def number(value: object, name: str, above: float = -math.inf, most: float = math.inf) -> float:
+    """``value`` as a finite number above ``above``, up to ``most``; raises ValueError for anything else."""
+    if not above < checked(value, (int, float), name) < math.inf or value > most:
+        raise ValueError(f"{name} is {shown(value)}")
+    return float(value)
+
+
+def short_text(value: object, name: str, longest: int = LONGEST_NAME) -> str:
+    """``value`` if it is a text of at most ``longest`` characters; raises ValueError for anything else."""
+    if len(checked(value, str, name)) > longest:
+        raise ValueError(f"{name} has {len(value)} characters, more than {longest}")
+    return value
+
+
+def shown(value: object) -> str:
+    """A value as it may stand in a sentence, cut to what can be read."""
+    if isinstance(value, int) and abs(value) > 10**_LONGEST_NUMBER:
+        return "a number of too many digits"
+    text = repr(value)
+    return text if len(text) <= _LONGEST_NUMBER else text[:_LONGEST_NUMBER] + "…"

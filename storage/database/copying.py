@@ -1,0 +1,94 @@
+"""A copy of a reference database that holds what SemRef knows, and nothing else."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sqlite3
+import tempfile
+
+from osgeo import gdal, ogr
+
+from ...core.errors import DatabaseError
+from . import schema
+from .connection import snapshot, state
+
+_OWN = (*schema.LAYERS, schema.OVERVIEW)
+_KEPT_PREFIXES = ("gpkg_", "sqlite_", "rtree_windows_geom", "rtree_references_geom")
+
+
+def copy_database(path: str, target: str, state_when_read: tuple) -> None:
+    """Copies what SemRef knows of a database, changes that still wait beside it included.
+
+    Tables, views and triggers of others stay behind; GDAL's triggers, which keep the spatial index, are made anew.
+
+    Args:
+        path: The database.
+        target: A new file.
+        state_when_read: ``connection.state`` of the database when it was read.
+
+    Raises:
+        DatabaseError: It is in use, damaged, or was changed since it was read.
+    """
+    with snapshot(path) as source, contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
+        if state(path) != state_when_read:
+            raise DatabaseError("storage.database_changed", path=path)
+        source.rollback()
+        source.backup(copy)
+        if state(path) != state_when_read:
+            raise DatabaseError("storage.database_changed", path=path)
+        _remove_foreign(copy)
+    # Anew: what was removed from the schema is still known to the connection that removed it.
+    with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
+        _drop_foreign_tables(copy)
+        for statement in _own_triggers(copy):
+            copy.execute(statement)
+        copy.execute("VACUUM")
+
+
+def _remove_foreign(copy: sqlite3.Connection) -> None:
+    """Takes triggers and views out of the schema, without a statement that could run them."""
+    copy.execute("PRAGMA trusted_schema=OFF")
+    copy.execute("PRAGMA writable_schema=ON")
+    copy.execute("DELETE FROM sqlite_master WHERE type IN ('trigger', 'view')")
+    copy.execute("PRAGMA writable_schema=RESET")
+
+
+def _drop_foreign_tables(copy: sqlite3.Connection) -> None:
+    # %w is SQLite's own way to quote a name.
+    rows = copy.execute(
+        "SELECT name, printf('DROP TABLE IF EXISTS \"%w\"', name) FROM sqlite_master WHERE type = 'table'"
+    )
+    foreign = [drop for name, drop in rows.fetchall() if name not in _OWN and not name.startswith(_KEPT_PREFIXES)]
+    for drop in foreign:
+        copy.execute(drop)
+    for statement in _FORGET:
+        if foreign:
+            copy.execute(statement)
+
+
+_FORGET = (
+    "DELETE FROM gpkg_contents WHERE table_name NOT IN (SELECT name FROM sqlite_master)",
+    "DELETE FROM gpkg_ogr_contents WHERE table_name NOT IN (SELECT name FROM sqlite_master)",
+    "DELETE FROM gpkg_geometry_columns WHERE table_name NOT IN (SELECT name FROM sqlite_master)",
+    "DELETE FROM gpkg_extensions WHERE table_name NOT IN (SELECT name FROM sqlite_master)",
+)
+
+
+def _own_triggers(copy: sqlite3.Connection) -> list[str]:
+    """The triggers that this GDAL gives to the tables that are there, as SQL."""
+    there = {name for (name,) in copy.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+    with tempfile.TemporaryDirectory(prefix="semref-") as folder:
+        path = os.path.join(folder, "empty.gpkg")
+        dataset = ogr.GetDriverByName("GPKG").CreateDataSource(path)
+        for name in schema.LAYERS:
+            schema.create_layer(dataset, name, None)
+        schema.close(dataset)
+        del dataset
+        options = ["APPEND_SUBDATASET=YES", f"RASTER_TABLE={schema.OVERVIEW}"]
+        pixel = gdal.GetDriverByName("MEM").Create("", 1, 1)
+        pixel.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
+        schema.close(gdal.GetDriverByName("GPKG").CreateCopy(path, pixel, options=options))
+        with contextlib.closing(sqlite3.connect(path)) as template:
+            found = template.execute("SELECT tbl_name, sql FROM sqlite_master WHERE type = 'trigger'").fetchall()
+    return [sql for table, sql in found if table in there]

@@ -1,0 +1,297 @@
+"""A database is read whole or refused: journals, writers beside it, foreign triggers, values that can't be."""
+
+from __future__ import annotations
+
+import contextlib
+import shutil
+import sqlite3
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_inputs import scattered_objects, write_raster
+
+from semref.core.errors import DatabaseError, SemRefError
+
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+LABELS = scattered_objects(500, 600, 200, seed=3)
+
+HOT_WRITER = """
+import os, sqlite3, sys
+connection = sqlite3.connect(sys.argv[1], isolation_level=None)
+# A cache this small makes SQLite write changed pages into the file before the commit.
+connection.execute("PRAGMA cache_size=2")
+connection.execute("PRAGMA journal_mode=DELETE")
+for function in ("ST_IsEmpty", "ST_MinX", "ST_MinY", "ST_MaxX", "ST_MaxY"):
+    connection.create_function(function, 1, lambda blob: 0)
+connection.execute("BEGIN IMMEDIATE")
+connection.execute('DELETE FROM "references" WHERE fid % 3 = 0')
+connection.execute("UPDATE windows SET center_x = center_x + 100000, vector = zeroblob(length(vector))")
+connection.execute("UPDATE parameters SET value = value || ' '")
+print("written", flush=True)
+sys.stdin.readline()
+os._exit(9)
+"""
+
+
+@pytest.fixture(scope="module")
+def built(build_area):
+    return build_area(LABELS, NAMES, 200, 50)
+
+
+@pytest.fixture
+def database(built, tmp_path):
+    """A copy to spoil."""
+    return Path(shutil.copy(built, tmp_path / "area.gpkg"))
+
+
+@pytest.fixture
+def read(qgis_app):
+    from semref.storage.database.reader import read_database
+
+    return lambda path: read_database(str(path))
+
+
+def spoil(path, *statements) -> None:
+    """Changes a database as its maker would have, without checksums that would tell."""
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("DELETE FROM parameters WHERE key = 'checksums'")
+        # GDAL's triggers ask for its functions.
+        for function in ("ST_IsEmpty", "ST_MinX", "ST_MinY", "ST_MaxX", "ST_MaxY"):
+            connection.create_function(function, 1, lambda blob: 0)
+        for statement in statements:
+            connection.execute(statement)
+
+
+def refusal(read, path) -> str:
+    with pytest.raises(SemRefError) as refused:
+        read(path)
+    text = str(refused.value)
+    assert "\n" not in text and text.endswith("."), text
+    assert len(text) < 600, text
+    return text
+
+
+@contextlib.contextmanager
+def writing(path):
+    """Another process in the midst of a transaction; it dies without ending it."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", HOT_WRITER, str(path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    try:
+        assert process.stdout.readline() == "written\n"
+        yield
+    finally:
+        process.stdin.close()
+        process.wait()
+        process.stdout.close()
+
+
+# --- read whole or refused ---
+
+
+def test_what_a_killed_writer_left_is_rolled_back(read, built, database):
+    with writing(database):
+        pass
+    assert Path(f"{database}-journal").stat().st_size
+    found, whole = read(database), read(built)
+    assert len(found.references) == len(whole.references)
+    np.testing.assert_array_equal(found.windows.centers, whole.windows.centers)
+
+
+def test_what_a_killed_writer_left_is_refused_where_nothing_may_be_written(read, database, monkeypatch):
+    with writing(database):
+        pass
+    monkeypatch.setattr("os.access", lambda path, mode: False)
+    assert "another program" in refusal(read, database)
+
+
+def test_a_database_that_another_program_writes_is_refused(read, database):
+    with writing(database):
+        started = time.monotonic()
+        assert "is being written by another program" in refusal(read, database)
+        assert time.monotonic() - started < 15
+
+
+def test_changes_that_wait_in_a_wal_are_read(read, database):
+    with contextlib.closing(sqlite3.connect(database)) as writer:
+        writer.execute("PRAGMA journal_mode=WAL")
+        writer.execute("UPDATE parameters SET value = '\"9.9.9\"' WHERE key = 'plugin_version'")
+        writer.execute("DELETE FROM parameters WHERE key = 'checksums'")
+        writer.commit()
+        assert read(database).parameters.plugin_version == "9.9.9"
+
+
+def test_reading_leaves_nothing_beside_the_file(read, database):
+    with contextlib.closing(sqlite3.connect(database)) as writer:
+        writer.execute("PRAGMA journal_mode=WAL")
+    before = database.read_bytes()
+    read(database)
+    assert [path.name for path in database.parent.iterdir()] == [database.name]
+    assert database.read_bytes() == before
+
+
+# --- what is not ours ---
+
+
+@pytest.fixture
+def update(run_algorithm, tmp_path):
+    def run(database):
+        labels = LABELS.copy()
+        labels[200:260, 200:260] = 4
+        labels[210:240, 210:230] = 1
+        write_raster(tmp_path / "new.tif", labels, names=NAMES)
+        parameters = {"DATABASE": str(database), "LABELS": str(tmp_path / "new.tif")}
+        return run_algorithm("semref:updatedatabase", {**parameters, "OUTPUT": str(tmp_path / "updated.gpkg")})[
+            "OUTPUT"
+        ]
+
+    return run
+
+
+def schema_of(path) -> set:
+    with contextlib.closing(sqlite3.connect(path)) as connection:
+        return set(connection.execute("SELECT type, name, sql FROM sqlite_master").fetchall())
+
+
+@pytest.mark.parametrize("name", ["harmless", "rtree_windows_geom_delete", "trigger_insert_feature_count_references"])
+def test_a_foreign_trigger_is_neither_run_nor_carried_into_an_update(read, update, built, database, name):
+    whole = read(update(built))
+    spoil(
+        database,
+        f'DROP TRIGGER IF EXISTS "{name}"',
+        f'CREATE TRIGGER "{name}" AFTER UPDATE ON windows BEGIN UPDATE "references" SET class = 2, area = 7; END',
+        'CREATE TRIGGER "more" AFTER INSERT ON "references" BEGIN UPDATE "references" SET area = 7; END',
+        'CREATE VIEW seen AS SELECT * FROM "references"',
+        "CREATE TABLE foreign_table (secret TEXT)",
+    )
+    updated = update(database)
+    found = read(updated)
+    np.testing.assert_array_equal(found.references.areas_m2, whole.references.areas_m2)
+    np.testing.assert_array_equal(found.references.classes, whole.references.classes)
+    assert schema_of(updated) == schema_of(built)
+
+
+def test_an_update_still_keeps_the_spatial_index_and_the_counts(update, database):
+    updated = update(database)
+    with contextlib.closing(sqlite3.connect(updated)) as connection:
+        (count,) = connection.execute('SELECT count(*) FROM "references"').fetchone()
+        assert connection.execute("SELECT count(*) FROM rtree_references_geom").fetchone() == (count,)
+        query = "SELECT feature_count FROM gpkg_ogr_contents WHERE table_name = 'references'"
+        assert connection.execute(query).fetchone() == (count,)
+
+
+@pytest.mark.parametrize(
+    "statements",
+    [
+        ("DROP TABLE windows", "CREATE VIEW windows AS SELECT 1 AS fid"),
+        ("ALTER TABLE windows RENAME TO w", "CREATE VIEW windows AS SELECT * FROM w"),
+        (
+            "ALTER TABLE windows DROP COLUMN vector",
+            "ALTER TABLE windows ADD COLUMN vector GENERATED ALWAYS AS (zeroblob(1000000000)) VIRTUAL",
+        ),
+    ],
+)
+def test_a_table_that_is_no_table_is_refused(read, database, statements):
+    spoil(database, *statements)
+    refusal(read, database)
+
+
+# --- values ---
+
+BAD_VALUES = [
+    "UPDATE windows SET center_x = 1e308",
+    "UPDATE windows SET center_x = NULL",
+    "UPDATE windows SET size = 0",
+    "UPDATE windows SET size = 1e308",
+    "UPDATE windows SET level = 9",
+    "UPDATE windows SET level = 1e300",
+    "UPDATE windows SET reference_count = -4",
+    "UPDATE windows SET reference_count = 9e18",
+    "UPDATE windows SET distinctiveness = -1",
+    "UPDATE windows SET vector = zeroblob(3)",
+    "UPDATE windows SET vector = replace(hex(zeroblob(60)), '00', 'a')",
+    "UPDATE windows SET vector = CAST(replace(hex(zeroblob(30)), '00', x'ffff') AS BLOB)",
+    'UPDATE "references" SET area = NULL',
+    'UPDATE "references" SET area = 0',
+    'UPDATE "references" SET area = 1e308',
+    'UPDATE "references" SET class = 77',
+    'UPDATE "references" SET class = 300',
+    "UPDATE \"references\" SET class = 'x'",
+    'UPDATE "references" SET geom = NULL',
+    "UPDATE \"references\" SET geom = x'47'",
+    'UPDATE "references" SET geom = CAST(substr(geom, 1, 13) || zeroblob(16) AS BLOB)',
+    'UPDATE "references" SET geom = 3',
+    "UPDATE classes SET value = 1e300",
+    "UPDATE classes SET draw_order = 'NaN'",
+    "UPDATE classes SET name = hex(zeroblob(4000000))",
+    "UPDATE parameters SET value = hex(zeroblob(4000000)) WHERE key = 'crs'",
+    "UPDATE parameters SET value = replace(hex(zeroblob(50000)), '00', '[') WHERE key = 'levels'",
+    "UPDATE parameters SET value = '[]' WHERE key = 'levels'",
+    "UPDATE parameters SET value = '[1, 0]' WHERE key = 'levels'",
+    "UPDATE parameters SET value = '[-1]' WHERE key = 'levels'",
+    "UPDATE parameters SET value = '1e308' WHERE key = 'pixel_size'",
+    "UPDATE parameters SET value = 'NaN' WHERE key = 'stride'",
+    "UPDATE parameters SET value = '[1e308, 1, 0, 1e308, 0, -1]' WHERE key = 'geotransform'",
+    "UPDATE parameters SET value = '[NaN, 1, 0, 0, 0, -1]' WHERE key = 'geotransform'",
+    "UPDATE parameters SET value = '[550000, 0, 0, 5220000, 0, 0]' WHERE key = 'geotransform'",
+    "UPDATE parameters SET value = '1e400' WHERE key = 'minimum_area'",
+    "UPDATE parameters SET value = replace(hex(zeroblob(5000)), '0', '1') WHERE key = 'map_width_px'",
+    "UPDATE parameters SET value = '2000000000' WHERE key = 'references_per_vector'",
+    "UPDATE parameters SET value = '{}' WHERE key = 'crs'",
+    "UPDATE parameters SET key = x'ff'",
+]
+
+
+@pytest.mark.parametrize("statement", BAD_VALUES)
+def test_a_value_that_can_not_be_is_refused_in_one_sentence(read, database, statement):
+    spoil(database, statement)
+    refusal(read, database)
+
+
+# --- paths ---
+
+
+@pytest.mark.parametrize("name", ['a"b.gpkg', "a:b.gpkg", "a'b ? #%41.gpkg"])
+def test_an_odd_path_has_its_overview(qgis_app, built, tmp_path, name):
+    from semref.storage.database.reader import read_overview
+
+    np.testing.assert_array_equal(read_overview(str(shutil.copy(built, tmp_path / name))), read_overview(built))
+
+
+@pytest.mark.parametrize("name", ['a"b', "a:b"])
+def test_an_odd_path_can_be_updated(update, built, tmp_path, name):
+    (tmp_path / name).mkdir()
+    database = shutil.copy(built, tmp_path / name / f"{name}.gpkg")
+    assert Path(update(database)).is_file()
+
+
+# --- checksums ---
+
+
+def test_a_flipped_bit_in_a_stored_number_is_refused(read, built, database):
+    from semref.storage.database.reader import read_overview
+
+    data, whole = database.read_bytes(), read(built)
+    with contextlib.closing(sqlite3.connect(database)) as connection:
+        tile = connection.execute("SELECT tile_data FROM overview").fetchone()[0]
+    targets = [
+        whole.windows.vectors[whole.windows.described][5].astype("<f4").tobytes()[:8],
+        whole.references.positions[4].astype("<f8").tobytes(),
+        whole.parameters.map_hash.encode(),
+        tile[60:80],
+    ]
+    for target in targets:
+        place = data.index(target) + len(target) - 1
+        database.write_bytes(data[:place] + bytes([data[place] ^ 1]) + data[place + 1 :])
+        with pytest.raises(DatabaseError):
+            read(database)
+            read_overview(str(database))
+
+
+def test_a_database_without_checksums_still_opens(read, database):
+    spoil(database)
+    assert len(read(database).references)
