@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Sequence
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Callable
 
 import cv2
 import numpy as np
@@ -15,6 +15,7 @@ from ..errors import ModelError
 from ..labels.class_table import ClassTable
 from ..sentences import Sentence
 from .metadata import named_channels, read_classes, read_settings
+from .onnx_file import read_header, smallest_model
 
 if TYPE_CHECKING:
     from onnxruntime import InferenceSession
@@ -39,6 +40,9 @@ RUNS_AT_ONCE = 2
 one run of all, and each that runs holds its own intermediate results in memory."""
 
 _CPU = PROVIDERS[-1]
+_IR_VERSION_OF_ALL, _OPSET_OF_ALL, _HIGHEST_ASKED = 4, 11, 100
+"""Versions that every onnxruntime knows, and one that none knows."""
+
 _FLOATS = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
 _BANDS = 3
 
@@ -203,22 +207,56 @@ def _open(path: str, threads: int) -> InferenceSession:
     try:
         return onnxruntime.InferenceSession(path, options, providers=_providers())
     except _failures() as error:
-        raise ModelError(_why_not_opened(path, str(error), onnxruntime.__version__)) from error
+        raise ModelError(_why_not_opened(path, error, onnxruntime.__version__)) from error
 
 
-def _why_not_opened(path: str, text: str, version: str) -> Sentence:
-    """One sentence for what onnxruntime says in many words."""
-    newer = re.search(r"Unsupported model IR version: (\d+), max supported IR version: (\d+)", text)
-    if newer:
-        return Sentence("segmentation.newer_ir", path=path, found=newer[1], version=version, known=newer[2])
-    opset = re.search(r"Opset (\d+) is under development.*?domain \S+ is till opset (\d+)", text, re.DOTALL)
-    if opset:
-        return Sentence("segmentation.newer_opset", path=path, found=opset[1], version=version, known=opset[2])
-    if re.search(r"external|no such file|file size", text, re.IGNORECASE):
-        return Sentence("segmentation.weights_missing", path=path, reason=_reason(text))
-    if re.search("INVALID_PROTOBUF|Protobuf parsing failed|does not have a graph", text):
+def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
+    """One sentence for why onnxruntime refused a file; by what is in the file, for messages change with releases."""
+    header = read_header(_content(path))
+    if header is None:
         return Sentence("segmentation.no_onnx", path=path)
-    return Sentence("segmentation.not_run", path=path, version=version, reason=_reason(text))
+    known = _newest_known(header.ir_version, lambda ir_version: smallest_model(ir_version, _OPSET_OF_ALL))
+    if known < header.ir_version:
+        return Sentence("segmentation.newer_ir", path=path, found=header.ir_version, version=version, known=known)
+    known = _newest_known(header.opset, lambda opset: smallest_model(_IR_VERSION_OF_ALL, opset))
+    if known < header.opset:
+        return Sentence("segmentation.newer_opset", path=path, found=header.opset, version=version, known=known)
+    missing = header.missing_weights(path)
+    if missing:
+        return Sentence("segmentation.weights_missing", path=path, reason=missing)
+    return Sentence("segmentation.not_run", path=path, version=version, reason=_reason(error))
+
+
+def _content(path: str) -> bytes:
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError:
+        return b""
+
+
+def _newest_known(asked: int, model: Callable[[int], bytes]) -> int:
+    """The highest version up to the one asked for that onnxruntime opens a model of."""
+    for tried in range(min(asked, _HIGHEST_ASKED), 0, -1):
+        if _opens(model(tried)):
+            return asked if tried == min(asked, _HIGHEST_ASKED) < _HIGHEST_ASKED else tried
+    return 0
+
+
+def _opens(model: bytes) -> bool:
+    onnxruntime = _onnxruntime()
+    from onnxruntime.capi import onnxruntime_pybind11_state as state
+
+    options = onnxruntime.SessionOptions()
+    options.log_severity_level = 4
+    try:
+        onnxruntime.InferenceSession(model, options, providers=[_CPU])
+    except state.NotImplemented:
+        # The version is known, but this build lacks the one operator.
+        return True
+    except _failures():
+        return False
+    return True
 
 
 def _reason(error: object) -> str:

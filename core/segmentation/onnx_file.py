@@ -1,0 +1,115 @@
+"""What an ONNX file says before a network is made of it; read without onnxruntime, whose messages change.
+
+ONNX is protobuf: a message is a row of fields, each with a number and a value that is a whole number, bytes of a stated
+length (text, another message) or 4 or 8 bytes. Fields that are not asked for are passed over.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+_VARINT, _EIGHT_BYTES, _LENGTH, _FOUR_BYTES = 0, 1, 2, 5
+_IR_VERSION, _GRAPH, _OPSETS = 1, 7, 8
+_DOMAIN, _VERSION = 1, 2
+_INITIALIZER, _EXTERNAL_DATA = 5, 13
+_KEY, _VALUE = 1, 2
+
+
+@dataclass(frozen=True)
+class OnnxHeader:
+    """What a model says about itself.
+
+    Attributes:
+        ir_version: Of the format; 0 when it says none.
+        opset: Version of ONNX's own operators; 0 when it says none.
+        weight_files: Names of other files that hold its weights.
+    """
+
+    ir_version: int
+    opset: int
+    weight_files: tuple[str, ...]
+
+    def missing_weights(self, path: str) -> str:
+        """The first file of weights that is not beside the model, or nothing."""
+        folder = os.path.dirname(path)
+        return next((name for name in self.weight_files if not os.path.isfile(os.path.join(folder, name))), "")
+
+
+def read_header(data: bytes) -> OnnxHeader | None:
+    """What the bytes of an ONNX file say; None when they are no protobuf or hold no graph."""
+    ir_version, opset, graph = 0, 0, None
+    try:
+        for number, value in _fields(memoryview(data)):
+            if number == _IR_VERSION and isinstance(value, int):
+                ir_version = value
+            elif number == _GRAPH and isinstance(value, memoryview):
+                graph = value
+            elif number == _OPSETS and isinstance(value, memoryview):
+                stated = dict(_fields(value))
+                version = stated.get(_VERSION, 0)
+                if not stated.get(_DOMAIN) and isinstance(version, int):
+                    opset = version
+        return None if graph is None else OnnxHeader(ir_version, opset, tuple(_weight_files(graph)))
+    except ValueError:
+        return None
+
+
+def smallest_model(ir_version: int, opset: int) -> bytes:
+    """A model of one operator, to ask onnxruntime which versions it knows (each from 1 to 127)."""
+
+    def part(number: int, data: bytes) -> bytes:
+        return bytes([number << 3 | _LENGTH, len(data)]) + data
+
+    one_float = part(1, b"\x08\x01" + part(2, part(1, b"\x08\x01")))
+    node = part(1, b"x") + part(2, b"y") + part(4, b"Identity")
+    ends = part(11, part(1, b"x") + part(2, one_float)) + part(12, part(1, b"y") + part(2, one_float))
+    graph = part(1, node) + part(2, b"g") + ends
+    return bytes([_IR_VERSION << 3, ir_version]) + part(_GRAPH, graph) + part(_OPSETS, bytes([_VERSION << 3, opset]))
+
+
+def _weight_files(graph: memoryview) -> list[str]:
+    found: dict[str, None] = {}
+    for number, tensor in _fields(graph):
+        if number != _INITIALIZER or not isinstance(tensor, memoryview):
+            continue
+        for inner, entry in _fields(tensor):
+            if inner == _EXTERNAL_DATA and isinstance(entry, memoryview):
+                texts = {key: bytes(text) for key, text in _fields(entry) if isinstance(text, memoryview)}
+                if texts.get(_KEY) == b"location":
+                    found[texts.get(_VALUE, b"").decode("utf-8", "replace")] = None
+    return list(found)
+
+
+def _fields(data: memoryview) -> Iterator[tuple[int, int | memoryview]]:
+    """(number, value) of each field; raises ValueError where the bytes are no protobuf."""
+    place = 0
+    while place < len(data):
+        key, place = _varint(data, place)
+        number, kind = key >> 3, key & 7
+        if kind == _VARINT:
+            value, place = _varint(data, place)
+            yield number, value
+            continue
+        size = {_EIGHT_BYTES: 8, _FOUR_BYTES: 4}.get(kind)
+        if kind == _LENGTH:
+            size, place = _varint(data, place)
+        if size is None or number == 0 or place + size > len(data):
+            raise ValueError
+        yield number, data[place : place + size]
+        place += size
+
+
+def _varint(data: memoryview, place: int) -> tuple[int, int]:
+    """A whole number and the place behind it."""
+    value = 0
+    for shift in range(0, 70, 7):
+        if place >= len(data):
+            break
+        byte = data[place]
+        place += 1
+        value |= (byte & 0x7F) << shift
+        if byte < 0x80:
+            return value, place
+    raise ValueError

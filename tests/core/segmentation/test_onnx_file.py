@@ -1,0 +1,37 @@
+"""What an ONNX file says about itself, read by hand."""
+
+import numpy as np
+import pytest
+
+from semref.core.segmentation.onnx_file import read_header, smallest_model
+
+
+def test_the_smallest_model_says_its_versions():
+    header = read_header(smallest_model(7, 19))
+    assert (header.ir_version, header.opset, header.weight_files) == (7, 19, ())
+
+
+@pytest.mark.parametrize("content", [b"", b"\x08\x08", b"no model at all", b"\xff" * 40, b"\x3a\x7f"])
+def test_what_is_no_model_has_no_header(content):
+    assert read_header(content) is None
+
+
+def test_any_bytes_are_read_or_refused():
+    random = np.random.default_rng(3)
+    whole = smallest_model(7, 19)
+    for _ in range(2000):
+        changed = bytearray(whole)
+        changed[random.integers(len(whole))] = random.integers(256)
+        read_header(bytes(changed[: random.integers(len(whole) + 1)]))
+
+
+def test_weights_that_are_not_beside_the_model_are_named(tmp_path):
+    onnx = pytest.importorskip("onnx")
+    weights = onnx.TensorProto(name="w", dims=[1], data_type=1, data_location=1)
+    for key, value in (("location", "weights.bin"), ("offset", "0")):
+        weights.external_data.add(key=key, value=value)
+    graph = onnx.GraphProto(name="g", initializer=[weights])
+    header = read_header(onnx.ModelProto(ir_version=8, graph=graph).SerializeToString())
+    assert header.missing_weights(str(tmp_path / "m.onnx")) == "weights.bin"
+    (tmp_path / "weights.bin").write_bytes(b"1234")
+    assert header.missing_weights(str(tmp_path / "m.onnx")) == ""
