@@ -10,10 +10,11 @@ import importlib.util
 import os
 import shutil
 import sys
+import sysconfig
 from dataclasses import dataclass
 from importlib.machinery import PathFinder
 from pathlib import Path
-from typing import Iterable, List
+from typing import Dict, Iterable, List, Set
 
 import numpy as np
 from qgis.core import QgsApplication
@@ -37,6 +38,7 @@ class Package:
     newest_part: str = ""
     """A module in it that versions too old for SemRef lack."""
     limits: str = ""
+    """Versions that pip may take; none is newer than those that tests passed with (tools/test_newest.sh)."""
     limits_before_numpy_2: str = ""
 
     @property
@@ -58,9 +60,9 @@ OPENCV = Package(
     fedora="python3-opencv",
     arch="python-opencv",
     conda="opencv",
-    limits=">=4.10",
+    limits=">=4.10,<5.1",
     # 4.12 asks for numpy 2.
-    limits_before_numpy_2="<4.12",
+    limits_before_numpy_2=">=4.5,<4.12",
 )
 SHAPELY = Package(
     title="Shapely",
@@ -72,8 +74,8 @@ SHAPELY = Package(
     conda="shapely",
     newest_part="constructive",
     # From 2.0.5 its wheels work with numpy 1 and 2.
-    limits=">=2.0.5",
-    limits_before_numpy_2=">=2",
+    limits=">=2.0.5,<2.3",
+    limits_before_numpy_2=">=2,<2.3",
 )
 # Its wheels ask pip for flatbuffers, protobuf, sympy, … too; a network is read and run without them.
 ONNXRUNTIME = Package(
@@ -85,7 +87,8 @@ ONNXRUNTIME = Package(
     arch="python-onnxruntime",
     conda="onnxruntime",
     # From 1.19 its wheels work with numpy 1 and 2.
-    limits=">=1.19",
+    limits=">=1.19,<1.32",
+    limits_before_numpy_2=">=1.19,<1.32",
 )
 PACKAGES = (OPENCV, SHAPELY, ONNXRUNTIME)
 
@@ -171,17 +174,26 @@ def how_to_install(packages: List[Package]) -> Sentence:
 
 
 def install_command(packages: List[Package]) -> str:
-    """What installs packages without SemRef: the system's package manager where it is known, else pip."""
+    """What installs packages without SemRef: the system's package manager for what it has, pip for the rest."""
     manager = _package_manager()
-    if manager in _INSTALL:
-        return " ".join([_INSTALL[manager], *(getattr(package, manager) for package in packages)])
-    return _pip_install(packages)
+    if manager not in _INSTALL:
+        return _pip_install(packages)
+    lacking = set() if manager == "conda" else lacking_in_release(_os_release())
+    there = [package for package in packages if package.module not in lacking]
+    others = [package for package in packages if package.module in lacking]
+    commands = [" ".join([_INSTALL[manager], *(getattr(package, manager) for package in there)])] if there else []
+    return " && ".join(commands + ([_pip_install(others)] if others else []))
 
 
 def _pip_install(packages: List[Package]) -> str:
     # Without dependencies: pip must not replace QGIS's numpy.
     requirements = (f'"{package.requirement(np.__version__)}"' for package in packages)
-    return " ".join(["python3 -m pip install --no-deps", *requirements])
+    python = os.path.join(sys.prefix, "bin", "python3")
+    # pip refuses to install beside the distribution's packages unless it is told to; --user leaves those alone.
+    managed = os.path.isfile(os.path.join(sysconfig.get_path("stdlib"), "EXTERNALLY-MANAGED"))
+    options = ["--user", "--break-system-packages"] if managed and sys.prefix == sys.base_prefix else []
+    program = python if os.path.isfile(python) else "python3"
+    return " ".join([program, "-m pip install --no-deps", *options, *requirements])
 
 
 def how_to_get_pip() -> str:
@@ -203,16 +215,45 @@ _INSTALL = {
 }
 
 
+_LACKING = {
+    **dict.fromkeys(("focal", "jammy", "bullseye", "bookworm"), ("shapely", "onnxruntime")),
+    "noble": ("onnxruntime",),
+}
+"""By code name of a release of Debian or Ubuntu: what it does not have, or too old (Shapely before 2)."""
+
+_ENTERPRISE = ("rhel", "centos", "rocky", "almalinux", "ol")
+"""IDs of systems like Fedora whose own archives have none of the packages."""
+
+
 def _package_manager() -> str:
     """A key of _INSTALL, or nothing."""
     if (Path(sys.prefix) / "conda-meta").is_dir():
         return "conda"
+    return system_family(_os_release())
+
+
+def _os_release() -> str:
     release = Path("/etc/os-release")
-    return system_family(release.read_text(encoding="utf-8")) if release.is_file() else ""
+    return release.read_text(encoding="utf-8") if release.is_file() else ""
+
+
+def _release_fields(os_release: str) -> Dict[str, str]:
+    lines = (line.split("=", 1) for line in os_release.splitlines() if "=" in line)
+    return {name: text.strip().strip("\"'") for name, text in lines}
+
+
+def lacking_in_release(os_release: str) -> Set[str]:
+    """Modules that the archive of a release does not have in a version for SemRef, from the text of /etc/os-release."""
+    fields = _release_fields(os_release)
+    if fields.get("ID") in _ENTERPRISE:
+        return {package.module for package in PACKAGES}
+    # Of a system made from Ubuntu or Debian, such as Mint, first the name of what it was made from.
+    names = (fields.get(key, "") for key in ("UBUNTU_CODENAME", "DEBIAN_CODENAME", "VERSION_CODENAME"))
+    return set(_LACKING.get(next(filter(None, names), ""), ()))
 
 
 def system_family(os_release: str) -> str:
     """debian, fedora, arch or nothing, from the text of /etc/os-release."""
-    fields = dict(line.split("=", 1) for line in os_release.splitlines() if "=" in line)
-    names = f"{fields.get('ID', '')} {fields.get('ID_LIKE', '')}".replace('"', "").split()
+    fields = _release_fields(os_release)
+    names = f"{fields.get('ID', '')} {fields.get('ID_LIKE', '')}".split()
     return next((name for name in names if name in ("debian", "fedora", "arch")), "")

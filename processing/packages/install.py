@@ -11,6 +11,7 @@ import json
 import os
 import re
 import sys
+import sysconfig
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Dict, Generator, List
@@ -69,21 +70,34 @@ def installing(packages: List[Package], wheels: str = "") -> Commands:
 
 # --- the interpreter ---
 
-_ASK = "import importlib.util, sys; print(*sys.version_info[:2], importlib.util.find_spec('pip') is not None)"
+_ASK = """
+import importlib.util, json, sys, sysconfig
+build = [sys.version, sysconfig.get_config_var("EXT_SUFFIX")]
+print(json.dumps({"build": build, "pip": importlib.util.find_spec("pip") is not None}))
+"""
+
+
+def running_build() -> List[str]:
+    """What tells QGIS's Python from others: version with date and compiler of its build, ending of its binaries."""
+    return [sys.version, sysconfig.get_config_var("EXT_SUFFIX")]
 
 
 def _find_python(packages: List[Package]) -> Generator[Command, Answer, str]:
-    """The path of a Python like QGIS's that has pip."""
+    """The path of QGIS's own Python, if it has pip.
+
+    Another build of the same version – of pyenv or conda, first on PATH – would take wheels that QGIS can't load.
+    """
     version = sys.version_info[:2]
-    candidates = python_candidates(sys.executable or "", sys.exec_prefix, version, os.name == "nt")
+    candidates = python_candidates(sys.executable or "", sys.prefix, version, os.name == "nt")
     without_pip = ""
     for path in filter(os.path.isfile, candidates):
         answer = yield Command(tr("Looking for QGIS’s Python…"), path, ["-c", _ASK], os.path.dirname(path))
-        words = answer.output.split()[-3:]
-        if answer.status == 0 and words == [str(version[0]), str(version[1]), "True"]:
+        found = _answer_of(answer)
+        if found.get("build") != running_build():
+            continue
+        if found.get("pip") is True:
             return path
-        if answer.status == 0 and words[:2] == [str(version[0]), str(version[1])]:
-            without_pip = without_pip or path
+        without_pip = without_pip or path
     if without_pip:
         raise ComponentError(
             "packages.no_pip", python=without_pip, how_to_get_pip=how_to_get_pip(), command=install_command(packages)
@@ -96,14 +110,32 @@ def _find_python(packages: List[Package]) -> Generator[Command, Answer, str]:
     )
 
 
+def _answer_of(answer: Answer) -> Dict[str, object]:
+    """What _ASK printed; nothing when it did not."""
+    lines = answer.output.strip().splitlines()
+    try:
+        found = json.loads(lines[-1]) if answer.status == 0 and lines else {}
+    except ValueError:
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
 def python_candidates(executable: str, prefix: str, version: tuple, windows: bool) -> List[str]:
-    """Where QGIS's Python may lie, likeliest first; ``executable`` (sys.executable) may be QGIS itself."""
+    """Where QGIS's Python may lie, likeliest first.
+
+    Args:
+        executable: sys.executable, which may be QGIS itself, or what comes first on PATH.
+        prefix: sys.prefix: where the running Python lies.
+        version: Its first two numbers.
+        windows: Whether it runs there.
+    """
     if windows:
         return [os.path.join(prefix, "python.exe"), os.path.join(prefix, "python3.exe")]
     exact = f"python{version[0]}.{version[1]}"
     folders = [os.path.join(prefix, "bin"), os.path.join(os.path.dirname(executable), "bin"), "/usr/bin"]
-    paths = [executable] if os.path.basename(executable).startswith("python") else []
-    paths += [os.path.join(folder, name) for folder in folders for name in (exact, "python3")]
+    paths = [os.path.join(folder, name) for folder in folders for name in (exact, "python3")]
+    if os.path.basename(executable).startswith("python"):
+        paths.append(executable)
     return list(dict.fromkeys(paths))
 
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import importlib.util
+import json
 import os
+import shlex
 import sys
+import sysconfig
 import time
 import zipfile
 from pathlib import Path
@@ -23,6 +26,7 @@ from semref.ui.packages.component_installer import ComponentInstaller
 needs_pip = pytest.mark.skipif(importlib.util.find_spec("pip") is None, reason="this Python has no pip")
 
 DEADLINE_S = 60
+EXT_SUFFIX = sysconfig.get_config_var("EXT_SUFFIX")
 GOOD = Package("Made", "semref_made", "semref-made", "python3-made", "made", "python-made", "made")
 BROKEN = Package("Broken", "semref_broken", "semref-broken", "python3-broken", "broken", "python-broken", "broken")
 
@@ -135,8 +139,8 @@ def test_a_folder_without_the_wheel_is_explained(root, tmp_path, installer):
 
 
 def test_a_cancel_leaves_nothing_and_what_was_there_as_it_was(root, tmp_path, wheels, installer, monkeypatch):
-    script = 'case "$1" in -c) echo 3 {0} True;; *) touch "${{@: -1}}"; exec sleep 60;; esac'
-    python = python_that_answers(tmp_path, script.format(sys.version_info[1]))
+    script = f'case "$1" in -c) {answers()};; *) touch "${{@: -1}}"; exec sleep 60;; esac'
+    python = python_that_answers(tmp_path, script)
     monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python])
     path = list(sys.path)
     installer.start([GOOD], str(wheels))
@@ -152,9 +156,9 @@ def test_a_cancel_leaves_nothing_and_what_was_there_as_it_was(root, tmp_path, wh
 
 
 def test_a_python_without_pip_is_explained_with_the_command_of_the_system(root, tmp_path, installer, monkeypatch):
-    python = python_that_answers(tmp_path, f"echo 3 {sys.version_info[1]} False")
+    python = python_that_answers(tmp_path, answers(pip=False))
     monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python])
-    monkeypatch.setattr(components, "_package_manager", lambda: "debian")
+    monkeypatch.setattr(components, "_os_release", lambda: TRIXIE)
     installer.start([GOOD])
     sentence = end_of(installer)
     assert f"{python}, the Python of QGIS, has no pip" in sentence
@@ -162,8 +166,21 @@ def test_a_python_without_pip_is_explained_with_the_command_of_the_system(root, 
     assert is_tidy(root)
 
 
-@pytest.mark.parametrize("script", ["echo 2 7 True", "exit 3", "kill -9 $$"])
-def test_a_python_of_another_version_or_a_broken_one_is_not_used(root, tmp_path, installer, monkeypatch, script):
+def answers(pip=True, version=sys.version, ending=EXT_SUFFIX):
+    """The shell's command that answers as a Python of that build would."""
+    return "echo " + shlex.quote(json.dumps({"build": [version, ending], "pip": pip}).replace("\\", "\\\\"))
+
+
+OTHER_BUILDS = [
+    answers(version=sys.version.replace("(", "(another build, ")),
+    answers(ending=".cpython-27d.so"),
+    "echo 3 11 True",
+    "echo '[]'",
+]
+
+
+@pytest.mark.parametrize("script", [*OTHER_BUILDS, "exit 3", "kill -9 $$"])
+def test_a_python_of_another_build_or_a_broken_one_is_not_used(root, tmp_path, installer, monkeypatch, script):
     python = python_that_answers(tmp_path, script)
     monkeypatch.setattr(component_install, "python_candidates", lambda *a: [python, str(tmp_path / "missing")])
     installer.start([GOOD])
@@ -214,8 +231,15 @@ def test_the_folder_changes_with_the_versions_of_python_and_numpy():
 
 
 def test_opencv_fits_the_running_numpy():
-    assert OPENCV.requirement("1.24.2") == "opencv-python-headless<4.12"
-    assert OPENCV.requirement("2.2.4") == "opencv-python-headless>=4.10"
+    assert OPENCV.requirement("1.24.2") == "opencv-python-headless>=4.5,<4.12"
+    assert OPENCV.requirement("2.2.4") == "opencv-python-headless>=4.10,<5.1"
+
+
+@pytest.mark.parametrize("package", [OPENCV, SHAPELY, ONNXRUNTIME])
+@pytest.mark.parametrize("numpy_version", ["1.24.2", "2.4.6"])
+def test_pip_takes_no_version_that_was_not_tested(package, numpy_version):
+    limits = package.requirement(numpy_version).partition(package.pip_name)[2].split(",")
+    assert [limit[0] for limit in limits] == [">", "<"]
 
 
 def test_pip_gets_no_dependencies_no_sources_and_no_index_of_ours():
@@ -268,7 +292,9 @@ def test_every_failure_of_pip_is_one_sentence(qgis_app, output, words):
 
 def test_python_is_looked_for_where_qgis_has_it():
     linux = component_install.python_candidates("/usr/bin/python3", "/usr", (3, 11), False)
-    assert linux[:2] == ["/usr/bin/python3", "/usr/bin/python3.11"] and len(linux) == len(set(linux))
+    assert linux == ["/usr/bin/python3.11", "/usr/bin/python3", "/usr/bin/bin/python3.11", "/usr/bin/bin/python3"]
+    pyenv = component_install.python_candidates("/home/me/.pyenv/shims/python3", "/usr", (3, 11), False)
+    assert pyenv[0] == "/usr/bin/python3.11" and pyenv[-1] == "/home/me/.pyenv/shims/python3"
     bundle = "/Applications/QGIS.app/Contents/MacOS"
     mac = component_install.python_candidates(f"{bundle}/QGIS", "/other", (3, 9), False)
     assert f"{bundle}/bin/python3.9" in mac and f"{bundle}/QGIS" not in mac
@@ -292,14 +318,60 @@ def test_the_package_manager_is_known_from_os_release(text, family):
     assert components.system_family(text) == family
 
 
-def test_commands_name_the_packages_as_each_system_does(monkeypatch):
-    packages = [OPENCV, SHAPELY, ONNXRUNTIME]
-    monkeypatch.setattr(components, "_package_manager", lambda: "debian")
-    assert components.install_command(packages) == (
-        "sudo apt install python3-opencv python3-shapely python3-onnxruntime"
+def release(identity, codename, **others):
+    return "".join(
+        f'{key}="{text}"\n' for key, text in {"ID": identity, "VERSION_CODENAME": codename, **others}.items()
     )
-    monkeypatch.setattr(components, "_package_manager", lambda: "")
-    assert components.install_command([OPENCV]).startswith('python3 -m pip install --no-deps "opencv-python-headless')
+
+
+TRIXIE = release("debian", "trixie")
+PIP = "-m pip install --no-deps"
+
+
+@pytest.mark.parametrize(
+    ("text", "apt", "by_pip"),
+    [
+        (TRIXIE, "sudo apt install python3-opencv python3-shapely python3-onnxruntime", []),
+        (release("debian", "bookworm"), "sudo apt install python3-opencv", [SHAPELY, ONNXRUNTIME]),
+        (release("ubuntu", "jammy", ID_LIKE="debian"), "sudo apt install python3-opencv", [SHAPELY, ONNXRUNTIME]),
+        (
+            release("ubuntu", "noble", ID_LIKE="debian"),
+            "sudo apt install python3-opencv python3-shapely",
+            [ONNXRUNTIME],
+        ),
+        (
+            release("linuxmint", "wilma", ID_LIKE="ubuntu debian", UBUNTU_CODENAME="noble"),
+            "sudo apt install python3-opencv python3-shapely",
+            [ONNXRUNTIME],
+        ),
+        (release("fedora", ""), "sudo dnf install python3-opencv python3-shapely python3-onnxruntime", []),
+        (release("rocky", "", ID_LIKE="rhel fedora"), "", [OPENCV, SHAPELY, ONNXRUNTIME]),
+        ("", "", [OPENCV, SHAPELY, ONNXRUNTIME]),
+    ],
+)
+def test_commands_are_those_of_the_distribution_and_its_release(monkeypatch, text, apt, by_pip):
+    """Debian 12 has no onnxruntime, and a Shapely before 2."""
+    monkeypatch.setattr(components, "_os_release", lambda: text)
+    by_manager, _, rest = components.install_command([OPENCV, SHAPELY, ONNXRUNTIME]).rpartition(" && ")
+    if not by_pip:
+        by_manager, rest = rest, ""
+    assert by_manager == apt
+    assert (PIP in rest) == bool(by_pip)
+    assert [package for package in components.PACKAGES if package.pip_name in rest] == by_pip
+
+
+def test_pip_is_that_of_the_running_python_and_may_install_beside_the_distribution_s(tmp_path, monkeypatch):
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "python3").touch()
+    (tmp_path / "EXTERNALLY-MANAGED").touch()
+    monkeypatch.setattr(sys, "prefix", str(tmp_path))
+    monkeypatch.setattr(sys, "base_prefix", str(tmp_path))
+    monkeypatch.setattr(components.sysconfig, "get_path", lambda name: str(tmp_path))
+    monkeypatch.setattr(components, "_os_release", lambda: "")
+    start = f"{tmp_path}/bin/python3 {PIP} --user --break-system-packages "
+    assert components.install_command([OPENCV]).startswith(start)
+    (tmp_path / "EXTERNALLY-MANAGED").unlink()
+    assert components.install_command([OPENCV]).startswith(f'{tmp_path}/bin/python3 {PIP} "opencv-python-headless')
 
 
 # --- what is missing ---
