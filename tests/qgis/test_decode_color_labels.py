@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
 from osgeo import gdal
-from qgis.core import QgsRasterLayer
+from qgis.core import QgsProcessingException, QgsRasterLayer
 
 DECODE = "semref:decodecolorlabels"
 HSV_RANGES, NEAREST_COLOR = 0, 1
@@ -153,6 +153,8 @@ def test_an_image_of_several_slices_equals_one_decoded_at_once(decode, tmp_path,
     np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
 
 
-def test_the_output_may_replace_its_input(decode, tmp_path):
+def test_a_label_map_never_replaces_its_color_image(decode, tmp_path):
     image = write_raster(tmp_path / "a.tif", painted(LABELS))
-    np.testing.assert_array_equal(read_pixels(decode(image, OUTPUT=str(image))), LABELS)
+    with pytest.raises(QgsProcessingException, match="the same file"):
+        decode(image, OUTPUT=str(image))
+    np.testing.assert_array_equal(read_pixels(image), painted(LABELS))
