@@ -2732,6 +2732,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Fenster ({size} px) ist größer als die Karte ({width} × {height} px); ein kleineres Fenster oder eine größere Karte wählen.</translation>
   </message>
   <message>
+   <source>The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, above 0.</source>
+   <translation>Die Fenster haben eine Kante von {window_size:g} und eine Schrittweite von {stride:g}; geben Sie beide in Karteneinheiten an, größer als 0.</translation>
+  </message>
+  <message>
    <source>The windows' sizes are not those of their levels; build the database again.</source>
    <translation>Die Größen der Fenster sind nicht die ihrer Stufen; die Datenbank neu erstellen.</translation>
   </message>
@@ -3720,8 +3724,20 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} gibt Werte aus, die keine Zahlen sind (NaN oder unendlich); es ist beschädigt, oder seine standardization_mean und standardization_std sind nicht die, mit denen es trainiert wurde.</translation>
   </message>
   <message>
+   <source>{path} gives {kind}; a segmentation network gives one array of numbers.</source>
+   <translation>{path} liefert {kind}; ein Segmentierungsnetz liefert ein Feld von Zahlen.</translation>
+  </message>
+  <message>
    <source>{path} has 2 bands; a label map has one: save it without transparency.</source>
    <translation>{path} hat 2 Kanäle; eine Klassenkarte hat einen: ohne Transparenz speichern.</translation>
+  </message>
+  <message>
+   <source>{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.</source>
+   <translation>{path} hat eine Georeferenz, die keine Karte hat ({numbers}); geben Sie der Datei ihren Ort neu.</translation>
+  </message>
+  <message>
+   <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
+   <translation>{path} hat eine Zeile mit mehr als {most} Zeichen, wie sie keine Kameratabelle hat; wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>{path} has a line that is no waypoint: {line}</source>
@@ -3960,6 +3976,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} nennt keines der Bilder, zum Beispiel {image}; die Spalte image enthält ihre Dateinamen.</translation>
   </message>
   <message>
+   <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
+   <translation>{path} nimmt Bilder mit {width} × {height} Pixeln; ein Segmentierungsnetz nimmt bis zu {most} × {most}: Exportieren Sie es mit kleinerer oder freier Größe.</translation>
+  </message>
+  <message>
    <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
    <translation>{path} nimmt Eingaben der Form {shape}; sie muss 1 × 3 × Höhe × Breite sein (Rot, Grün, Blau).</translation>
   </message>
@@ -4086,6 +4106,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{source} has no landmark; build it with other classes or a smaller area.</source>
    <translation>{source} hat keine Landmarke; mit anderen Klassen oder kleinerer Fläche erstellen.</translation>
+  </message>
+  <message>
+   <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
+   <translation>{source} hat {count} Zeichen Metadaten als {key}; kein Segmentierungsnetz braucht mehr als {most}.</translation>
   </message>
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>

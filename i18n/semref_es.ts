@@ -2732,6 +2732,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La ventana ({size} px) es mayor que el mapa ({width} × {height} px); elija una ventana menor o un mapa mayor.</translation>
   </message>
   <message>
+   <source>The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, above 0.</source>
+   <translation>Las ventanas tienen un lado de {window_size:g} y un paso de {stride:g}; indique ambos en unidades de mapa, mayores que 0.</translation>
+  </message>
+  <message>
    <source>The windows' sizes are not those of their levels; build the database again.</source>
    <translation>Los tamaños de las ventanas no son los de sus niveles; vuelva a crear la base de datos.</translation>
   </message>
@@ -3720,8 +3724,20 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} da valores que no son números (NaN o infinitos); está dañado, o sus standardization_mean y standardization_std no son los de su entrenamiento.</translation>
   </message>
   <message>
+   <source>{path} gives {kind}; a segmentation network gives one array of numbers.</source>
+   <translation>{path} da {kind}; una red de segmentación da una sola matriz de números.</translation>
+  </message>
+  <message>
    <source>{path} has 2 bands; a label map has one: save it without transparency.</source>
    <translation>{path} tiene 2 bandas; un mapa de etiquetas tiene una: guárdelo sin transparencia.</translation>
+  </message>
+  <message>
+   <source>{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.</source>
+   <translation>{path} tiene una georreferencia que ningún mapa tiene ({numbers}); vuelva a georreferenciarlo.</translation>
+  </message>
+  <message>
+   <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
+   <translation>{path} tiene una línea de más de {most} caracteres, que ninguna tabla de cámaras tiene; elija otro archivo.</translation>
   </message>
   <message>
    <source>{path} has a line that is no waypoint: {line}</source>
@@ -3960,6 +3976,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no nombra ninguna de las imágenes, por ejemplo {image}; su columna image contiene sus nombres de archivo.</translation>
   </message>
   <message>
+   <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
+   <translation>{path} toma imágenes de {width} × {height} píxeles; una red de segmentación toma hasta {most} × {most}: expórtela con un tamaño menor o libre.</translation>
+  </message>
+  <message>
    <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
    <translation>{path} toma una entrada de forma {shape}; debe ser 1 × 3 × alto × ancho (rojo, verde, azul).</translation>
   </message>
@@ -4086,6 +4106,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{source} has no landmark; build it with other classes or a smaller area.</source>
    <translation>{source} no tiene ningún hito; créela con otras clases o un área menor.</translation>
+  </message>
+  <message>
+   <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
+   <translation>{source} tiene {count} caracteres de metadatos como {key}; ninguna red de segmentación necesita más de {most}.</translation>
   </message>
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>

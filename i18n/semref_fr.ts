@@ -2732,6 +2732,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La fenêtre ({size} px) est plus grande que la carte ({width} × {height} px) ; choisissez une fenêtre plus petite ou une carte plus grande.</translation>
   </message>
   <message>
+   <source>The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, above 0.</source>
+   <translation>Les fenêtres ont un côté de {window_size:g} et un pas de {stride:g} ; indiquez les deux en unités de carte, supérieurs à 0.</translation>
+  </message>
+  <message>
    <source>The windows' sizes are not those of their levels; build the database again.</source>
    <translation>Les tailles des fenêtres ne sont pas celles de leurs niveaux ; recréez la base de données.</translation>
   </message>
@@ -3720,8 +3724,20 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} donne des valeurs qui ne sont pas des nombres (NaN ou infinies) ; il est endommagé, ou ses standardization_mean et standardization_std ne sont pas ceux de son entraînement.</translation>
   </message>
   <message>
+   <source>{path} gives {kind}; a segmentation network gives one array of numbers.</source>
+   <translation>{path} donne {kind} ; un réseau de segmentation donne un seul tableau de nombres.</translation>
+  </message>
+  <message>
    <source>{path} has 2 bands; a label map has one: save it without transparency.</source>
    <translation>{path} a 2 bandes ; une carte d’étiquettes en a une : enregistrez-la sans transparence.</translation>
+  </message>
+  <message>
+   <source>{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.</source>
+   <translation>{path} a un géoréférencement qu’aucune carte n’a ({numbers}) ; géoréférencez-le à nouveau.</translation>
+  </message>
+  <message>
+   <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
+   <translation>{path} a une ligne de plus de {most} caractères, ce qu’aucune table de caméras n’a ; choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{path} has a line that is no waypoint: {line}</source>
@@ -3960,6 +3976,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} ne nomme aucune des images, par exemple {image} ; sa colonne image contient leurs noms de fichier.</translation>
   </message>
   <message>
+   <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
+   <translation>{path} prend des images de {width} × {height} pixels ; un réseau de segmentation en prend jusqu’à {most} × {most} : exportez-le avec une taille plus petite ou libre.</translation>
+  </message>
+  <message>
    <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
    <translation>{path} prend une entrée de forme {shape} ; ce doit être 1 × 3 × hauteur × largeur (rouge, vert, bleu).</translation>
   </message>
@@ -4086,6 +4106,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{source} has no landmark; build it with other classes or a smaller area.</source>
    <translation>{source} n’a aucun repère visuel ; créez-la avec d’autres classes ou une surface plus petite.</translation>
+  </message>
+  <message>
+   <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
+   <translation>{source} a {count} caractères de métadonnées comme {key} ; aucun réseau de segmentation n’en demande plus de {most}.</translation>
   </message>
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>

@@ -2732,6 +2732,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>窗口（{size} px）大于地图（{width} × {height} px）；请选择更小的窗口或更大的地图。</translation>
   </message>
   <message>
+   <source>The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, above 0.</source>
+   <translation>窗口边长为 {window_size:g}，步长为 {stride:g}；请以地图单位给出两者，且大于 0。</translation>
+  </message>
+  <message>
    <source>The windows' sizes are not those of their levels; build the database again.</source>
    <translation>窗口大小与其级别不符；请重新构建数据库。</translation>
   </message>
@@ -3720,8 +3724,20 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 给出非数值（NaN 或无穷大）；文件已损坏，或其 standardization_mean 和 standardization_std 与训练时不同。</translation>
   </message>
   <message>
+   <source>{path} gives {kind}; a segmentation network gives one array of numbers.</source>
+   <translation>{path} 输出 {kind}；分割网络应输出一个数值数组。</translation>
+  </message>
+  <message>
    <source>{path} has 2 bands; a label map has one: save it without transparency.</source>
    <translation>{path} 有 2 个波段；标签图只有一个：请保存为不带透明度。</translation>
+  </message>
+  <message>
+   <source>{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.</source>
+   <translation>{path} 的地理参考不可能属于任何地图（{numbers}）；请重新为其设定地理参考。</translation>
+  </message>
+  <message>
+   <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
+   <translation>{path} 有一行超过 {most} 个字符，相机表不会如此；请选择其他文件。</translation>
   </message>
   <message>
    <source>{path} has a line that is no waypoint: {line}</source>
@@ -3960,6 +3976,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 没有列出任何一幅影像，例如 {image}；其 image 列应为影像的文件名。</translation>
   </message>
   <message>
+   <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
+   <translation>{path} 接收 {width} × {height} 像素的图像；分割网络最多接收 {most} × {most}：请以更小或自由的尺寸导出。</translation>
+  </message>
+  <message>
    <source>{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).</source>
    <translation>{path} 的输入形状为 {shape}；应为 1 × 3 × 高 × 宽（红、绿、蓝）。</translation>
   </message>
@@ -4086,6 +4106,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{source} has no landmark; build it with other classes or a smaller area.</source>
    <translation>{source} 没有地标；请用其他类别或更小的面积构建。</translation>
+  </message>
+  <message>
+   <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
+   <translation>{source} 的 {key} 元数据有 {count} 个字符；分割网络不需要超过 {most} 个。</translation>
   </message>
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>

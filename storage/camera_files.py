@@ -18,6 +18,7 @@ from ..core.geometry.leveling import (
     focal_length_from_view,
     leveling,
 )
+from ..core.labels.class_table import LONGEST_LINE
 from ..core.sentences import Sentence
 from .rasters import open_raster
 
@@ -139,6 +140,8 @@ def _read_table(path: str) -> dict[str, Camera]:
         raise ParameterError("storage.cameras_unreadable", path=path, reason=error.strerror) from None
     except UnicodeDecodeError:
         raise ParameterError("storage.cameras_not_utf8", path=path) from None
+    if max(map(len, lines), default=0) > LONGEST_LINE:
+        raise ParameterError("storage.camera_line_too_long", path=path, most=LONGEST_LINE)
     first = lines[0].strip() if lines else ""
     reader = csv.DictReader(lines, delimiter=max(",;\t", key=first.count), skipinitialspace=True)
     header = [(name or "").strip().lower() for name in reader.fieldnames or []]

@@ -37,20 +37,71 @@ _INTEGER_TYPES = {getattr(gdal, f"GDT_{name}") for name in _INTEGER_NAMES if has
 IMAGE_EXTENSIONS = (".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".bmp", ".gif", ".webp", ".vrt", ".img", ".asc")
 
 
+_OWN_PIXELS = (
+    *("GTiff", "PNG", "JPEG", "JP2OpenJPEG", "JP2KAK", "JP2ECW", "JP2MrSID", "JPEGXL", "BMP", "GIF", "BIGGIF", "WEBP"),
+    *("AVIF", "HEIF", "EXR", "PNM", "HFA", "AAIGrid", "ENVI", "EHdr", "ERS", "RST", "SAGA", "PCIDSK", "ILWIS", "RMF"),
+    *("XYZ", "GSBG", "GS7BG", "SRTMHGT", "USGSDEM", "NITF", "ECW", "MrSID", "GPKG", "MBTiles", "KEA", "HDF4", "HDF5"),
+    *("netCDF", "GRIB"),
+)
+"""GDAL's drivers of files that hold their own pixels. Others (VRT, WMS, STACIT, …) read descriptions of rasters that
+lie elsewhere, and ask hosts for them."""
+
+DESCRIPTIONS = (".vrt", ".xml", ".wms", ".gti", ".json")
+"""Suffixes by which the user names a description as such."""
+
+_FARTHEST = 1e9
+"""Map units from the origin, and of a pixel; the false eastings of zoned CRS come to 6e7."""
+
+
+def drivers_for(path: str) -> list[str]:
+    """GDAL's drivers that may open a path; none named (``[]``) stands for all.
+
+    All may for what can't be mistaken for a picture: what is no file (/vsi paths, GDAL's names of parts of files), and
+    files that are named as descriptions.
+    """
+    is_named = path.startswith("/vsi") or path.lower().endswith(DESCRIPTIONS)
+    return [] if is_named or not os.path.isfile(path) else list(_OWN_PIXELS)
+
+
 def open_raster(path: str) -> gdal.Dataset:
-    """A GDAL dataset for reading; raises LabelMapError with GDAL's reason. GDAL may raise or return None."""
+    """A GDAL dataset for reading, THE way in for rasters.
+
+    Args:
+        path: A file or another name that GDAL knows.
+
+    Raises:
+        LabelMapError: It can't be read, with GDAL's reason (GDAL may raise or return None), it only describes another
+            raster though it has the name of a picture, or its georeference is none.
+    """
     gdal.PushErrorHandler("CPLQuietErrorHandler")
     try:
         gdal.ErrorReset()
         # Without OF_VERBOSE_ERROR GDAL does not say why no driver takes a file.
-        dataset = gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_READONLY | gdal.OF_VERBOSE_ERROR)
+        kind = gdal.OF_RASTER | gdal.OF_READONLY | gdal.OF_VERBOSE_ERROR
+        dataset = gdal.OpenEx(path, kind, drivers_for(path))
     except RuntimeError as error:
         raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure(error)) from None
     finally:
         gdal.PopErrorHandler()
     if dataset is None or dataset.RasterCount == 0:
         raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure())
+    transform = dataset.GetGeoTransform(can_return_null=True)
+    if transform is not None and not all(abs(value) < _FARTHEST for value in transform):
+        numbers = ", ".join(f"{value:g}" for value in transform)
+        raise LabelMapError("storage.bad_georeference", path=path, numbers=numbers)
     return dataset
+
+
+def require_own_pixels(path: str) -> None:
+    """Raises LabelMapError for a file that describes another raster under the name of a picture.
+
+    It is not opened by the driver that its content calls for, so that nothing is asked of a host.
+    """
+    if drivers_for(path):
+        with gdal_failures():
+            driver = gdal.IdentifyDriverEx(path, gdal.OF_RASTER)
+        if driver is not None and driver.ShortName not in _OWN_PIXELS:
+            open_raster(path)
 
 
 def require_whole_raster(path: str, target: str) -> None:

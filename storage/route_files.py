@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 from collections.abc import Sequence
@@ -14,6 +13,7 @@ from osgeo import gdal, ogr
 
 from ..core.errors import ParameterError
 from ..core.sentences import Sentence
+from ..core.values import read_json
 from .gdal_errors import gdal_failures
 
 WAYPOINT_FILES = (".gpx", ".kml", ".kmz", ".plan", ".waypoints", ".mission")
@@ -59,7 +59,7 @@ def plan_positions(text: str, path: str) -> np.ndarray:
         ParameterError: The file is no such plan.
     """
     try:
-        plan = json.loads(text)
+        plan = read_json(text)
     except (ValueError, RecursionError):
         raise ParameterError("storage.plan_not_json", path=path) from None
     mission = plan.get("mission") if isinstance(plan, dict) else None

@@ -17,6 +17,12 @@ SENTENCES = {
     "storage.overview_unwritable": "The overview can't be written: {reason}.",
     "storage.no_database": "There is no database {path}; build one or choose another file.",
     "storage.database_damaged": "{path} is damaged or cut short ({reason}); build it again or fetch another copy.",
+    "storage.bad_georeference": (
+        "{path} has a georeference that no map has ({numbers}); give it its place on the ground anew."
+    ),
+    "storage.camera_line_too_long": (
+        "{path} has a line of more than {most} characters, which no table of cameras has; choose another file."
+    ),
     "storage.database_in_use": "{path} is being written by another program; try again.",
     "storage.database_unfinished": (
         "{path} was left half written by another program and can't be mended where it lies; copy it with the file "

@@ -24,6 +24,9 @@ from ..windows.topology_vector import MINIMUM_REFERENCES, REFERENCES_PER_VECTOR
 from .model import MapLandmarks, ReferenceDatabase, Windows
 from .parameters import BuildParameters
 
+_LONGEST = 1e9
+"""Map units; no map is larger."""
+
 
 @dataclass(frozen=True)
 class BuildSettings:
@@ -52,12 +55,16 @@ class BuildSettings:
 
     def __post_init__(self) -> None:
         """Refuses values that can't be used."""
+        if not all(0 <= length < _LONGEST for length in (self.window_size, self.stride)):
+            raise WindowError("database.lengths", window_size=self.window_size, stride=self.stride)
         if not self.minimum_area > 0:
             raise WindowError("database.minimum_area", minimum_area=self.minimum_area)
         if self.references_per_vector < MINIMUM_REFERENCES:
             raise WindowError("database.vector_too_short", count=self.references_per_vector, least=MINIMUM_REFERENCES)
         if not self.levels or not all(0 < level < float("inf") for level in self.levels):
             raise WindowError("database.levels")
+        # One that is given twice counts once.
+        object.__setattr__(self, "levels", tuple(dict.fromkeys(self.levels)))
 
 
 class DatabaseBuilder:

@@ -6,14 +6,13 @@ Told in docs/file-formats.md#segmentation-model.
 from __future__ import annotations
 
 import ast
-import json
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from ..errors import ClassTableError, ModelError
 from ..labels.class_table import BACKGROUND, MAXIMUM_VALUE, UNLABELED, ClassTable, LandCoverClass, default_color
+from ..values import LONGEST_NAME, read_json
 
 DEFAULT_OVERLAP = 0.2
 """Share of a tile that lies on its neighbor when the model does not say."""
@@ -23,6 +22,19 @@ MAXIMUM_OVERLAP = 0.75
 
 DEFAULT_THRESHOLD = 0.5
 """Probability from which on a pixel has the class, for networks with one output (Deepness: seg_thresh)."""
+
+LONGEST_METADATA = 100_000
+"""Characters of a value: 255 classes with names of 255 characters each."""
+
+_MOST_BRACKETS = 1000
+
+_LARGEST = 1e30
+"""Of standardization: float32 holds its square root's square."""
+
+_KEYS = (
+    *("model_type", "class_names", "names", "resolution", "tile_size", "tiles_size", "tiles_overlap", "seg_thresh"),
+    *("standardization_mean", "standardization_std", "class_values", "class_colors", "class_roles"),
+)
 
 BACKGROUND_NAMES = ("background", "_background", "unlabeled", "unlabelled", "other", "others", "none", "void")
 """Names of a channel 0 that stands for no class at all."""
@@ -71,6 +83,11 @@ def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
 
     ``source``: the model's name in messages. Raises ModelError naming the key that is wrong.
     """
+    for key, text in texts.items():
+        if key in _KEYS and len(text) > LONGEST_METADATA:
+            raise ModelError(
+                "segmentation.metadata_too_long", source=source, key=key, count=len(text), most=LONGEST_METADATA
+            )
     kind = _literal(texts.get("model_type", "Segmentor"))
     if str(kind).casefold() != "segmentor":
         raise ModelError("segmentation.not_a_segmentor", source=source, kind=kind)
@@ -158,11 +175,11 @@ def _by_channel(texts: Mapping[str, str], key: str, source: str, count: int | No
     if isinstance(found, dict):
         try:
             by_number = {int(number): item for number, item in found.items()}
-        except ValueError:
+        except (ValueError, TypeError, OverflowError):
             by_number = {}
         found = [by_number[n] for n in sorted(by_number)] if sorted(by_number) == list(range(len(found))) else None
     if not isinstance(found, list) or not found or (count is not None and len(found) != count):
-        raise ModelError("segmentation.not_by_channel", source=source, text=texts[key], key=key)
+        raise ModelError("segmentation.not_by_channel", source=source, text=texts[key][:LONGEST_NAME], key=key)
     return found
 
 
@@ -178,7 +195,12 @@ def _number(texts: Mapping[str, str], key: str, source: str, least: float, most:
     found = _literal(texts[key])
     if isinstance(found, bool) or not isinstance(found, (int, float)) or not least <= found <= most:
         raise ModelError(
-            "segmentation.number_out_of_range", source=source, text=texts[key], key=key, least=least, most=most
+            "segmentation.number_out_of_range",
+            source=source,
+            text=texts[key][:LONGEST_NAME],
+            key=key,
+            least=least,
+            most=most,
         )
     return float(found)
 
@@ -188,24 +210,27 @@ def _three(texts: Mapping[str, str], key: str, source: str, default: float) -> t
         return (default,) * 3
     found = _literal(texts[key])
     if isinstance(found, (list, tuple)) and len(found) == 3:
-        numbers = all(isinstance(v, (int, float)) and math.isfinite(v) for v in found)
+        numbers = all(isinstance(v, (int, float)) and abs(v) < _LARGEST for v in found)
         if numbers and (key != "standardization_std" or min(found) > 0):
             return tuple(float(v) for v in found)
     if key == "standardization_std":
-        raise ModelError("segmentation.three_positive_numbers", source=source, text=texts[key], key=key)
-    raise ModelError("segmentation.three_numbers", source=source, text=texts[key], key=key)
+        raise ModelError("segmentation.three_positive_numbers", source=source, text=texts[key][:LONGEST_NAME], key=key)
+    raise ModelError("segmentation.three_numbers", source=source, text=texts[key][:LONGEST_NAME], key=key)
 
 
 def _literal(text: str) -> Any:  # noqa: ANN401 - as in JSON
     """JSON, else a Python literal (Deepness's older models), else the text itself."""
     try:
-        return json.loads(text)
+        return read_json(text)
     except ValueError:
         return _python_literal(text)
 
 
 def _python_literal(text: str) -> Any:  # noqa: ANN401 - as in JSON
+    # Nested ones deeper than any metadata: ast itself would fall into its own recursion.
+    if sum(map(text.count, "([{")) > _MOST_BRACKETS:
+        return text
     try:
         return ast.literal_eval(text)
-    except (ValueError, SyntaxError):
+    except (ValueError, SyntaxError, TypeError, MemoryError, RecursionError):
         return text

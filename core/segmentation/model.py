@@ -32,6 +32,9 @@ PROVIDERS = (
 DEFAULT_TILE_SIZE_PX = 512
 """Edge of a tile for networks that take any size and don't say which they were trained on."""
 
+LARGEST_TILE_PX = 8192
+"""Edge of a tile: its three bands as floats are 800 MB then, and the network's own results many times as much."""
+
 TILES_AT_ONCE = 4
 """Tiles given to a graphics card together, where the network takes several; the CPU gains nothing by it."""
 
@@ -127,6 +130,10 @@ class SegmentationModel:
         self.tile_hw = fixed[0], fixed[1]
         if stated is not None and (stated, stated) != self.tile_hw:
             self.notes.append(Sentence("segmentation.other_tile_size", stated=stated, width=fixed[1], height=fixed[0]))
+        if not all(0 < size <= LARGEST_TILE_PX for size in fixed):
+            raise ModelError(
+                "segmentation.tile_too_large", path=self.path, width=fixed[1], height=fixed[0], most=LARGEST_TILE_PX
+            )
         fixed_batch = isinstance(shape[0], int)
         self.tiles_at_once = 1 if fixed_batch or self.provider == _CPU else TILES_AT_ONCE
         if fixed_batch and shape[0] != 1:
@@ -136,7 +143,7 @@ class SegmentationModel:
         """What the network gives for a black image; its stated shape may be silent on the number of classes."""
         height, width = self.tile_hw
         outputs = self._run([np.zeros((height, width, _BANDS), np.uint8)])
-        if outputs.shape not in [(1, height, width), (1, outputs.shape[1], height, width)]:
+        if outputs.ndim not in (3, 4) or outputs.shape != (1, *outputs.shape[1:-2], height, width):
             raise ModelError(
                 "segmentation.output_shape",
                 path=self.path,
@@ -152,12 +159,16 @@ class SegmentationModel:
             for band, pixels in enumerate(cv2.split(image)):
                 plane[band] = cv2.LUT(pixels, self._standardized[band])
         try:
-            return self._session.run(None, {self._name: planes})[0]
-        except _failures() as error:
+            found = self._session.run(None, {self._name: planes})[0]
+        except (*_failures(), MemoryError) as error:
             height, width = self.tile_hw
             raise ModelError(
                 "segmentation.run_failed", path=self.path, width=width, height=height, reason=_reason(error)
             ) from error
+        if not isinstance(found, np.ndarray) or found.dtype.kind not in "fiub":
+            kind = found.dtype.name if isinstance(found, np.ndarray) else type(found).__name__
+            raise ModelError("segmentation.output_kind", path=self.path, kind=kind)
+        return found
 
 
 def _onnxruntime() -> ModuleType:

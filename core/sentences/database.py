@@ -26,6 +26,9 @@ SENTENCES = {
     ),
     "database.minimum_area": "The minimum area is {minimum_area:g} m²; it must be more than 0.",
     "database.vector_too_short": "A vector of {count} references is too short; use at least {least}.",
+    "database.lengths": (
+        "The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, above 0."
+    ),
     "database.levels": "The levels must be positive multipliers of the window size, for example 1;2.",
     "database.no_landmark_on_map": (
         "The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference "

@@ -20,6 +20,14 @@ SENTENCES = {
         "{path} gives the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × "
         "{height} × {width}."
     ),
+    "segmentation.output_kind": "{path} gives {kind}; a segmentation network gives one array of numbers.",
+    "segmentation.tile_too_large": (
+        "{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export "
+        "it with a smaller or free size."
+    ),
+    "segmentation.metadata_too_long": (
+        "{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}."
+    ),
     "segmentation.run_failed": "{path} fails on an image of {width} × {height} pixels: {reason}.",
     "segmentation.no_onnxruntime": (
         "Segmentation needs the Python package onnxruntime ({reason}); install it for QGIS's Python, for example "

@@ -131,11 +131,15 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return True, ""
 
     def checkParameterValues(self, parameters: Dict[str, Any], context: QgsProcessingContext) -> Tuple[bool, str]:
-        possible, reason = super().checkParameterValues(parameters, context)
-        if not possible:
-            return False, reason
+        values = Values(self, parameters, context)
         try:
-            values = Values(self, parameters, context)
+            # First: QGIS opens layers to see whether they can be.
+            for definition in self.parameterDefinitions():
+                if definition.type() == "raster":
+                    values.require_pictures(definition.name())
+            possible, reason = super().checkParameterValues(parameters, context)
+            if not possible:
+                return False, reason
             require_outputs_apart(self, values, self.MAY_REPLACE)
             self.check(values)
         except SemRefError as error:

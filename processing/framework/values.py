@@ -142,8 +142,16 @@ class Values:
     # --- layers ---
 
     def raster(self, key: str) -> Optional[QgsRasterLayer]:
-        """A raster layer; None for one that can't be read."""
+        """A raster layer; None for one that can't be read. Raises LabelMapError as ``require_pictures`` does."""
+        self.require_pictures(key)
         return self._read("RasterLayer", key)
+
+    def require_pictures(self, key: str) -> None:
+        """Refuses a file that asks hosts for a raster under the name of a picture, before QGIS opens it."""
+        from ...storage.rasters import require_own_pixels
+
+        if isinstance(self.raw(key), str):
+            require_own_pixels(self.raw(key))
 
     def label_map(self, key: str) -> RasterLayer:
         """What worker threads need of a label map's layer. Raises LabelMapError."""

@@ -1,0 +1,95 @@
+"""Networks and metadata as no exporter writes them: one sentence each, no traceback."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from made_models import brightest_color, metadata, write_model, writer
+from onnx import TensorProto, helper
+
+from semref.core.errors import ModelError
+from semref.core.segmentation.metadata import read_classes, read_settings
+from semref.core.segmentation.model import SegmentationModel
+
+
+def refusal(path) -> str:
+    with pytest.raises(ModelError) as refused:
+        SegmentationModel(str(path), 1)
+    text = str(refused.value)
+    assert "\n" not in text and len(text) < 1000, text
+    return text
+
+
+def scalar():
+    return brightest_color().add("ReduceSum", keepdims=0)
+
+
+def one_axis():
+    network = brightest_color().add("Flatten", axis=0)
+    return network.add("Squeeze")
+
+
+@pytest.mark.parametrize(
+    ("network", "shape"), [(scalar(), ()), (one_axis(), ("n",)), (brightest_color().add("Shape"), (4,))]
+)
+def test_an_output_that_is_no_picture_is_refused(tmp_path, network, shape):
+    kind = TensorProto.INT64 if shape == (4,) else TensorProto.FLOAT
+    assert "gives the shape" in refusal(
+        write_model(tmp_path / "odd.onnx", network, output_shape=shape, output_type=kind)
+    )
+
+
+def test_a_sequence_of_outputs_is_refused(tmp_path):
+    image = helper.make_tensor_value_info("image", TensorProto.FLOAT, (1, 3, "h", "w"))
+    found = helper.make_tensor_sequence_value_info("list", TensorProto.FLOAT, None)
+    node = helper.make_node("SequenceConstruct", ["image"], ["list"])
+    graph = helper.make_graph([node], "network", [image], [found])
+    model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 13)], ir_version=8)
+    helper.set_model_props(model, metadata())
+    (tmp_path / "odd.onnx").write_bytes(model.SerializeToString())
+    assert "one array of numbers" in refusal(tmp_path / "odd.onnx")
+
+
+def test_texts_as_output_are_refused(tmp_path):
+    network = writer.Network().add("Cast", to=TensorProto.STRING)
+    path = write_model(
+        tmp_path / "odd.onnx", network, output_type=TensorProto.STRING, output_shape=(1, 3, "height", "width")
+    )
+    assert "one array of numbers" in refusal(path)
+
+
+def test_a_huge_fixed_input_is_refused_before_it_is_made(tmp_path):
+    path = write_model(tmp_path / "huge.onnx", size=(1 << 20, 1 << 20))
+    assert "takes images of 1048576 × 1048576 pixels" in refusal(path)
+
+
+ODD = [
+    "{(1,):2}",
+    "[" * 100_000,
+    "(" * 5000,
+    "{1: {2: " * 3000,
+    "1" * 5000,
+    "1e400",
+    "-",
+    "{null: 1}",
+    "\0",
+    "9" * 99_999,
+]
+
+
+@pytest.mark.parametrize("text", ODD, ids=range(len(ODD)))
+@pytest.mark.parametrize(
+    "key",
+    ["class_names", "class_values", "class_colors", "class_roles", "resolution", "tile_size", "standardization_std"],
+)
+def test_odd_metadata_are_refused_in_a_sentence(key, text):
+    texts = {**metadata(), key: text}
+    with pytest.raises(ModelError) as refused:
+        read_settings(texts, "odd.onnx")
+        read_classes(texts, 3, "odd.onnx")
+    assert len(str(refused.value)) < 1000
+
+
+def test_a_normal_network_is_still_taken(tmp_path):
+    assert SegmentationModel(str(write_model(tmp_path / "good.onnx")), 1).tile_hw == (64, 64)
+    assert np.array(SegmentationModel(str(tmp_path / "good.onnx"), 1).settings.std).shape == (3,)
