@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=${SEMREF_VERSIONS:-$PWD/.versions}
-newest=(numpy opencv-python-headless onnxruntime shapely onnx pytest)
+newest=(numpy opencv-python-headless onnxruntime shapely onnx pytest PyQt6)
 # Debian 11's and older numpy; the first wheels that hold what SemRef uses.
 oldest=(
     numpy==1.21.6 opencv-python-headless==4.6.0.66 shapely==2.0.0 onnxruntime==1.15.1

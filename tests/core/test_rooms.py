@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import ast
 import graphlib
+import pkgutil
 import subprocess
 import sys
+import sysconfig
 from pathlib import Path
 
 import pytest
@@ -14,7 +16,16 @@ ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ("core", "storage", "processing", "ui")
 QT = {"PyQt5", "PyQt6", "PySide2", "PySide6"}
 NEVER_SHIPPED = {"pickle", "random", "subprocess", "marshal", "shelve"} | QT
-CORE_MAY_IMPORT = set(sys.stdlib_module_names) | {"numpy", "cv2", "shapely", "onnxruntime", "core"}
+STANDARD = getattr(sys, "stdlib_module_names", None) or {
+    *sys.builtin_module_names,
+    *(
+        module.name
+        for folder in ("", "lib-dynload")
+        for module in pkgutil.iter_modules([str(Path(sysconfig.get_path("stdlib"), folder))])
+    ),
+}
+"""Python 3.9 has no list of them."""
+CORE_MAY_IMPORT = set(STANDARD) | {"numpy", "cv2", "shapely", "onnxruntime", "core"}
 CORE_FOR_UI = ("core.errors", "core.database.model", "core.annotation.findings")
 """Errors, a type and the severities of issues."""
 MATHEMATICS = {"cv2", "shapely", "onnxruntime"}

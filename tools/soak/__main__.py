@@ -2,10 +2,10 @@
 
     python -m tools.soak [--images 10000] [--folder FOLDER]
 
-Images of 200 × 200 pixels are moved into the watched folder as fast as they are localized and removed when they are
-done; now and then comes one that is no image, a link to itself, or a name that is no text. Prints a line for each
-tenth, and ends with 1 when memory grew by more than ``MOST_GROWTH_MB`` after the first tenth, or descriptors or
-threads at all, or when an image got no answer.
+Images are moved into the watched folder as fast as they are localized and removed when they are done. One of ten has
+200 × 200 pixels and gets a fix, the others are too small for one; now and then comes one that is no image, or whose
+name is no text, and a link to itself lies beside them. Prints a line for each tenth, and ends with 1 when memory grew
+by more than ``MOST_GROWTH_MB`` after the first tenth, or descriptors or threads at all, or when an image got no answer.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != TO
 sys.path += [str(TOOLS.parent / "tests" / "data"), str(TOOLS)]
 
 MOST_GROWTH_MB = 8.0
-AT_ONCE = 25
+AT_ONCE = 50
 """Images that lie in the folder together."""
 
 
@@ -53,13 +53,13 @@ def image_name(number: int) -> bytes:
     return b"\xff%07d.png" % number if number % 100 == 7 else b"%07d.png" % number
 
 
-def send(folder: bytes, outside: bytes, numbers: range, picture: bytes) -> list[bytes]:
+def send(folder: bytes, outside: bytes, numbers: range, pictures: tuple[bytes, bytes]) -> list[bytes]:
     """Moves images into the folder as a camera does, some of them damaged; gives their paths."""
     paths = []
     for number in numbers:
         path = os.path.join(folder, image_name(number))
         with open(outside, "wb") as file:
-            file.write(b"damaged" if number % 50 == 3 else picture)
+            file.write(b"damaged" if number % 50 == 3 else pictures[number % 10 == 0])
         os.rename(outside, path)
         paths.append(path)
     return paths
@@ -75,8 +75,10 @@ def soak(count: int, folder: Path) -> list[tuple[int, float, int, int]]:
     onboard_area.write_area(str(folder / "area.npz"))
     import cv2
 
-    picture = cv2.imencode(".png", onboard_area.HERE)[1].tobytes()
+    cuts = (onboard_area.HERE[:60, :60], onboard_area.HERE)
+    pictures = tuple(cv2.imencode(".png", cut)[1].tobytes() for cut in cuts)
     command = [sys.executable, "-m", "core", "watch", "incoming", "--database", "area.npz", "--gga", "sentences"]
+    command += ["--method", "constellation"]
     rows = []
     with open(folder / "log", "wb") as log:
         watching = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=log)
@@ -86,7 +88,7 @@ def soak(count: int, folder: Path) -> list[tuple[int, float, int, int]]:
                 until = min(done + max(count // 10, 1), count)
                 for first in range(done, until, AT_ONCE):
                     numbers = range(first, min(first + AT_ONCE, until))
-                    paths = send(os.fsencode(incoming), os.fsencode(folder / "made"), numbers, picture)
+                    paths = send(os.fsencode(incoming), os.fsencode(folder / "made"), numbers, pictures)
                     answers = {json.loads(watching.stdout.readline())["image"] for _ in paths}
                     if answers != {os.fsdecode(os.path.join(b"incoming", os.path.basename(path))) for path in paths}:
                         raise SystemExit(f"images {numbers} did not get an answer each")

@@ -1,0 +1,132 @@
+"""Every Qt name that shipped code uses is in Qt 6, looked up in PyQt6 where pip has installed it."""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+FILES = [ROOT / "plugin.py", *(path for room in ("processing", "ui") for path in sorted((ROOT / room).rglob("*.py")))]
+PREFIX = "qgis.PyQt."
+LOOK_UP = """
+import importlib, json, sys
+missing = []
+for module, names in json.load(sys.stdin):
+    places = [importlib.import_module("PyQt6." + module)]
+    if names[0] in ("QAction", "QActionGroup", "QShortcut"):
+        # Qt 6 moved them; qgis.PyQt.QtWidgets has them still.
+        places.append(importlib.import_module("PyQt6.QtGui"))
+    found = next((place for place in places if hasattr(place, names[0])), places[0])
+    for name in names:
+        if not hasattr(found, name):
+            missing.append([module, *names])
+            break
+        found = getattr(found, name)
+print(json.dumps(missing))
+"""
+
+
+def chain(node) -> list[str]:
+    """Names of `a.b.c`, empty for anything else."""
+    names = []
+    while isinstance(node, ast.Attribute):
+        names.insert(0, node.attr)
+        node = node.value
+    return [node.id, *names] if isinstance(node, ast.Name) else []
+
+
+def qt_names(source: str) -> set[tuple[str, tuple[str, ...]]]:
+    """(module of Qt, names from a class to a member): imports, `QClass.a.b`, and members of what a function makes with
+    `x = QClass(…)` or takes as `x: QClass`."""
+    tree = ast.parse(source)
+    modules = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith(PREFIX):
+            modules.update(
+                {alias.asname or alias.name: (node.module[len(PREFIX) :], alias.name) for alias in node.names}
+            )
+    found = {(module, (name,)) for module, name in modules.values()}
+    for scope in [tree, *(n for n in ast.walk(tree) if isinstance(n, (ast.FunctionDef, ast.ClassDef)))]:
+        kinds = {name: name for name in modules} if scope is tree else kinds_in(scope, modules)
+        for node in ast.walk(scope):
+            names = chain(node)
+            split = 2 if names[:1] == ["self"] else 1
+            kind = kinds.get(".".join(names[:split]))
+            if kind and len(names) > split:
+                module, name = modules[kind]
+                # Of an instance the member alone: what a call or a signal of it gives is another class.
+                found.add((module, (name, *names[split:][: None if scope is tree else 1])))
+    return found
+
+
+def kinds_in(scope, modules) -> dict[str, str]:
+    """Qt's class by variable of a function, or by `self.x` of a class, where it is one throughout."""
+    kinds = {}
+    for node in ast.walk(scope):
+        if isinstance(node, ast.Assign) and len(node.targets) == 1:
+            called = isinstance(node.value, ast.Call) and chain(node.value.func)
+            kinds.setdefault(".".join(chain(node.targets[0])), set()).add(
+                called[0] if called and len(called) == 1 else ""
+            )
+        elif isinstance(node, ast.arg):
+            kinds.setdefault(node.arg, set()).add(".".join(chain(node.annotation)))
+        elif isinstance(node, ast.Call) and chain(node.func) == ["isinstance"]:
+            # What is asked for its class may be of another one.
+            kinds.setdefault(".".join(chain(node.args[0])), set()).add("")
+    is_class = isinstance(scope, ast.ClassDef)
+    return {
+        name: next(iter(found))
+        for name, found in kinds.items()
+        if len(found) == 1 and found <= set(modules) and name.startswith("self.") == is_class
+    }
+
+
+def missing_in_qt6(names) -> list[str]:
+    asked = json.dumps(sorted((module, list(names)) for module, names in names))
+    surroundings = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
+    command = [sys.executable, "-c", LOOK_UP]
+    done = subprocess.run(command, input=asked, capture_output=True, text=True, check=True, env=surroundings)
+    return [".".join(found) for found in json.loads(done.stdout)]
+
+
+needs_pyqt6 = pytest.mark.skipif(
+    not any((Path(entry or ".") / "PyQt6" / "QtCore.pyi").exists() for entry in sys.path),
+    reason="PyQt6 is not installed (tools/test_newest.sh installs it)",
+)
+
+
+def test_members_are_found_in_the_source():
+    source = (
+        "from qgis.PyQt.QtGui import QFontMetricsF, QPainter\n"
+        "def paint(painter: QPainter, font):\n"
+        "    metrics = QFontMetricsF(font)\n"
+        "    painter.drawText(metrics.width('7'), QPainter.RenderHint.Antialiasing)\n"
+    )
+    assert {".".join(names) for _, names in qt_names(source)} == {
+        "QFontMetricsF",
+        "QPainter",
+        "QPainter.RenderHint",
+        "QPainter.RenderHint.Antialiasing",
+        "QPainter.drawText",
+        "QFontMetricsF.width",
+    }
+    used = set().union(*(qt_names(path.read_text(encoding="utf-8")) for path in FILES))
+    assert len(used) > 200
+
+
+@needs_pyqt6
+def test_every_qt_name_of_shipped_code_is_in_qt_6():
+    used = set().union(*(qt_names(path.read_text(encoding="utf-8")) for path in FILES))
+    assert missing_in_qt6(used) == []
+
+
+@needs_pyqt6
+def test_what_qt_6_does_not_have_is_found():
+    asked = {("QtGui", ("QFontMetricsF", "width")), ("QtCore", ("Qt", "AlignLeft")), ("QtGui", ("QColor", "rgb"))}
+    assert missing_in_qt6(asked) == ["QtCore.Qt.AlignLeft", "QtGui.QFontMetricsF.width"]
