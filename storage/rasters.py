@@ -114,6 +114,8 @@ def require_whole_raster(path: str, target: str) -> None:
     Raises:
         LabelMapError: When it can't be read to its end.
     """
+    dataset = None
+    # It may raise or return None, as the user has set it.
     with gdal_failures() as failures:
         dataset = gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_READONLY)
         if dataset is not None:

@@ -25,13 +25,15 @@ def require_no_other_layers(path: str) -> None:
     file = Path(path)
     if file.suffix.lower() not in _DATABASES or not file.is_file():
         return
+    dataset = None
+    # It may raise or return None, as the user has set it.
     with gdal_failures():
         dataset = gdal.OpenEx(path, gdal.OF_VECTOR | gdal.OF_RASTER | gdal.OF_READONLY, ["GPKG", "SQLite"])
     if dataset is None:
         return
     names = {dataset.GetLayer(n).GetName() for n in range(dataset.GetLayerCount())}
     others = sorted(names - _OWN - {file.stem})
-    if others and len(names - _OWN) > 1:
+    if others:
         raise ParameterError("storage.other_layers", path=path, layers=", ".join(others[:5]))
 
 

@@ -23,6 +23,7 @@ LIMITS = (
     "extension",
     "layer_type",
 )
+
 """Entries of a parameter's variant map that are the same in all versions of QGIS that are supported."""
 
 
@@ -47,6 +48,11 @@ def described(parameter) -> dict:
     if isinstance(parameter, QgsProcessingDestinationParameter):
         public["by_default"] = parameter.createByDefault()
     return public
+
+
+def without_null(parameter: dict) -> dict:
+    """A file without a suffix of its own has none, NULL or nothing: it depends on the version of QGIS."""
+    return {**parameter, "extension": parameter.get("extension") or ""}
 
 
 def recorded(algorithms) -> dict:
@@ -82,5 +88,5 @@ def test_every_recorded_key_is_there_as_it_was(algorithms, repository):
     for name, algorithm in before.items():
         assert list(now[name]["parameters"]) == list(algorithm["parameters"]), name
         for key, parameter in algorithm["parameters"].items():
-            assert now[name]["parameters"][key] == parameter, (name, key)
+            assert without_null(now[name]["parameters"][key]) == without_null(parameter), (name, key)
         assert now[name] == algorithm
