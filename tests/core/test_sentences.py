@@ -1,9 +1,8 @@
-"""What is said to the user: the codes in the source, their templates and values."""
+"""What is said to the user: the codes in the source, and the tables of templates that hold them."""
 
 from __future__ import annotations
 
 import ast
-import pickle
 import re
 import string
 from pathlib import Path
@@ -14,8 +13,7 @@ import pytest
 import semref.processing
 import semref.storage  # noqa: F401  Both add their rooms' sentences.
 from semref.core import errors
-from semref.core.errors import DatabaseError, ImageError, SemRefError
-from semref.core.sentences import Plural, Sentence, add, english, filled, template_of
+from semref.core.sentences import Plural
 from semref.core.sentences.sentence import _templates
 from semref.processing.wording.keys import SENTENCES_BY_KEY
 
@@ -126,57 +124,3 @@ def test_what_an_algorithm_says_instead_has_the_same_values(code):
 def test_texts_that_are_shown_without_tr_would_be_found():
     calls = ast.parse('f("a", f"b {c}", tr("d").format(e=f), "g" + h, "i" if j else k, l)').body[0].value.args
     assert list(literals(calls)) == ["a", "b ", "g", "i"]
-
-
-def test_a_sentence_without_values_is_its_template():
-    assert english(Sentence("labels.no_pixels")) == "The image has no pixels."
-
-
-def test_numbers_are_shown_as_the_template_says():
-    sentence = Sentence("localization.vector_too_far", distance=0.123456, threshold=0.25)
-    assert str(sentence) == "The nearest window has distance 0.123, more than 0.25."
-
-
-@pytest.mark.parametrize(("count", "verb"), [(0, "places fit"), (1, "place fits"), (2, "places fit")])
-def test_words_follow_the_count(count, verb):
-    assert str(Sentence("localization.rivals", count=count)).startswith(f"{count} other {verb} ")
-
-
-def test_sentences_among_the_values_are_worded_by_the_same_hand():
-    needed = Sentence("localization.more_needed", count=2)
-    sentence = Sentence("localization.too_few_landmarks", shown="This", needed=needed)
-    assert english(sentence) == "This; at least 2 more are needed."
-    assert filled(sentence, lambda part: f"<{template_of(part)}>") == "<This; <at least 2 more are needed>.>"
-
-
-def test_lists_are_joined_with_commas():
-    sentence = Sentence("localization.neither_road", constellation=["a", Sentence("labels.no_pixels")], correlation=())
-    assert english(sentence) == "a, The image has no pixels. Map correlation has no fix either: "
-
-
-def test_equal_sentences_are_one_in_a_set_whatever_the_order_of_their_values():
-    one = Sentence("room.code", a=1, b=["x", "y"])
-    assert {one, Sentence("room.code", b=("x", "y"), a=1)} == {one}
-    assert one != Sentence("room.code", a=2, b=["x", "y"])
-
-
-def test_a_text_that_is_no_code_stands_for_itself_braces_included():
-    assert str(SemRefError("No {code}.")) == "No {code}."
-
-
-def test_an_error_can_say_what_another_said():
-    said = DatabaseError("localization.rivals", count=1)
-    assert str(ImageError(said.sentence)) == str(said)
-
-
-def test_an_error_keeps_its_sentence_between_processes():
-    error = DatabaseError("localization.rivals", count=3)
-    assert pickle.loads(pickle.dumps(error)).sentence == error.sentence
-
-
-def test_a_room_above_adds_its_own():
-    add({"test.of_a_room_above": "{what} was added."})
-    try:
-        assert str(Sentence("test.of_a_room_above", what="This")) == "This was added."
-    finally:
-        del _templates["test.of_a_room_above"]

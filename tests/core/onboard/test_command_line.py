@@ -7,7 +7,6 @@ import os
 import re
 import subprocess
 import sys
-from datetime import datetime, timezone
 
 import cv2
 import numpy as np
@@ -17,7 +16,6 @@ from onboard_area import CENTER, HERE, NOTHING, copy_aircraft_rooms, linear, wri
 
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
-from semref.core.localizer.record import gga_sentence
 from semref.core.onboard import command_line
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, WRONG_USAGE, main
 from semref.core.onboard.read import read_onboard
@@ -214,15 +212,3 @@ def test_a_copy_of_the_rooms_of_an_aircraft_is_all_that_is_needed(database, imag
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (ALL_FIXED, "")
     assert json.loads(done.stdout)["status"] == "fix"
-
-
-def test_a_sentence_has_its_checksum_and_never_sixty_minutes():
-    moment = datetime(2026, 5, 1, 12, 34, 56, 789_000, timezone.utc)
-    # Checked by hand: the exclusive or of all characters between $ and *.
-    text = gga_sentence(moment, -9.99999999999, 46.9999999999, 150)
-    assert text.startswith("$GPGGA,123456.78,4700.00000,N,01000.00000,W,6,99,,,M,,M,,*")
-    total = 0
-    for character in text[1:-3]:
-        total ^= ord(character)
-    assert text.endswith(f"*{total:02X}")
-    assert gga_sentence(moment, 0.5, -0.25).split(",")[2:6] == ["0015.00000", "S", "00030.00000", "E"]

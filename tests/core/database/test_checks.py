@@ -1,0 +1,74 @@
+"""What no database can hold: each value beyond what a build could have made is refused, and named."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from onboard_blobs import TABLE, build_blobs
+
+from semref.core.database.checks import digest, require_sound
+
+
+@pytest.fixture(scope="module")
+def database():
+    return build_blobs()
+
+
+def changed(columns, name, value):
+    """The columns with another value in their last row."""
+    array = getattr(columns, name).astype(np.float64)
+    array[-1] = value
+    return replace(columns, **{name: array})
+
+
+def test_what_a_build_makes_is_sound(database):
+    require_sound(database.windows, database.references, database.parameters, TABLE)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "said"),
+    [
+        ("centers", np.nan, "a window lies at nan, nan, off the map"),
+        ("levels", 3, "a window has a level that is not there"),
+        ("levels", 0, "a window has a level that is not there"),
+        ("counts", -1, "a window has an impossible number of landmarks"),
+        ("sizes", 0, "a window has an impossible size"),
+        ("sizes", 322 * 2.0, "a window has an impossible size"),
+        ("vectors", np.inf, "a vector has values that are no numbers"),
+    ],
+)
+def test_a_window_that_no_build_makes_is_refused(database, name, value, said):
+    windows = changed(database.windows, name, value)
+    with pytest.raises(ValueError, match=f"^{said}$"):
+        require_sound(windows, database.references, database.parameters, TABLE)
+
+
+def test_a_distinctiveness_may_be_unknown_but_not_negative(database):
+    unknown = np.full(len(database.windows), np.nan)
+    windows = replace(database.windows, distinctiveness=unknown)
+    require_sound(windows, database.references, database.parameters, TABLE)
+    with pytest.raises(ValueError, match="impossible distinctiveness"):
+        require_sound(changed(windows, "distinctiveness", -0.1), database.references, database.parameters, TABLE)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "said"),
+    [
+        ("positions", (600000.0 - 2.1, 5199900.0), "a landmark lies at 599998, 5.1999e\\+06, off the map"),
+        ("areas_m2", 0, "a landmark has an impossible area"),
+        ("areas_m2", 1e15, "a landmark has an impossible area"),
+        ("classes", 3, "a landmark has a class that is no reference class"),
+    ],
+)
+def test_a_landmark_that_no_build_makes_is_refused(database, name, value, said):
+    landmarks = changed(database.references, name, value)
+    with pytest.raises(ValueError, match=f"^{said}$"):
+        require_sound(database.windows, landmarks, database.parameters, TABLE)
+
+
+def test_a_digest_tells_where_one_column_ends_and_the_next_begins():
+    assert digest([b"ab", b"c"]) != digest([b"a", b"bc"])
+    column = np.arange(6)
+    assert digest([column]) == digest([column.tobytes()]) == digest([np.repeat(column, 2)[::2]])

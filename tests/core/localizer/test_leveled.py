@@ -1,0 +1,74 @@
+"""Leveled images: a localizer that knows where the level image lies, and what is told of the image itself."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from semref.core.geometry.leveling import Attitude, leveling
+from semref.core.localization import Localization, Matches, Method, Place, Prior, Status
+from semref.core.localizer.leveled import localize_leveled
+
+LABELS = np.ones((200, 260), np.uint8)
+FOCAL = 225.0
+MIDDLE = (600100.0, 5200050.0)
+"""Where the made localizer puts the middle of the level image."""
+
+
+class Made:
+    """A localizer that remembers what it was asked and gives what it was made with."""
+
+    def __init__(self, found):
+        self.found = found
+
+    def localize(self, labels_hw, method, prior, with_matches=False):
+        self.shape, self.prior = labels_hw.shape, prior
+        return self.found
+
+
+def fix(heading, pixel_size, **more):
+    best = Place(MIDDLE, heading_deg=heading, pixel_size_m=pixel_size)
+    return Localization(Status.FIX, Method.CONSTELLATION, best=best, **more)
+
+
+def test_of_a_level_camera_the_middle_is_the_place_and_the_nadir():
+    made = Made(fix(90.0, 0.5))
+    found = localize_leveled(made, LABELS, Method.CONSTELLATION, Prior(), leveling(Attitude(0, 0), FOCAL, LABELS.shape))
+    assert made.shape == LABELS.shape
+    assert found.position == found.nadir == pytest.approx(MIDDLE)
+    # The image's top points east: its upper left corner lies half its height east, half its width north.
+    np.testing.assert_allclose(found.footprint[0], (MIDDLE[0] + 50, MIDDLE[1] + 65))
+
+
+def test_a_camera_pitched_up_stands_south_of_what_its_center_shows():
+    way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
+    found = localize_leveled(Made(fix(0.0, 2.0)), LABELS, Method.CONSTELLATION, Prior(), way)
+    # A view to the top reaches farther beyond its center than before it: the center lies south of the middle.
+    assert found.position == pytest.approx((MIDDLE[0], MIDDLE[1] - 2.0 * way.middle.imag))
+    assert way.middle.imag > 10
+    # A pixel at the center keeps its ground: the camera is f · cos 20°^1.5 pixels high, and tan 20° times that away.
+    away = 2.0 * FOCAL * np.cos(np.radians(20)) ** 1.5 * np.tan(np.radians(20))
+    assert found.position[1] - found.nadir[1] == pytest.approx(away)
+    assert found.nadir[0] == pytest.approx(MIDDLE[0])
+
+
+def test_the_search_is_widened_by_as_far_as_the_middle_may_lie_from_the_center():
+    way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
+    made, prior = Made(fix(0.0, 2.0)), Prior(position=MIDDLE, radius=100.0, pixel_size_range=(1.0, 3.0))
+    localize_leveled(made, LABELS, Method.CONSTELLATION, prior, way)
+    assert made.prior.radius == pytest.approx(100 + 3 * abs(way.middle))
+
+
+def test_matches_are_those_of_the_image_as_it_is():
+    way = leveling(Attitude(5, 20), FOCAL, LABELS.shape)
+    pixels = np.array([[20.0, 30.0], [130.0, 100.0]])
+    x, y, w = way.homography @ np.column_stack([pixels, np.ones(2)]).T
+    matches = Matches(np.arange(2), np.column_stack([x / w, y / w]), np.zeros((2, 2)), np.zeros(2))
+    found = localize_leveled(Made(fix(0.0, 2.0, matches=matches)), LABELS, Method.CONSTELLATION, Prior(), way)
+    np.testing.assert_allclose(found.matches.pixels_xy, pixels)
+
+
+def test_without_a_fix_no_place_is_told():
+    none = Localization(Status.NO_MATCH, Method.CONSTELLATION)
+    way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
+    assert localize_leveled(Made(none), LABELS, Method.CONSTELLATION, Prior(), way) == none

@@ -1,0 +1,68 @@
+"""A localization as a row: its columns with and without a fix, and as a sentence of NMEA 0183."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from datetime import datetime, timezone
+
+from semref.core.geometry.pose import Ellipse, PoseCovariance
+from semref.core.localization import Localization, Method, Place, Status
+from semref.core.localizer.record import gga_sentence, record
+from semref.core.sentences import Sentence
+
+PLACE = Place((600250.0, 5199600.0), heading_deg=90.0, pixel_size_m=0.5, log_odds=12.5, inliers=7)
+COVARIANCE = PoseCovariance(((1.0, 0.0), (0.0, 4.0)), 0.2, 0.01, Ellipse(4.9, 2.4, 30.0))
+FIX = Localization(
+    Status.FIX, Method.CONSTELLATION, 9, best=PLACE, confidence=0.99, error_95_m=4.9, covariance=COVARIANCE
+)
+
+
+def test_a_fix_is_told_in_full():
+    assert record(FIX) == {
+        "status": "fix",
+        "x": 600250.0,
+        "y": 5199600.0,
+        "heading": 90.0,
+        "pixel_size": 0.5,
+        "confidence": 0.99,
+        "distance": None,
+        "inliers": 7,
+        "references": 9,
+        "log_odds": 12.5,
+        "error_95": 4.9,
+        "window": None,
+        "method": "constellation",
+        "reason": "",
+        "error_95_minor": 2.4,
+        "error_95_direction": 30.0,
+        "heading_deviation": 0.2,
+        "pixel_size_deviation": 0.01,
+    }
+
+
+def test_without_a_fix_the_evidence_stays_and_no_place_nor_accuracy_is_told():
+    found = record(replace(FIX, status=Status.AMBIGUOUS, reason=Sentence("labels.no_pixels")), lambda said: said.code)
+    assert [found[name] for name in ("x", "y", "heading", "pixel_size", "error_95")] == [None] * 5
+    assert (found["inliers"], found["log_odds"], found["reason"]) == (7, 12.5, "labels.no_pixels")
+    assert not {"error_95_minor", "error_95_direction", "heading_deviation", "pixel_size_deviation"} & set(found)
+
+
+def test_deviations_that_no_trials_confirm_are_not_told():
+    assert "heading_deviation" not in record(replace(FIX, covariance=replace(COVARIANCE, ellipse_95=None)))
+
+
+def test_a_sentence_has_its_checksum_and_never_sixty_minutes():
+    moment = datetime(2026, 5, 1, 12, 34, 56, 789_000, timezone.utc)
+    # Checked by hand: the exclusive or of all characters between $ and *.
+    text = gga_sentence(moment, -9.99999999999, 46.9999999999, 150)
+    assert text.startswith("$GPGGA,123456.78,4700.00000,N,01000.00000,W,6,99,,,M,,M,,*")
+    total = 0
+    for character in text[1:-3]:
+        total ^= ord(character)
+    assert text.endswith(f"*{total:02X}")
+    assert gga_sentence(moment, 0.5, -0.25).split(",")[2:6] == ["0015.00000", "S", "00030.00000", "E"]
+
+
+def test_without_a_position_the_quality_is_invalid_and_the_place_empty():
+    moment = datetime(2026, 5, 1, 1, 2, 3, tzinfo=timezone.utc)
+    assert gga_sentence(moment).startswith("$GPGGA,010203.00,,,,,0,00,,,M,,M,,*")

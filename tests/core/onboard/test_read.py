@@ -1,0 +1,162 @@
+"""Reading an onboard file: what comes back serves as the whole database does, and nothing else is taken for one."""
+
+from __future__ import annotations
+
+import io
+import tracemalloc
+
+import numpy as np
+import pytest
+from foreign_files import FOREIGN
+from onboard_blobs import MAP, TABLE, members, npy, with_header, zipped
+
+from semref.core.errors import DatabaseError
+from semref.core.geometry.lon_lat import LonLatPolynomial
+from semref.core.localization import Method
+from semref.core.localizer.localizer import Localizer
+from semref.core.onboard.read import read_onboard
+
+
+@pytest.mark.parametrize("method", [Method.CONSTELLATION, Method.TOPOLOGY_VECTOR])
+def test_images_are_found_where_the_whole_database_finds_them(database, written, method):
+    whole, onboard = Localizer(database), Localizer(read_onboard(str(written)).database)
+    for column, row in ((0, 0), (100, 60), (190, 111)):
+        image = np.ascontiguousarray(np.rot90(MAP[row : row + 120, column : column + 120]))
+        expected, found = whole.localize(image, method), onboard.localize(image, method)
+        assert (found.status, found.window) == (expected.status, expected.window)
+        if expected.position is not None:
+            assert np.hypot(*np.subtract(found.position, expected.position)) < 0.1
+
+
+def test_the_polynomial_comes_back_from_the_file(written, lon_lat):
+    found = read_onboard(str(written)).lon_lat
+    assert isinstance(found, LonLatPolynomial)
+    assert found == lon_lat
+
+
+def refusal(path) -> str:
+    with pytest.raises(DatabaseError) as refused:
+        read_onboard(str(path))
+    return str(refused.value)
+
+
+@pytest.mark.parametrize("share", np.linspace(0, 0.999, 20).tolist())
+def test_a_truncated_file_is_refused(written, tmp_path, share):
+    cut = tmp_path / "cut.npz"
+    cut.write_bytes(written.read_bytes()[: int(share * written.stat().st_size)])
+    assert "cut short" in refusal(cut)
+
+
+def test_a_flipped_bit_is_refused_or_changes_nothing(written, tmp_path):
+    """Times and attributes in the zip's directory mean nothing here; all else is covered by checksums."""
+    data, refused = written.read_bytes(), 0
+    whole = members(written)
+    random = np.random.default_rng(3)
+    flipped = tmp_path / "flipped.npz"
+    for place in random.integers(0, len(data), 150).tolist() + list(range(len(data) - 150, len(data))):
+        changed = bytearray(data)
+        changed[place] ^= 1 << int(random.integers(8))
+        flipped.write_bytes(changed)
+        try:
+            read_onboard(str(flipped))
+        except DatabaseError:
+            refused += 1
+        else:
+            assert members(flipped) == whole
+    assert refused > 200
+
+
+@pytest.mark.parametrize("name", list(FOREIGN))
+def test_a_foreign_file_is_refused(tmp_path, name):
+    path = tmp_path / "foreign.npz"
+    path.write_bytes(FOREIGN[name])
+    assert str(path) in refusal(path)
+
+
+def test_a_missing_file_is_refused(tmp_path):
+    assert "There is no file" in refusal(tmp_path / "nothing.npz")
+
+
+def test_another_npz_is_refused(tmp_path):
+    np.savez_compressed(tmp_path / "other.npz", a=np.arange(3))
+    assert "is no onboard file of SemRef" in refusal(tmp_path / "other.npz")
+
+
+def test_a_pickle_is_never_opened(written, tmp_path):
+    class Bomb:
+        def __reduce__(self):
+            return (pytest.fail, ("a pickle was opened",))
+
+    file = io.BytesIO()
+    np.save(file, np.array([Bomb()], object), allow_pickle=True)
+    path = zipped(tmp_path / "bomb.npz", {**members(written), "references_classes.npy": file.getvalue()})
+    assert "no plain array" in refusal(path)
+
+
+def test_a_changed_array_is_refused_although_its_checksum_fits(written, tmp_path):
+    files = members(written)
+    classes = np.load(io.BytesIO(files["references_classes.npy"]))
+    files["references_classes.npy"] = npy(np.where(classes == 2, np.uint8(5), classes))
+    assert "content hash" in refusal(zipped(tmp_path / "altered.npz", files))
+
+
+def test_a_newer_version_is_refused(written, tmp_path):
+    assert "version 2, newer" in refusal(with_header(tmp_path / "newer.npz", written, version=2))
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"format": "other"}, "its format"),
+        ({"version": "1"}, "its version"),
+        ({"class_table": TABLE.to_csv().replace("water", "river")}, "its class table is not the one"),
+        ({"class_table": 5}, "damaged"),
+        ({"parameters": {}}, "format_version"),
+        ({"position_step": float("nan")}, "position_step"),
+        ({"position_step": -1}, "position_step"),
+        ({"log_area_lowest": 1e9}, "impossible area"),
+        ({"window_sizes_px": [60]}, "levels"),
+        ({"lon_lat": {"degree": 50}}, "degree"),
+        ({"lon_lat": "north"}, "damaged"),
+    ],
+)
+def test_a_header_that_makes_no_sense_is_refused(written, tmp_path, changes, said):
+    assert said in refusal(with_header(tmp_path / "senseless.npz", written, **changes))
+
+
+@pytest.mark.parametrize("name", ["windows_counts", "references_areas", "overview_labels", "header"])
+def test_a_missing_array_is_refused(written, tmp_path, name):
+    files = members(written)
+    del files[f"{name}.npy"]
+    assert refusal(zipped(tmp_path / "less.npz", files))
+
+
+def test_something_that_does_not_belong_there_is_refused(written, tmp_path):
+    path = zipped(tmp_path / "more.npz", {**members(written), "../evil.npy": npy(np.zeros(3))})
+    assert "does not belong" in refusal(path)
+
+
+def test_a_zip_bomb_is_refused_before_it_is_unpacked(written, tmp_path):
+    claimed = b"\x93NUMPY\x01\x00\x76\x00" + b"{'descr': '|u1', 'fortran_order': False, 'shape': (400000000,), }"
+    files = {**members(written), "references_classes.npy": claimed.ljust(127) + b"\n" + bytes(400_000_000)}
+    path = zipped(tmp_path / "bomb.npz", files)
+    del files
+    tracemalloc.start()
+    said = refusal(path)
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert "claims" in said
+    assert most < 5_000_000
+
+
+def test_a_shape_that_claims_more_than_the_member_holds_is_refused(written, tmp_path):
+    files = members(written)
+    files["references_classes.npy"] = files["references_classes.npy"].replace(b"(", b"(9", 1).replace(b" \n", b"\n", 1)
+    assert "has not the size" in refusal(zipped(tmp_path / "claims.npz", files))
+
+
+@pytest.mark.parametrize("far", [5_420_000.0, -2_000.0])
+def test_landmarks_off_the_map_are_refused_although_all_hashes_fit(database, written, tmp_path, far):
+    origin = database.references.positions.min(axis=0) + far
+    said = refusal(with_header(tmp_path / "far.npz", written, position_origin=origin.tolist()))
+    assert "off the map" in said

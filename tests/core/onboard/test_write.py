@@ -1,0 +1,80 @@
+"""Writing an onboard file: what is rounded and by how much, what it costs, and what it can't hold."""
+
+from __future__ import annotations
+
+import zipfile
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+from onboard_blobs import TABLE
+
+from semref.core.database.model import Windows
+from semref.core.errors import DatabaseError
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.onboard.read import read_onboard
+from semref.core.onboard.write import write_onboard
+
+
+def test_everything_comes_back_as_exactly_as_the_file_says(database, written):
+    found = read_onboard(str(written))
+    mine, theirs = database.windows, found.database.windows
+    assert found.database.parameters == replace(database.parameters, block_hashes=())
+    assert found.database.class_table == TABLE
+    for name in ("first_pixels", "names", "levels", "sizes", "counts", "described"):
+        np.testing.assert_array_equal(getattr(theirs, name), getattr(mine, name))
+    np.testing.assert_array_equal(theirs.centers, mine.centers)
+    assert np.abs(theirs.vectors - mine.vectors).max() <= found.vector_error * 1.0001
+    np.testing.assert_array_equal(theirs.vectors[:, 20:], mine.vectors[:, 20:])
+    mine, theirs = database.references, found.database.references
+    np.testing.assert_array_equal(theirs.classes, mine.classes)
+    np.testing.assert_array_equal(theirs.touches_edge, mine.touches_edge)
+    assert found.position_error == pytest.approx(0.02)
+    assert 0 < np.abs(theirs.positions - mine.positions).max() <= found.position_error * 1.0001
+    assert 0 < np.abs(theirs.areas_m2 / mine.areas_m2 - 1).max() <= found.area_error
+    np.testing.assert_array_equal(found.database.overview, database.overview)
+
+
+def test_the_asked_precision_is_kept(database, tmp_path):
+    path = str(tmp_path / "coarse.npz")
+    write_onboard(path, database, None, precision=0.5)
+    found = read_onboard(path)
+    worst = np.abs(found.database.references.positions - database.references.positions).max()
+    assert 0.4 < worst <= found.position_error == 0.5
+
+
+def test_a_database_of_no_windows_and_no_overview_comes_back(database, tmp_path):
+    path = str(tmp_path / "bare.npz")
+    arrays = {item.name: getattr(database.windows, item.name) for item in fields(Windows)}
+    windows = Windows(**{name: array if array is None else array[:0] for name, array in arrays.items()})
+    write_onboard(path, replace(database, windows=windows, overview=None), None)
+    found = read_onboard(path)
+    assert (len(found.database.windows), found.database.overview, found.lon_lat) == (0, None, None)
+    assert len(found.database.references) == len(database.references)
+
+
+def test_the_same_database_gives_the_same_bytes(database, lon_lat, written, tmp_path):
+    again = tmp_path / "again.npz"
+    write_onboard(str(again), database, lon_lat)
+    assert again.read_bytes() == written.read_bytes()
+
+
+def test_windows_and_references_keep_to_their_budget(database, written):
+    with zipfile.ZipFile(written) as archive:
+        size = {info.filename: info.compress_size for info in archive.infolist()}
+    windows, references = (
+        sum(bytes_ for name, bytes_ in size.items() if name.startswith(kind)) for kind in ("windows", "references")
+    )
+    assert windows <= 40 * len(database.windows)
+    assert references <= 20 * len(database.references)
+
+
+def test_a_class_table_that_was_changed_after_the_build_is_not_exported(database, tmp_path):
+    table = ClassTable((*TABLE.classes, LandCoverClass(9, "new", "#123456")))
+    with pytest.raises(DatabaseError, match="was changed after it was built"):
+        write_onboard(str(tmp_path / "changed.npz"), replace(database, class_table=table), None)
+
+
+def test_a_precision_finer_than_the_format_holds_is_refused(database, tmp_path):
+    with pytest.raises(DatabaseError, match="too fine"):
+        write_onboard(str(tmp_path / "fine.npz"), database, None, precision=1e-9)

@@ -1,0 +1,78 @@
+"""A small map of blobs with its database, and onboard files changed member by member."""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from dataclasses import replace
+
+import cv2
+import numpy as np
+
+from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.database.model import ReferenceDatabase
+from semref.core.geometry.frame import MapFrame
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.labels.sources import ArrayLabels
+from semref.core.onboard.format import digest
+
+TABLE = ClassTable(
+    (
+        LandCoverClass(2, "building", "#ff0000", "reference"),
+        LandCoverClass(3, "forêt", "#00ff00"),
+        LandCoverClass(5, "water", "#0000ff", "reference"),
+        LandCoverClass(7, "bare, dry", "#ffff00", "reference"),
+    )
+)
+FRAME = MapFrame('PROJCS["a metric CRS"]', (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
+SETTINGS = BuildSettings(120.0, 40.0, minimum_area=28.0, levels=(1.0, 2.0))
+
+
+def blobs(height=320, width=400):
+    noise = np.random.default_rng(0).random((5, height, width)).astype(np.float32)
+    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), 1.8) for layer in noise])
+    return np.array((0, 2, 3, 5, 7), np.uint8)[smooth.argmax(axis=0)]
+
+
+def linear(points_xy):
+    return 9 + (points_xy[:, 0] - 600000) / 80000, 47 + (points_xy[:, 1] - 5200000) / 111000
+
+
+MAP = blobs()
+
+
+def build_blobs() -> ReferenceDatabase:
+    builder = DatabaseBuilder(ArrayLabels(MAP), FRAME, TABLE, SETTINGS, "1.2.3")
+    for _ in builder.steps():
+        pass
+    return replace(builder.database, overview=builder.overview)
+
+
+def members(path) -> dict:
+    with zipfile.ZipFile(path) as archive:
+        return {name: archive.read(name) for name in archive.namelist()}
+
+
+def zipped(path, files: dict) -> str:
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in files.items():
+            archive.writestr(name, data)
+    return str(path)
+
+
+def npy(array) -> bytes:
+    file = io.BytesIO()
+    np.save(file, array)
+    return file.getvalue()
+
+
+def with_header(path, source, **changes) -> str:
+    """A copy of a file with another header and the hash that belongs to it, as its maker would have written it."""
+    files = members(source)
+    header = json.loads(np.load(io.BytesIO(files["header.npy"])).tobytes())
+    header.update(changes)
+    files["header.npy"] = npy(np.frombuffer(json.dumps(header).encode("utf-8"), np.uint8))
+    found = digest({name[:-4]: data for name, data in files.items()})
+    files["content_hash.npy"] = npy(np.frombuffer(found, np.uint8))
+    return zipped(path, files)
