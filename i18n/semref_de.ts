@@ -144,6 +144,10 @@
    <translation>Luftbild mit 8 oder 16 Bit. Die Netze von SemRef nehmen drei Kanäle; weitere Kanäle werden mit ausgegeben.</translation>
   </message>
   <message>
+   <source>All files (*)</source>
+   <translation>Alle Dateien (*)</translation>
+  </message>
+  <message>
    <source>All that the report shows, for scripts.</source>
    <translation>Alles, was der Bericht zeigt, für Skripte.</translation>
   </message>
@@ -1094,6 +1098,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Keep results as layer</source>
    <translation>Als Layer behalten</translation>
+  </message>
+  <message>
+   <source>Key file</source>
+   <translation>Schlüsseldatei</translation>
   </message>
   <message>
    <source>Kind</source>
@@ -2132,6 +2140,10 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 Bilder der Landmarken der Datenbank werden simuliert, verdorben und vom Lokalisierer selbst lokalisiert; eine Regression überträgt, was sie lehren, auf Quadrate mit wenigen Versuchen. Außer der Datenbank wird nichts gebraucht. Es ist eine Erwartung: Zu gering angegebenes Rauschen und Veränderungen im Gelände machen sie zu gut. „Lokalisierung bewerten“ prüft eine Datenbank mit einer Klassenkarte anderen Datums.</translation>
   </message>
   <message>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “python -m core … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <translation>Signiert die Datei (HMAC-SHA256) mit den Bytes dieser Datei, zum Beispiel 32 zufälligen, sodass „python -m core … --require-signature KEY“ keine Datei nimmt, die andere gemacht oder geändert haben. Halten Sie den Schlüssel geheim: Wer ihn hat, kann signieren.</translation>
+  </message>
+  <message>
    <source>Simulated images</source>
    <translation>Simulierte Bilder</translation>
   </message>
@@ -2482,6 +2494,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The image shows {count} whole landmarks</source>
    <translation>Das Bild zeigt {count} ganze Landmarken</translation>
+  </message>
+  <message>
+   <source>The key {path} can't be read: {reason}.</source>
+   <translation>Der Schlüssel {path} kann nicht gelesen werden: {reason}.</translation>
+  </message>
+  <message>
+   <source>The key {path} has {size} bytes; a key has {least} to {most} random ones.</source>
+   <translation>Der Schlüssel {path} hat {size} Bytes; ein Schlüssel hat {least} bis {most} zufällige.</translation>
   </message>
   <message>
    <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
@@ -3964,6 +3984,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} ist kein ONNX-Modell, oder es ist beschädigt oder abgeschnitten; noch einmal kopieren oder exportieren.</translation>
   </message>
   <message>
+   <source>{path} is not signed; export it with the key {key}, or leave the key out.</source>
+   <translation>{path} ist nicht signiert; exportieren Sie die Datei mit dem Schlüssel {key}, oder lassen Sie den Schlüssel weg.</translation>
+  </message>
+  <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
    <translation>{path} ist gedreht oder gespiegelt; zuerst auf ein nach Norden ausgerichtetes Raster umrechnen.</translation>
   </message>
@@ -4002,6 +4026,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
    <translation>{path} wurde von einem anderen Programm halb geschrieben zurückgelassen und lässt sich an diesem Ort nicht reparieren; kopieren Sie die Datei zusammen mit {path}-journal oder {path}-wal an einen Ort, an dem Sie schreiben dürfen.</translation>
+  </message>
+  <message>
+   <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
+   <translation>{path} wurde nicht mit dem Schlüssel {key} signiert oder seitdem geändert; holen Sie die Datei noch einmal von dort, wo sie exportiert wurde.</translation>
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>

@@ -144,6 +144,10 @@
    <translation>Imagen aérea de 8 o 16 bits. Las redes de SemRef toman tres bandas; las demás bandas también se exportan.</translation>
   </message>
   <message>
+   <source>All files (*)</source>
+   <translation>Todos los archivos (*)</translation>
+  </message>
+  <message>
    <source>All that the report shows, for scripts.</source>
    <translation>Todo lo que muestra el informe, para scripts.</translation>
   </message>
@@ -1094,6 +1098,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Keep results as layer</source>
    <translation>Conservar como capa</translation>
+  </message>
+  <message>
+   <source>Key file</source>
+   <translation>Archivo de clave</translation>
   </message>
   <message>
    <source>Kind</source>
@@ -2132,6 +2140,10 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 Se simulan imágenes de los propios hitos de la base de datos, se degradan y las localiza el mismo localizador; una regresión lleva lo aprendido a los cuadrados con pocos ensayos. No se necesita más que la base de datos. Es una expectativa: un ruido subestimado y los cambios del terreno la hacen demasiado buena. «Evaluar la localización» prueba una base de datos con un mapa de etiquetas de otra fecha.</translation>
   </message>
   <message>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “python -m core … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <translation>Firma el archivo (HMAC-SHA256) con los bytes de este archivo, por ejemplo 32 aleatorios, para que «python -m core … --require-signature KEY» no acepte ningún archivo que otros hayan hecho o cambiado. Mantenga la clave en secreto: quien la tiene puede firmar.</translation>
+  </message>
+  <message>
    <source>Simulated images</source>
    <translation>Imágenes simuladas</translation>
   </message>
@@ -2482,6 +2494,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The image shows {count} whole landmarks</source>
    <translation>La imagen muestra {count} hitos enteros</translation>
+  </message>
+  <message>
+   <source>The key {path} can't be read: {reason}.</source>
+   <translation>No se puede leer la clave {path}: {reason}.</translation>
+  </message>
+  <message>
+   <source>The key {path} has {size} bytes; a key has {least} to {most} random ones.</source>
+   <translation>La clave {path} tiene {size} bytes; una clave tiene de {least} a {most}, aleatorios.</translation>
   </message>
   <message>
    <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
@@ -3964,6 +3984,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no es un modelo ONNX, o está dañado o cortado; cópielo o expórtelo de nuevo.</translation>
   </message>
   <message>
+   <source>{path} is not signed; export it with the key {key}, or leave the key out.</source>
+   <translation>{path} no está firmado; expórtelo con la clave {key}, u omita la clave.</translation>
+  </message>
+  <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
    <translation>{path} está girado o reflejado; reproyéctelo antes a una cuadrícula orientada al norte.</translation>
   </message>
@@ -4002,6 +4026,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
    <translation>Otro programa dejó {path} a medio escribir y no se puede reparar donde está; cópielo junto con el archivo {path}-journal o {path}-wal a un lugar donde pueda escribir.</translation>
+  </message>
+  <message>
+   <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
+   <translation>{path} no se firmó con la clave {key}, o se cambió después; obténgalo de nuevo de donde se exportó.</translation>
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>

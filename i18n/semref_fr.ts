@@ -144,6 +144,10 @@
    <translation>Image aérienne de 8 ou 16 bits. Les réseaux de SemRef prennent trois bandes ; les autres bandes sont aussi exportées.</translation>
   </message>
   <message>
+   <source>All files (*)</source>
+   <translation>Tous les fichiers (*)</translation>
+  </message>
+  <message>
    <source>All that the report shows, for scripts.</source>
    <translation>Tout ce que montre le rapport, pour les scripts.</translation>
   </message>
@@ -1094,6 +1098,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Keep results as layer</source>
    <translation>Garder comme couche</translation>
+  </message>
+  <message>
+   <source>Key file</source>
+   <translation>Fichier de clé</translation>
   </message>
   <message>
    <source>Kind</source>
@@ -2132,6 +2140,10 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 Des images des repères visuels de la base sont simulées, dégradées et localisées par le localiseur lui-même ; une régression étend ce qu’elles apprennent aux carrés peu essayés. Rien d’autre que la base n’est nécessaire. C’est une attente : un bruit sous-estimé et des changements du terrain la rendent trop bonne. « Évaluer la localisation » éprouve une base avec une carte d’étiquettes d’une autre date.</translation>
   </message>
   <message>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “python -m core … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <translation>Signe le fichier (HMAC-SHA256) avec les octets de ce fichier, par exemple 32 octets aléatoires, pour que « python -m core … --require-signature KEY » n’accepte aucun fichier fait ou modifié par d’autres. Gardez la clé secrète : qui l’a peut signer.</translation>
+  </message>
+  <message>
    <source>Simulated images</source>
    <translation>Images simulées</translation>
   </message>
@@ -2482,6 +2494,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The image shows {count} whole landmarks</source>
    <translation>L’image montre {count} repères visuels entiers</translation>
+  </message>
+  <message>
+   <source>The key {path} can't be read: {reason}.</source>
+   <translation>La clé {path} ne peut pas être lue : {reason}.</translation>
+  </message>
+  <message>
+   <source>The key {path} has {size} bytes; a key has {least} to {most} random ones.</source>
+   <translation>La clé {path} a {size} octets ; une clé en a de {least} à {most}, aléatoires.</translation>
   </message>
   <message>
    <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
@@ -3964,6 +3984,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} n’est pas un modèle ONNX, ou il est endommagé ou tronqué ; copiez-le ou exportez-le de nouveau.</translation>
   </message>
   <message>
+   <source>{path} is not signed; export it with the key {key}, or leave the key out.</source>
+   <translation>{path} n’est pas signé ; exportez-le avec la clé {key}, ou omettez la clé.</translation>
+  </message>
+  <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
    <translation>{path} est tournée ou en miroir ; reprojetez-la d’abord sur une grille orientée au nord.</translation>
   </message>
@@ -4002,6 +4026,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
    <translation>{path} a été laissé à moitié écrit par un autre programme et ne peut être réparé à cet endroit ; copiez-le avec le fichier {path}-journal ou {path}-wal à un endroit où vous pouvez écrire.</translation>
+  </message>
+  <message>
+   <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
+   <translation>{path} n’a pas été signé avec la clé {key}, ou a été modifié depuis ; récupérez-le à nouveau là où il a été exporté.</translation>
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>

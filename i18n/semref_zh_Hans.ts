@@ -144,6 +144,10 @@
    <translation>8 位或 16 位航空影像。SemRef 的网络使用三个波段；其余波段也会一并导出。</translation>
   </message>
   <message>
+   <source>All files (*)</source>
+   <translation>所有文件 (*)</translation>
+  </message>
+  <message>
    <source>All that the report shows, for scripts.</source>
    <translation>报告所示的全部内容，供脚本使用。</translation>
   </message>
@@ -1094,6 +1098,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Keep results as layer</source>
    <translation>将结果保留为图层</translation>
+  </message>
+  <message>
+   <source>Key file</source>
+   <translation>密钥文件</translation>
   </message>
   <message>
    <source>Kind</source>
@@ -2132,6 +2140,10 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 以数据库自身的地标模拟影像，加入噪声，并由定位器本身定位；回归把所得结果推广到试验少的方格。除数据库外无需其他数据。这是预期：噪声填得过小或地面有变化都会使其偏高。“评估定位”可用其他日期的标签图检验数据库。</translation>
   </message>
   <message>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “python -m core … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <translation>用此文件的字节（例如 32 个随机字节）为文件签名（HMAC-SHA256），使“python -m core … --require-signature KEY”不接受他人制作或更改的文件。请妥善保密密钥：持有者即可签名。</translation>
+  </message>
+  <message>
    <source>Simulated images</source>
    <translation>模拟影像数</translation>
   </message>
@@ -2482,6 +2494,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The image shows {count} whole landmarks</source>
    <translation>影像显示 {count} 个完整地标</translation>
+  </message>
+  <message>
+   <source>The key {path} can't be read: {reason}.</source>
+   <translation>无法读取密钥 {path}：{reason}。</translation>
+  </message>
+  <message>
+   <source>The key {path} has {size} bytes; a key has {least} to {most} random ones.</source>
+   <translation>密钥 {path} 有 {size} 字节；密钥应有 {least} 到 {most} 个随机字节。</translation>
   </message>
   <message>
    <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
@@ -3964,6 +3984,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 不是 ONNX 模型，或已损坏、不完整；请重新复制或导出。</translation>
   </message>
   <message>
+   <source>{path} is not signed; export it with the key {key}, or leave the key out.</source>
+   <translation>{path} 未签名；请用密钥 {key} 导出，或不使用密钥。</translation>
+  </message>
+  <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
    <translation>{path} 有旋转或镜像；请先重投影到正北朝上的格网。</translation>
   </message>
@@ -4002,6 +4026,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
    <translation>{path} 被另一个程序写了一半，且无法在原处修复；请将它连同 {path}-journal 或 {path}-wal 文件复制到可写的位置。</translation>
+  </message>
+  <message>
+   <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
+   <translation>{path} 不是用密钥 {key} 签名的，或之后被更改；请从导出处重新获取。</translation>
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>

@@ -145,6 +145,8 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--near", nargs=3, type=float, metavar=near, help="search there only, map units")
         command.add_argument("--threads", type=int, default=1, help="for OpenCV and the network (default: 1)")
     for command in (info, localize, watch):
+        text = "take DATABASE only if it was signed with this key when it was exported"
+        command.add_argument("--require-signature", metavar="KEYFILE", help=text)
         levels = ("debug", "info", "warning", "error")
         text = "least severe of the JSON lines of the log on stderr (default: warning)"
         command.add_argument("--log-level", choices=levels, default="warning", help=text)
@@ -159,7 +161,7 @@ def _option(method: Method) -> str:
 
 
 def _info(options: argparse.Namespace) -> int:
-    found = description(read_onboard(options.database))
+    found = description(read_onboard(options.database, key_file=options.require_signature))
     if options.json:
         _write(json_line(found))
     else:
@@ -200,7 +202,7 @@ def description(onboard: OnboardDatabase) -> dict[str, Any]:
 
 
 def _localize(options: argparse.Namespace) -> int:
-    find = _finder(options, read_onboard(options.database))
+    find = _finder(options, read_onboard(options.database, key_file=options.require_signature))
     statuses = set()
     for path in image_files(options.images):
         found = find(path)
@@ -305,7 +307,7 @@ def _line(found: dict[str, Any]) -> str:
 def _watch(options: argparse.Namespace) -> int:
     if not os.path.isdir(options.folder):
         raise ParameterError("onboard.no_folder", folder=options.folder)
-    onboard = read_onboard(options.database)
+    onboard = read_onboard(options.database, key_file=options.require_signature)
     find = _finder(options, onboard)
     if options.gga and onboard.lon_lat is None:
         raise DatabaseError("onboard.no_lon_lat", database=options.database)

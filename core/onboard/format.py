@@ -24,10 +24,11 @@ MAXIMUM_HEADER_BYTES = 1 << 20
 AREA_STEPS = 65_535
 VECTOR_STEPS = 255
 
-HEADER, HASH = "header", "content_hash"
+HEADER, HASH, SIGNATURE = "header", "content_hash", "signature"
 KINDS = {
     HEADER: ("|u1", 1),
     HASH: ("|u1", 1),
+    SIGNATURE: ("|u1", 1),
     "windows_columns": ("<u4", 1),
     "windows_rows": ("<u4", 1),
     "windows_levels": ("|u1", 1),
@@ -39,7 +40,7 @@ KINDS = {
     "references_touches_edge": ("|u1", 1),
     "overview_labels": ("|u1", 2),
 }
-"""Type and number of axes of every member; the overview alone may be missing."""
+"""Type and number of axes of every member; overview and signature may be missing."""
 
 NOT_ON_BOARD = "block_hashes"
 """The build parameter that only updating a database needs."""
@@ -75,9 +76,9 @@ def is_onboard_file(path: str) -> bool:
 
 
 def digest(files: Mapping[str, bytes]) -> bytes:
-    """SHA-256 of all .npy files but the hash's own, in order of their names."""
+    """SHA-256 of all .npy files but the hash's and the signature's, in order of their names."""
     found = hashlib.sha256()
     for name in sorted(files):
-        if name != HASH:
+        if name not in (HASH, SIGNATURE):
             found.update(files[name])
     return found.digest()

@@ -32,10 +32,12 @@ from .format import (
     KINDS,
     MAXIMUM_HEADER_BYTES,
     ONBOARD_VERSION,
+    SIGNATURE,
     VECTOR_STEPS,
     OnboardDatabase,
     digest,
 )
+from .signature import is_signed_with, read_key
 
 MAXIMUM_OVERVIEW_PIXELS = 1 << 30
 """Beyond this a file is refused: the whole of a country fits."""
@@ -52,7 +54,7 @@ _LARGEST_LOG = 50.0
 """Logarithms of areas beyond it would leave the range that areas may have, or overflow."""
 
 
-def read_onboard(path: str, with_overview: bool = True) -> OnboardDatabase:
+def read_onboard(path: str, with_overview: bool = True, key_file: str | None = None) -> OnboardDatabase:
     """Reads an onboard file.
 
     Its database has what localization needs; vectors, positions and areas are as exact as the result says.
@@ -60,10 +62,13 @@ def read_onboard(path: str, with_overview: bool = True) -> OnboardDatabase:
     Args:
         path: Of the file.
         with_overview: Whether map correlation needs the overview.
+        key_file: The key that the file must be signed with; without one signatures are not looked at.
 
     Raises:
-        DatabaseError: The file is missing, foreign, damaged, too new or too large.
+        DatabaseError: The file is missing, foreign, damaged, too new or too large, or not signed with the key.
+        ParameterError: The key can't be used.
     """
+    key = read_key(key_file) if key_file else None
     if not os.path.isfile(path):
         raise DatabaseError("onboard.no_file", path=path)
     try:
@@ -77,6 +82,8 @@ def read_onboard(path: str, with_overview: bool = True) -> OnboardDatabase:
         members = {name: _array(name, data) for name, data in files.items()}
         if members[HASH].tobytes() != digest(files):
             raise ValueError("its content hash is another")
+        if key is not None:
+            _require_signature(files, members, key, path, key_file)
         header = read_json(members[HEADER].tobytes().decode("utf-8"), MAXIMUM_HEADER_BYTES)
         _check_version(header, path)
         return _onboard(members, header, path, with_overview)
@@ -84,6 +91,16 @@ def read_onboard(path: str, with_overview: bool = True) -> OnboardDatabase:
         raise _damaged(path, error) from None
     except (KeyError, TypeError, ValueError, OverflowError, RecursionError, AttributeError) as error:
         raise _damaged(path, error) from None
+
+
+def _require_signature(
+    files: Mapping[str, bytes], members: Mapping[str, np.ndarray], key: bytes, path: str, key_file: str | None
+) -> None:
+    """Raises DatabaseError unless the file is signed with the key."""
+    if SIGNATURE not in members:
+        raise DatabaseError("onboard.unsigned", path=path, key=key_file)
+    if not is_signed_with(files, members[SIGNATURE].tobytes(), key):
+        raise DatabaseError("onboard.wrong_signature", path=path, key=key_file)
 
 
 def _damaged(path: str, reason: BaseException) -> DatabaseError:
@@ -124,7 +141,7 @@ def _unpacked(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
 
 
 def _largest_bytes(name: str) -> int:
-    if name in (HEADER, HASH):
+    if name in (HEADER, HASH, SIGNATURE):
         return MAXIMUM_HEADER_BYTES + _LONGEST_NPY_HEADER
     if name == "overview_labels":
         return MAXIMUM_OVERVIEW_PIXELS

@@ -24,9 +24,11 @@ from .format import (
     NOT_ON_BOARD,
     ONBOARD_VERSION,
     PRECISION_PX,
+    SIGNATURE,
     VECTOR_STEPS,
     digest,
 )
+from .signature import read_key, signature
 
 
 def write_onboard(
@@ -34,6 +36,7 @@ def write_onboard(
     database: ReferenceDatabase,
     lon_lat: LonLatPolynomial | None,
     precision: float | None = None,
+    key_file: str | None = None,
 ) -> None:
     """Writes a database, with its overview where it has one. Same database, same bytes.
 
@@ -42,10 +45,13 @@ def write_onboard(
         database: To be written.
         lon_lat: Longitude and latitude of its map coordinates; None where the file shall not tell them.
         precision: Largest rounding error of a landmark's x and y, map units; PRECISION_PX pixels without it.
+        key_file: The key to sign the file with.
 
     Raises:
         DatabaseError: The format can't hold the database.
+        ParameterError: The key can't be used.
     """
+    key = read_key(key_file) if key_file else None
     parameters = database.parameters
     precision = PRECISION_PX * parameters.pixel_size if precision is None else precision
     if not (math.isfinite(precision) and precision > 0):
@@ -67,7 +73,10 @@ def write_onboard(
     members[HEADER] = np.frombuffer(text.encode("utf-8"), np.uint8)
     if len(members[HEADER]) > MAXIMUM_HEADER_BYTES:
         raise DatabaseError("onboard.header_too_long", size=len(members[HEADER]), most=MAXIMUM_HEADER_BYTES)
-    members[HASH] = np.frombuffer(digest({name: _npy(array) for name, array in members.items()}), np.uint8)
+    files = {name: _npy(array) for name, array in members.items()}
+    members[HASH] = np.frombuffer(digest(files), np.uint8)
+    if key is not None:
+        members[SIGNATURE] = np.frombuffer(signature(files, key), np.uint8)
     with open(path, "wb") as file:
         np.savez_compressed(file, **{name: members[name] for name in KINDS if name in members})
 

@@ -13,6 +13,12 @@ SENTENCES = {
     "onboard.no_file": "There is no file {path}; export one or choose another.",
     "onboard.unreadable": "{path} can't be read: {reason}.",
     "onboard.foreign": "{path} is no onboard file of SemRef; choose one that SemRef exported.",
+    "onboard.unsigned": "{path} is not signed; export it with the key {key}, or leave the key out.",
+    "onboard.wrong_signature": (
+        "{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported."
+    ),
+    "onboard.key_unreadable": "The key {path} can't be read: {reason}.",
+    "onboard.key_length": "The key {path} has {size} bytes; a key has {least} to {most} random ones.",
     "onboard.newer_format": (
         "{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core "
         "folder on this computer."

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Dict, Tuple
 from ...core.errors import ParameterError
 from ..framework import offers
 from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, cancelable, check_canceled
-from ..framework.declarations import FileOutput, Number, NumberResult, Switch, VectorSource
+from ..framework.declarations import File, FileOutput, Number, NumberResult, Switch, VectorSource
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ class ExportOnboard(SemRefAlgorithm):
     CLIP = "CLIP"
     DISTANCE = "DISTANCE"
     OVERVIEW = "OVERVIEW"
+    KEY_FILE = "KEY_FILE"
     OUTPUT = "OUTPUT"
     BYTES = "BYTES"
 
@@ -81,6 +82,18 @@ class ExportOnboard(SemRefAlgorithm):
                 advanced=True,
                 minimum=1e-6,
             ),
+            File(
+                self.KEY_FILE,
+                tr("Key file"),
+                tr(
+                    "Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that "
+                    "“python -m core … --require-signature KEY” takes no file that others made or changed. Keep the "
+                    "key secret: who has it can sign."
+                ),
+                optional=True,
+                advanced=True,
+                filter=tr("All files (*)"),
+            ),
             FileOutput(
                 self.OUTPUT,
                 tr("Onboard file"),
@@ -103,6 +116,7 @@ class ExportOnboard(SemRefAlgorithm):
 
         self._check_target(values.target(self.OUTPUT), feedback)
         path, precision = values.file(self.DATABASE), values.optional_number(self.PRECISION)
+        key_file = values.file(self.KEY_FILE) or None
         database = cancelable(read_database, path, feedback=feedback)
         crs = database_crs(database)
         if values.switch(self.OVERVIEW):
@@ -113,10 +127,10 @@ class ExportOnboard(SemRefAlgorithm):
         lon_lat = fitted_lon_lat(database.parameters.extent, crs, values.transform_context)
         feedback.setProgress(60)
         with outputs.file(self.OUTPUT) as temporary:
-            cancelable(write_onboard, temporary, database, lon_lat, precision, feedback=feedback)
+            cancelable(write_onboard, temporary, database, lon_lat, precision, key_file, feedback=feedback)
             feedback.setProgress(80)
             # Read back before it gets its name: what is on board must be readable there.
-            onboard = cancelable(read_onboard, temporary, feedback=feedback)
+            onboard = cancelable(read_onboard, temporary, True, key_file, feedback=feedback)
             check_canceled(feedback)
         self._say(onboard, feedback)
         return {self.BYTES: onboard.size_bytes}

@@ -62,6 +62,18 @@ def test_the_file_holds_the_database_as_exactly_as_it_says(export, database, fee
     assert "positions by 0.01 map units at most" in feedback.textLog()
 
 
+def test_a_file_is_signed_with_the_key_that_was_given(export, tmp_path):
+    from semref.core.errors import SemRefError
+    from semref.core.onboard.read import read_onboard
+
+    (tmp_path / "key").write_bytes(bytes(range(32)))
+    signed = export(KEY_FILE=str(tmp_path / "key"))["OUTPUT"]
+    assert len(read_onboard(signed, key_file=str(tmp_path / "key")).database.references)
+    (tmp_path / "key").write_bytes(bytes(32))
+    with pytest.raises(SemRefError, match="was not signed with the key"):
+        read_onboard(signed, key_file=str(tmp_path / "key"))
+
+
 def test_precision_is_in_map_units_and_may_be_text(export):
     assert onboard(export(PRECISION="0.25")["OUTPUT"]).position_error == 0.25
 
@@ -325,7 +337,7 @@ def test_a_foreign_file_is_no_database(qgis_app, tmp_path, name):
 
 
 def test_a_flipped_bit_of_a_database_never_ends_in_another_error(database, tmp_path):
-    """A GeoPackage has no checksums: a bit of a coordinate can't be told from another coordinate."""
+    """Most are found by checksums; what no table of ours holds may change unseen."""
     from semref.core.errors import SemRefError
 
     content, refused = Path(database).read_bytes(), 0

@@ -295,3 +295,14 @@ def test_a_flipped_bit_in_a_stored_number_is_refused(read, built, database):
 def test_a_database_without_checksums_still_opens(read, database):
     spoil(database)
     assert len(read(database).references)
+
+
+@pytest.mark.parametrize("name", ["plain.gpkg", 'a"b.gpkg', "a:b.gpkg"])
+def test_an_odd_path_comes_onto_the_map(qgis_app, built, tmp_path, name):
+    from qgis.core import QgsProject
+
+    from semref.ui.canvas.database_layers import add_database_to_map
+
+    project = QgsProject()
+    add_database_to_map(str(shutil.copy(built, tmp_path / name)), project)
+    assert sorted(layer.name() for layer in project.mapLayers().values()) == ["Landmarks", "Overview", "Windows"]

@@ -38,7 +38,7 @@ function array(npy) {
 function read(path) {
   const members = unzip(fs.readFileSync(path));
   const hash = crypto.createHash("sha256");
-  for (const name of Object.keys(members).sort()) if (name !== "content_hash") hash.update(members[name]);
+  for (const name of Object.keys(members).sort()) if (name !== "content_hash" && name !== "signature") hash.update(members[name]);
   const arrays = Object.fromEntries(Object.entries(members).map(([name, npy]) => [name, array(npy)]));
   if (!hash.digest().equals(Buffer.from(arrays.content_hash.values))) throw new Error("the content hash is another");
   const header = JSON.parse(Buffer.from(arrays.header.values).toString("utf8"));

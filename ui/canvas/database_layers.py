@@ -20,7 +20,7 @@ def add_database_to_map(path: str, project: QgsProject) -> QgsLayerTreeGroup:
     layers = [
         QgsVectorLayer(f"{path}|layername=references", tr("Landmarks"), "ogr"),
         QgsVectorLayer(f"{path}|layername=windows", tr("Windows"), "ogr"),
-        QgsRasterLayer(f"GPKG:{path}:overview", tr("Overview"), "gdal"),
+        QgsRasterLayer(_overview_source(path), tr("Overview"), "gdal"),
     ]
     if not all(layer.isValid() for layer in layers):
         raise DatabaseError("exchange.no_database_layers", path=path)
@@ -33,3 +33,9 @@ def add_database_to_map(path: str, project: QgsProject) -> QgsLayerTreeGroup:
     for layer in layers:
         group.addLayer(layer)
     return group
+
+
+def _overview_source(path: str) -> str:
+    """What QGIS opens the overview by; GDAL's name of a part of a file can't hold every path."""
+    is_plain = '"' not in path and ":" not in Path(path).name and ":" not in str(Path(path).parent)[2:]
+    return f"GPKG:{path}:overview" if is_plain else f"{path}|option:TABLE=overview"

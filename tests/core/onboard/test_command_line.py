@@ -161,7 +161,7 @@ def test_only_regular_files_of_a_bounded_size_are_read(database, tmp_path, capsy
 def test_a_fault_of_the_program_is_no_missing_fix(database, image, capsys, monkeypatch):
     """Python's own exit code for a traceback is 1, which means that an image has no fix."""
 
-    def broken(*_):
+    def broken(*_, **__):
         raise ZeroDivisionError("by chance")
 
     monkeypatch.setattr(Localizer, "localize", broken)

@@ -1,0 +1,100 @@
+"""A signed onboard file is taken with its key alone; an unsigned one only where nobody asks for a signature."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+
+import numpy as np
+import pytest
+from onboard_area import write_area
+
+from semref.core.errors import SemRefError
+from semref.core.onboard.command_line import ALL_FIXED, REFUSED, main
+from semref.core.onboard.format import digest
+from semref.core.onboard.read import read_onboard
+from semref.core.onboard.signature import is_signed_with, signature
+from semref.core.onboard.write import write_onboard
+
+FILES = {"a": b"12", "b": b"3"}
+KEY = bytes(range(32))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """With a key, another one, and an area that is signed with the first and one that isn't."""
+    folder = tmp_path_factory.mktemp("signed")
+    (folder / "key").write_bytes(KEY)
+    (folder / "other_key").write_bytes(KEY[::-1])
+    write_area(str(folder / "unsigned.npz"))
+    database = read_onboard(str(folder / "unsigned.npz")).database
+    write_onboard(str(folder / "signed.npz"), database, None, key_file=str(folder / "key"))
+    return folder
+
+
+def changed_by_a_stranger(folder, target, drops_signature=False) -> str:
+    """A file with another landmark and the content hash that belongs to it."""
+    with zipfile.ZipFile(folder / "signed.npz") as archive:
+        files = {name[:-4]: archive.read(name) for name in archive.namelist()}
+    areas = bytearray(files["references_areas"])
+    areas[-1] ^= 1
+    files["references_areas"] = bytes(areas)
+    found = io.BytesIO()
+    np.save(found, np.frombuffer(digest(files), np.uint8))
+    files["content_hash"] = found.getvalue()
+    if drops_signature:
+        del files["signature"]
+    with zipfile.ZipFile(target, "w") as archive:
+        for name, data in files.items():
+            archive.writestr(f"{name}.npy", data)
+    return str(target)
+
+
+def refusal(path, key) -> str:
+    with pytest.raises(SemRefError) as refused:
+        read_onboard(str(path), key_file=str(key))
+    return str(refused.value)
+
+
+def test_a_file_is_taken_with_the_key_it_was_signed_with(folder):
+    assert len(read_onboard(str(folder / "signed.npz"), key_file=str(folder / "key")).database.references)
+
+
+def test_a_signed_file_needs_no_key_where_nobody_asks(folder):
+    assert len(read_onboard(str(folder / "signed.npz")).database.references)
+
+
+def test_an_unsigned_file_is_refused(folder):
+    assert "is not signed" in refusal(folder / "unsigned.npz", folder / "key")
+
+
+def test_another_key_is_refused(folder):
+    assert "was not signed with the key" in refusal(folder / "signed.npz", folder / "other_key")
+
+
+@pytest.mark.parametrize(("drops_signature", "said"), [(False, "was changed since"), (True, "is not signed")])
+def test_what_a_stranger_changed_is_refused_although_its_hash_fits(folder, tmp_path, drops_signature, said):
+    path = changed_by_a_stranger(folder, tmp_path / "changed.npz", drops_signature)
+    assert len(read_onboard(path).database.references)
+    assert said in refusal(path, folder / "key")
+
+
+@pytest.mark.parametrize(("content", "said"), [(b"", "0 bytes"), (b"k" * 15, "15 bytes"), (b"k" * 5000, "bytes")])
+def test_what_is_no_key_is_refused(folder, tmp_path, content, said):
+    (tmp_path / "key").write_bytes(content)
+    assert said in refusal(folder / "signed.npz", tmp_path / "key")
+    assert "can't be read" in refusal(folder / "signed.npz", tmp_path / "missing")
+
+
+def test_bytes_can_not_move_from_one_array_to_another():
+    assert signature(FILES, KEY) != signature({"a": b"1", "b": b"23"}, KEY)
+    assert is_signed_with(FILES, signature(FILES, KEY), KEY)
+    assert not is_signed_with(FILES, signature(FILES, KEY)[:31], KEY)
+
+
+def test_the_command_line_requires_the_signature(folder, capsys):
+    key = str(folder / "key")
+    assert main(["info", str(folder / "signed.npz"), "--require-signature", key]) == ALL_FIXED
+    for command in (["info"], ["localize", "photo.png", "--database"], ["watch", str(folder), "--database"]):
+        assert main([*command, str(folder / "unsigned.npz"), "--require-signature", key]) == REFUSED
+        assert "is not signed" in capsys.readouterr().err
