@@ -1,0 +1,59 @@
+"""Seeds of a cut of a made catalogue, whose pose is known."""
+
+import numpy as np
+import pytest
+
+from semref.core.constellation.hypotheses import find_seeds, query_triangles
+from semref.core.constellation.settings import CONSTELLATION
+from semref.core.localization import Prior
+
+ORIGIN = (500_000.0, 5_200_000.0)
+SCALES = (0.4, 2.5)
+TRUE = (900.0, 1100.0, 70.0, 1.1)
+"""East and north of the origin, heading and pixel size of the cut."""
+
+
+def seeds_of(index, query, prior):
+    return find_seeds(index, query, query_triangles(query, CONSTELLATION), prior, 10**7)
+
+
+@pytest.mark.parametrize("place", [TRUE, (700.0, 800.0, 0.0, 0.8), (1200.0, 1000.0, 251.0, 1.6)])
+def test_the_true_pose_has_the_most_votes(index, cut, place):
+    made = cut(*place)
+    seeds = seeds_of(index, made.query, Prior(pixel_size_range=SCALES))
+    assert abs(seeds.centers[0] - made.pose.center) < 5
+    assert abs(seeds.turns[0] / made.pose.turn - 1) < 0.02
+    assert not seeds.capped and (np.diff(seeds.votes) <= 0).all()
+
+
+def test_the_mirrored_image_has_far_fewer_votes_for_any_pose(index, cut):
+    made, prior = cut(*TRUE), Prior(pixel_size_range=SCALES)
+    votes = [seeds_of(index, query, prior).votes.max() for query in (made.query, made.query.mirrored())]
+    assert votes[1] < votes[0] / 5
+
+
+def test_no_seed_lies_outside_the_prior(index, cut):
+    query = cut(*TRUE).query
+    prior = Prior((ORIGIN[0] + 1300, ORIGIN[1] + 700), 250.0, 200.0, 60.0, (0.7, 1.9))
+    seeds = seeds_of(index, query, prior)
+    assert len(seeds.votes)
+    assert np.abs(seeds.centers + index.origin - complex(*prior.position)).max() <= 250
+    assert np.abs((-np.degrees(np.angle(seeds.turns)) - 200 + 180) % 360 - 180).max() <= 60
+    assert 0.69 < np.abs(seeds.turns).min() and np.abs(seeds.turns).max() < 1.91
+
+
+def test_a_cap_leaves_hits_out_and_says_so(index, cut):
+    query = cut(*TRUE).query
+    triangles, prior = query_triangles(query, CONSTELLATION), Prior(pixel_size_range=SCALES)
+    everything = find_seeds(index, query, triangles, prior, 10**7)
+    few = find_seeds(index, query, triangles, prior, 300)
+    assert few.capped and few.votes.sum() < everything.votes.sum()
+
+
+def test_objects_that_are_cut_or_of_unknown_class_make_no_triangles(cut):
+    query = cut(*TRUE).query
+    query.whole[::4] = False
+    query.ranks[1::4] = -1
+    triple, numbers, tolerances = query_triangles(query, CONSTELLATION)
+    assert len(triple) == len(numbers) == len(tolerances) > 50
+    assert set(np.unique(triple % 4)) == {2, 3}

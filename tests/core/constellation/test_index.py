@@ -1,0 +1,66 @@
+"""The index finds the triangles that it was built of, and nothing of other labels."""
+
+import numpy as np
+import pytest
+
+from semref.core.constellation.index import (
+    build_index,
+    expand_ranges,
+    full_area,
+    key_ranges,
+    like_triangles,
+)
+from semref.core.constellation.triangles import describe_triangles
+from semref.core.database.model import MapLandmarks
+
+REACH = np.full((40, 5), 0.02)
+
+
+@pytest.fixture(scope="module")
+def asked(index):
+    """40 of the index's own triangles: their numbers in it, their five numbers and their labels."""
+    chosen = np.random.default_rng(5).choice(len(index.triangles), 40, replace=False)
+    members = index.members(chosen)
+    return chosen, describe_triangles(index.points[members], index.log_areas[members]), index.ranks[members]
+
+
+def hits_of(index, numbers, ranks):
+    which, first, last = key_ranges(index, numbers, ranks, REACH)
+    stretch, hits = expand_ranges(first, last)
+    source = which[stretch]
+    agree = like_triangles(index, hits, source, numbers, REACH)
+    return source[agree], hits[agree]
+
+
+def test_each_of_its_own_triangles_is_found(index, asked):
+    chosen, numbers, ranks = asked
+    source, hits = hits_of(index, numbers, ranks)
+    assert {(k, one) for k, one in enumerate(chosen)} <= set(zip(source.tolist(), hits.tolist()))
+    assert len(hits) < 40 * 10
+
+
+def test_a_triangle_whose_place_differs_is_not_found(index, asked):
+    chosen, numbers, ranks = asked
+    source, hits = hits_of(index, numbers * [1, -1, 1, 1, 1], ranks)
+    assert not {(k, one) for k, one in enumerate(chosen) if abs(numbers[k, 1]) > 0.05} & set(zip(source, hits))
+
+
+def test_objects_in_a_box_equal_those_of_a_search_through_all(index):
+    low, high = -300 - 150j, 420 + 610j
+    x, y = index.points.real, index.points.imag
+    inside = (x >= low.real) & (x <= high.real) & (y >= low.imag) & (y <= high.imag)
+    assert 50 < inside.sum() < 400
+    assert sorted(index.within(low, high)) == np.flatnonzero(inside).tolist()
+
+
+def test_objects_cut_by_the_edge_make_no_triangles(catalogue):
+    cut = np.arange(len(catalogue.classes)) % 3 == 0
+    landmarks = MapLandmarks(catalogue.positions, catalogue.classes, catalogue.areas_m2, cut)
+    index = build_index(landmarks, 1.0)
+    members = index.members(np.arange(len(index.triangles)))
+    assert len(members) > 1000 and not cut[members].any()
+
+
+def test_classes_have_their_places_and_unknown_ones_none(index):
+    assert index.rank_of(np.array([5, 1, 99, 2, 3])).tolist() == [2, 0, -1, 1, -1]
+    assert full_area(np.array([81.0]), 1.0).tolist() == [100.0]

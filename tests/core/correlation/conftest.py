@@ -1,0 +1,38 @@
+"""A made map of patches and images cut from it."""
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.correlation.class_pyramid import MapPyramid, evidence_level
+from semref.core.geometry.frame import MapFrame
+
+
+@pytest.fixture(scope="package")
+def patches():
+    """(300, 360) uint8: patches of classes 1 to 5, pixels of 4 m."""
+    rng = np.random.default_rng(21)
+    points = np.full((300, 360), 255, np.uint8)
+    points[rng.integers(0, 300, 400), rng.integers(0, 360, 400)] = 0
+    _, cells = cv2.distanceTransformWithLabels(points, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
+    return rng.integers(1, 6, cells.max() + 1).astype(np.uint8)[cells]
+
+
+@pytest.fixture(scope="package")
+def patch_pyramid(patches):
+    return MapPyramid(patches, MapFrame.at((500_000.0, 5_200_000.0), 4.0))
+
+
+@pytest.fixture(scope="package")
+def image_at(patches, patch_pyramid):
+    """Evidence, edge × edge pixels, of a camera's image: 500 pixels along an edge; places in meters from the corner."""
+
+    def at(x, y, heading_deg, pixel_m, edge=64):
+        turn = np.radians(heading_deg)
+        matrix = pixel_m / 4 * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+        offset = np.array([x, y]) / 4 - 0.5 - matrix @ np.array([249.5, 249.5])
+        flags = cv2.INTER_NEAREST | cv2.WARP_INVERSE_MAP
+        labels = cv2.warpAffine(patches, np.column_stack([matrix, offset]), (500, 500), flags=flags)
+        return evidence_level(labels, patch_pyramid.space, (edge, edge))
+
+    return at

@@ -1,0 +1,49 @@
+"""The verdict on known peaks and covariances."""
+
+import numpy as np
+import pytest
+
+from semref.core.correlation.decision import confidence_of, decide, exact_enough, position_error_95, smaller_lead
+from semref.core.correlation.settings import CORRELATION
+from semref.core.localization import CorrelationPeaks, Status
+
+
+@pytest.mark.parametrize(
+    "score, runner_up, mirror, status, code",
+    [
+        (0.7, 0.3, 0.3, Status.FIX, None),
+        (0.24, 0.0, 0.0, Status.NO_MATCH, "localization.agreement_too_low"),
+        (0.7, 0.3, 0.65, Status.NO_MATCH, "localization.mirror_agrees"),
+        (0.7, 0.65, 0.3, Status.AMBIGUOUS, "localization.two_places_agree"),
+    ],
+)
+def test_a_fix_needs_a_score_and_a_lead_over_both_opponents(score, runner_up, mirror, status, code):
+    found, reason = decide(CorrelationPeaks(score, runner_up, mirror))
+    assert (found, reason and reason.code) == (status, code)
+
+
+def test_confidence_grows_with_the_lead_over_the_stronger_opponent():
+    peaks = [CorrelationPeaks(0.7, 0.1, mirror) for mirror in (0.69, 0.6, 0.3)]
+    chances = [confidence_of(one) for one in peaks]
+    assert chances == sorted(chances) and chances[0] < 0.1 and chances[-1] > 0.99
+    assert smaller_lead(peaks[2]) == pytest.approx(np.arctanh(0.7) - np.arctanh(0.3))
+
+
+def test_the_error_radius_grows_with_the_covariance():
+    radii = [position_error_95(factor * np.diag([4.0, 1.0]), 0.7, 4.0) for factor in (1, 4, 16)]
+    assert radii[1] / radii[0] == pytest.approx(2, rel=0.02) and radii[2] / radii[1] == pytest.approx(2, rel=0.02)
+
+
+def test_the_error_radius_grows_as_image_and_map_agree_less():
+    spread = np.diag([4.0, 1.0])
+    radii = [position_error_95(spread, score, 4.0) for score in (0.9, 0.8, 0.6, 0.4)]
+    assert radii == sorted(radii) and radii[0] > 1 and radii[-1] > 5 * radii[1]
+    assert position_error_95(np.zeros((2, 2)), 0.9, 4.0) == pytest.approx(0.6)
+    assert position_error_95(np.full((2, 2), np.inf), 0.9, 4.0) == np.inf
+
+
+def test_a_fix_has_to_be_exact_for_the_ground_its_image_shows():
+    assert exact_enough(CORRELATION.largest_error * 800, 800.0) == ("fix", None)
+    status, reason = exact_enough(21.26, 800.0)
+    assert status == "ambiguous" and "within 21.3 m" in str(reason) and "needs 20 m" in str(reason)
+    assert "in all directions" in str(exact_enough(float("inf"), 800.0)[1])

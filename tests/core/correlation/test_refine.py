@@ -1,0 +1,49 @@
+"""Poses moved to their optimum, on images whose pose is known."""
+
+import numpy as np
+import pytest
+
+from semref.core.correlation.refine import NOT_COMPARABLE, ScoredPose, axes, pose_covariance, refine, score_at
+
+TRUE = ScoredPose(703.4, 598.1, 41.0, 1.03)
+PIXEL_M = 500 / 64 * TRUE.pixel_size_m
+"""One of the image's evidence on the ground."""
+
+
+@pytest.fixture(scope="module")
+def image(image_at):
+    return image_at(TRUE.x, TRUE.y, TRUE.heading_deg, TRUE.pixel_size_m)
+
+
+@pytest.mark.parametrize("x, y, heading, growth", [(6, -5, 0, 1), (-4, 3, 2, 1.01), (0, 0, -3, 0.98)])
+def test_a_pose_beside_the_true_one_is_moved_there_finer_than_a_pixel(patch_pyramid, image, x, y, heading, growth):
+    start = ScoredPose(TRUE.x + x, TRUE.y + y, TRUE.heading_deg + heading, TRUE.pixel_size_m * growth)
+    found = refine(image, patch_pyramid, start, patch_pyramid.quiet, 8)
+    assert np.hypot(found.x - TRUE.x, found.y - TRUE.y) < 0.2 * PIXEL_M
+    assert abs(found.heading_deg - TRUE.heading_deg) < 0.3
+    assert found.pixel_size_m == pytest.approx(TRUE.pixel_size_m, rel=0.005)
+    assert found.score > score_at(image, patch_pyramid, start, patch_pyramid.quiet)
+
+
+def test_the_score_is_high_at_the_true_pose_low_elsewhere_and_none_beside_the_map(patch_pyramid, image):
+    places = [TRUE, ScoredPose(TRUE.x + 150, TRUE.y - 80, 41.0, 1.03), ScoredPose(-3000, 0, 0, 1)]
+    here, there, beside = (score_at(image, patch_pyramid, place, patch_pyramid.quiet) for place in places)
+    assert here > 0.8 and there < 0.4 and beside == NOT_COMPARABLE
+
+
+def test_axes_lead_right_and_down_as_the_heading_turns_them():
+    np.testing.assert_allclose(axes(ScoredPose(0, 0, 90.0, 2.0)) @ [1, 0], [0, 2], atol=1e-12)
+    np.testing.assert_allclose(axes(ScoredPose(0, 0, 0.0, 2.0)) @ [1, 3], [2, 6], atol=1e-12)
+
+
+def test_the_covariance_grows_with_the_noise_of_the_labels(patch_pyramid, image):
+    spoiled = np.random.default_rng(6).permuted(image.evidence.reshape(-1, 4), axis=0).reshape(image.evidence.shape)
+    noisy = type(image)((image.evidence + spoiled).astype(np.float32), image.known, image.pixel)
+    clean, worse = (pose_covariance(one, patch_pyramid, TRUE, patch_pyramid.quiet) for one in (image, noisy))
+    assert (np.linalg.eigvalsh(clean) > 0).all()
+    assert (np.diag(worse) > 2 * np.diag(clean)).all()
+
+
+def test_where_nothing_tells_the_pose_its_covariance_is_infinite(patch_pyramid, image):
+    alike = type(image)(np.ones_like(image.evidence), image.known, image.pixel)
+    assert np.isinf(pose_covariance(alike, patch_pyramid, TRUE, patch_pyramid.quiet)).all()
