@@ -5,9 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
-from typing import TypeVar
-
-Value = TypeVar("Value")
+from typing import Any
 
 LONGEST_NAME = 255
 """Characters of a name, a version or a hash: what file systems and OGR's fields hold as well."""
@@ -26,7 +24,7 @@ _LONGEST_NUMBER = 64
 _JSON_STRING = re.compile(r'"(?:[^"\\]|\\.)*"', re.DOTALL)
 
 
-def read_json(text: str, longest: int = LONGEST_JSON) -> object:
+def read_json(text: str, longest: int = LONGEST_JSON) -> Any:  # noqa: ANN401 -- JSON is of any type
     """What a JSON text says.
 
     Args:
@@ -52,21 +50,21 @@ def _whole(text: str) -> int:
     return int(text)
 
 
-def checked(value: object, kind: type[Value] | tuple[type[Value], ...], name: str) -> Value:
+def checked(value: Any, kind: type | tuple[type, ...], name: str) -> Any:  # noqa: ANN401 -- as it came
     """``value`` if it is of one of the types ``kind``; raises ValueError otherwise. True and false are no numbers."""
     if isinstance(value, bool) or not isinstance(value, kind):
         raise ValueError(f"{name} is {shown(value)}")
     return value
 
 
-def number(value: object, name: str, above: float = -math.inf, most: float = math.inf) -> float:
+def number(value: Any, name: str, above: float = -math.inf, most: float = math.inf) -> float:  # noqa: ANN401 -- as it came
     """``value`` as a finite number above ``above``, up to ``most``; raises ValueError for anything else."""
     if not above < checked(value, (int, float), name) < math.inf or value > most:
         raise ValueError(f"{name} is {shown(value)}")
     return float(value)
 
 
-def short_text(value: object, name: str, longest: int = LONGEST_NAME) -> str:
+def short_text(value: Any, name: str, longest: int = LONGEST_NAME) -> str:  # noqa: ANN401 -- as it came
     """``value`` if it is a text of at most ``longest`` characters; raises ValueError for anything else."""
     if len(checked(value, str, name)) > longest:
         raise ValueError(f"{name} has {len(value)} characters, more than {longest}")

@@ -160,7 +160,7 @@ class SegmentationModel:
                 plane[band] = cv2.LUT(pixels, self._standardized[band])
         try:
             found = self._session.run(None, {self._name: planes})[0]
-        except (*_failures(), MemoryError) as error:
+        except _failures_of_a_run() as error:
             height, width = self.tile_hw
             raise ModelError(
                 "segmentation.run_failed", path=self.path, width=width, height=height, reason=_reason(error)
@@ -177,6 +177,10 @@ def _onnxruntime() -> ModuleType:
     except ImportError as error:
         raise ModelError("segmentation.no_onnxruntime", reason=str(error)) from None
     return onnxruntime
+
+
+def _failures_of_a_run() -> tuple[type[BaseException], ...]:
+    return (*_failures(), MemoryError)
 
 
 def _failures() -> tuple[type[BaseException], ...]:

@@ -172,7 +172,7 @@ def read_stored_database(path: str) -> StoredDatabase:
     if bounds is not None and len(bounds) != len(fids):
         raise DatabaseError("storage.bounds_count", path=path, count=len(fids), bounds=len(bounds))
     if bounds is not None and not _on_map(bounds, database.parameters):
-        raise damaged(path, "a landmark spans pixels that the map has not")
+        raise damaged(path, ValueError("a landmark spans pixels that the map has not"))
     database = replace(database, references=replace(database.references, bounds_px=bounds))
     return StoredDatabase(database, tuple(fid for (fid,) in window_fids), tuple(fid for (fid,) in fids), found)
 
