@@ -57,7 +57,12 @@ def checked(value: Any, kind: type | tuple[type, ...], name: str) -> Any:  # noq
     return value
 
 
-def number(value: Any, name: str, above: float = -math.inf, most: float = math.inf) -> float:  # noqa: ANN401 -- as it came
+def number(
+    value: Any,  # noqa: ANN401 -- as it came
+    name: str,
+    above: float = -math.inf,
+    most: float = math.inf,
+) -> float:
     """``value`` as a finite number above ``above``, up to ``most``; raises ValueError for anything else."""
     if not above < checked(value, (int, float), name) < math.inf or value > most:
         raise ValueError(f"{name} is {shown(value)}")
