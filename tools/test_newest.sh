@@ -18,7 +18,7 @@ oldest=(
 find_python() { # VERSION: a Python of that version
     local found
     for found in "python$1" "$HOME"/.pyenv/versions/"$1".*/bin/python; do
-        if command -v "$found" >/dev/null && "$found" -c "import sys; sys.exit('%d.%d' % sys.version_info[:2] != '$1')"; then
+        if command -v "$found" >/dev/null && "$found" -c "import sys; sys.exit('%d.%d' % sys.version_info[:2] != '$1')" 2>/dev/null; then
             echo "$found"
             return 0
         fi
