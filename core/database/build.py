@@ -61,7 +61,7 @@ class BuildSettings:
             raise WindowError("database.minimum_area", minimum_area=self.minimum_area)
         if self.references_per_vector < MINIMUM_REFERENCES:
             raise WindowError("database.vector_too_short", count=self.references_per_vector, least=MINIMUM_REFERENCES)
-        if not self.levels or not all(0 < level < float("inf") for level in self.levels):
+        if not self.levels or not all(0 < level < _LONGEST for level in self.levels):
             raise WindowError("database.levels")
         # One that is given twice counts once.
         object.__setattr__(self, "levels", tuple(dict.fromkeys(self.levels)))

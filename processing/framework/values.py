@@ -21,6 +21,7 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...core.labels.class_table import split_list
+from ...core.values import LONGEST_NAME
 from .destinations import Destination, destination_of, with_destination
 
 if TYPE_CHECKING:
@@ -100,7 +101,7 @@ class Values:
         try:
             return [float(part.replace(",", ".")) for part in self.parts(key)]
         except ValueError:
-            raise ParameterError("algorithms.no_list_of_numbers", key=key, text=self.text(key)) from None
+            raise ParameterError("algorithms.no_list_of_numbers", key=key, text=self.text(key)[:LONGEST_NAME]) from None
 
     # --- places ---
 

@@ -1,0 +1,103 @@
+"""Values of files and parameters that nobody means: one sentence each, no traceback."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from made_inputs import scattered_objects, write_raster
+from qgis.core import QgsProcessingException
+
+from semref.core.errors import SemRefError
+
+LABELS = scattered_objects(150, 200, 40, seed=2)
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+
+
+def one_sentence(refused) -> str:
+    text = str(refused.value)
+    assert "Traceback" not in text and "\n" not in text.strip() and len(text) < 600, text
+    return text
+
+
+PLANS = [
+    '{"mission": {"items": [{"type": "SimpleItem", "command": 16, "params": [0, 0, 0, 0, 1%s, 5, 0]}]}}' % ("0" * 400),
+    "[" * 100_000,
+    '{"mission": {"items": ' + "[" * 5000 + "]" * 5000 + "}}",
+    json.dumps({"mission": {"items": [{"type": "SimpleItem", "command": 16, "params": [0] * 4 + [10**60, 5, 0]}]}}),
+    '{"mission": {"items": [{"type": "SimpleItem", "command": 16, "params": [0, 0, 0, 0, 1e400, NaN, 0]}]}}',
+]
+
+
+@pytest.mark.parametrize("text", PLANS, ids=range(len(PLANS)))
+def test_an_odd_plan_is_refused(qgis_app, tmp_path, text):
+    from semref.storage.route_files import read_waypoint_file
+
+    (tmp_path / "odd.plan").write_text(text, encoding="utf-8")
+    with pytest.raises(SemRefError) as refused:
+        read_waypoint_file(str(tmp_path / "odd.plan"))
+    one_sentence(refused)
+
+
+@pytest.mark.parametrize("cell", ["x" * 140_000, '"' + "x\n" * 70_000])
+def test_a_table_with_a_huge_field_is_refused(qgis_app, tmp_path, cell):
+    from semref.storage.camera_files import read_cameras
+    from semref.storage.rasters import read_class_table
+
+    (tmp_path / "cameras.csv").write_text(f"image,roll,pitch\na.png,{cell},0\n", encoding="utf-8")
+    (tmp_path / "classes.csv").write_text(f"value,name\n1,{cell}\n", encoding="utf-8")
+    for read in (lambda: read_cameras(["a.png"], str(tmp_path / "cameras.csv")),):
+        with pytest.raises(SemRefError) as refused:
+            read()
+        one_sentence(refused)
+    with pytest.raises(SemRefError) as refused:
+        read_class_table(str(tmp_path / "classes.csv"))
+    one_sentence(refused)
+
+
+@pytest.fixture
+def build(run_algorithm, tmp_path):
+    write_raster(tmp_path / "labels.tif", LABELS, names=NAMES)
+
+    def run(**parameters):
+        settings = {
+            "LABELS": str(tmp_path / "labels.tif"),
+            "REFERENCE_CLASSES": "building;water;bare_land",
+            "WINDOW_SIZE": 100,
+            "STRIDE": 50,
+            "MINIMUM_AREA": 30,
+            "DATABASE": str(tmp_path / "area.gpkg"),
+        }
+        return run_algorithm("semref:builddatabase", {**settings, **parameters})["DATABASE"]
+
+    return run
+
+
+@pytest.mark.parametrize(
+    "parameters",
+    [
+        {"WINDOW_SIZE": float("nan")},
+        {"WINDOW_SIZE": 1e308},
+        {"STRIDE": float("nan")},
+        {"STRIDE": 1e308},
+        {"MINIMUM_AREA": float("nan")},
+        {"LEVELS": "nan"},
+        {"LEVELS": "1;1e308"},
+        {"LEVELS": "-1"},
+        {"LEVELS": "[" * 100_000},
+        {"DATABASE": f"/tmp/{'d' * 300}.gpkg"},
+    ],
+    ids=lambda parameters: " ".join(f"{key} {str(value)[:12]}" for key, value in parameters.items()),
+)
+def test_odd_windows_and_names_are_refused(build, parameters):
+    with pytest.raises(QgsProcessingException) as refused:
+        build(**parameters)
+    text = str(refused.value).replace("Unable to execute algorithm\n", "")
+    assert "Traceback" not in text and len(text) < 900, text
+
+
+def test_a_level_that_is_given_twice_counts_once(build):
+    from semref.storage.database.reader import read_database
+
+    once, thrice = len(read_database(build(LEVELS="1")).windows), read_database(build(LEVELS="1;1;1"))
+    assert (len(thrice.windows), thrice.parameters.levels) == (once, (1.0,))
