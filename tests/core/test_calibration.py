@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import inspect
 import re
 from dataclasses import fields, is_dataclass
 from pathlib import Path
@@ -53,5 +54,5 @@ def test_every_command_is_told(heading, settings):
 
 @each_settings
 def test_the_class_documents_every_field(heading, settings):
-    documented = re.findall(r"^        (\w+): ", type(settings).__doc__, flags=re.MULTILINE)
+    documented = re.findall(r"^    (\w+): ", inspect.getdoc(type(settings)), flags=re.MULTILINE)
     assert documented == [field.name for field in fields(settings)]

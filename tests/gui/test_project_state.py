@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 from dock_area import corners, localize, messages, shown_outline, start, table, wait_until
@@ -11,6 +12,17 @@ def test_a_project_closed_while_a_run_works_ends_the_run(dock, area, tab):
     from qgis.core import QgsProject
 
     start(dock, area.database, [area.image])
+    QgsProject.instance().clear()
+    wait_until(lambda: not tab.run.running, "the end of the run")
+    assert table(dock) == []
+
+
+def test_a_run_that_ended_just_before_its_project_was_closed_shows_nothing(dock, area, tab):
+    from qgis.core import QgsProject
+
+    start(dock, area.database, [area.image])
+    # The run ends in its thread, while the main thread hears nothing of it.
+    time.sleep(2)
     QgsProject.instance().clear()
     wait_until(lambda: not tab.run.running, "the end of the run")
     assert table(dock) == []

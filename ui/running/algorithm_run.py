@@ -91,10 +91,13 @@ class AlgorithmRun(QObject):
     def _finish(self, succeeded: bool, results: dict) -> None:
         context, error = self._context, self._feedback.last_error
         self._task = self._feedback = self._context = None
-        if succeeded:
+        if self._cancel_asked:
+            # Also where it had ended already: what follows a cancel, another project say, wants none of its results.
+            self.canceled.emit()
+        elif succeeded:
             self.done.emit(results, context)
-        elif self._cancel_asked or not error:
-            # Without an error it was canceled in QGIS's own list of tasks.
+        elif not error:
+            # Canceled in QGIS's own list of tasks.
             self.canceled.emit()
         elif error.startswith(_BUG_REPORT_BEGINS):
             self.broke.emit(error)
