@@ -21,7 +21,9 @@ from ..labels.sources import ArrayLabels
 from ..landmarks.landmarks import Landmarks
 from ..localization import Localization, Method, Prior, Status
 from ..localizer.localizer import Localizer
-from ..simulation.noise import JITTER_LENGTH_PX, joined, spoil_labels, spoil_landmarks, with_moved_boundaries
+from ..simulation.label_errors import spoil_labels
+from ..simulation.landmark_errors import joined, spoil_landmarks, with_moved_boundaries
+from ..simulation.noise import JITTER_LENGTH_PX
 from ..simulation.views import View, cut, image_coordinates
 
 LARGEST_IMAGE_PX = 2000

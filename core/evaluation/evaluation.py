@@ -18,7 +18,8 @@ from ..geometry.frame import MapFrame
 from ..labels.sources import LabelSource
 from ..localization import Localization, Method
 from ..localizer.localizer import Localizer
-from ..simulation.noise import LabelNoise, spoil_labels
+from ..simulation.label_errors import spoil_labels
+from ..simulation.noise import LabelNoise
 from ..simulation.views import View, cut
 from .trial import Query, Trial, judge
 

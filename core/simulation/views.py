@@ -23,6 +23,9 @@ from ..labels.sources import LabelSource
 PIXELS = MapFrame.at((0.0, 0.0), 1.0)
 """Where a plain pixel grid lies: x is the column, y minus the row."""
 
+LENS_STEPS = 6
+"""Rounds in which a lens is inverted; each makes the rest a twentieth at 3 %."""
+
 
 @dataclass(frozen=True)
 class View:
@@ -39,6 +42,7 @@ class View:
         tilt_direction_deg: where to it is tilted, clockwise from the image's top
         field_of_view_deg: across the image's width; used by tilted views alone
         is_mirrored: whether left and right are exchanged: such an image lies nowhere on the map
+        lens: radial distortion: how much farther out than without it the ground in the image's corners lies, as a share
     """
 
     x: float
@@ -51,6 +55,7 @@ class View:
     tilt_direction_deg: float = 0.0
     field_of_view_deg: float = 60.0
     is_mirrored: bool = False
+    lens: float = 0.0
 
     @property
     def position(self) -> tuple[float, float]:
@@ -119,7 +124,7 @@ def image_coordinates(view: View, positions: np.ndarray) -> np.ndarray:
     """Where in a level image points of the map lie.
 
     Args:
-        view: not tilted
+        view: not tilted; its lens may bend
         positions: (n, 2) map x, y
 
     Returns:
@@ -131,6 +136,11 @@ def image_coordinates(view: View, positions: np.ndarray) -> np.ndarray:
     up = (east * math.sin(turn) + north * math.cos(turn)) / view.pixel_size
     if view.is_mirrored:
         right = -right
+    if view.lens:
+        straight_right, straight_up = right, up
+        for _ in range(LENS_STEPS):
+            larger = _larger(view, right, up)
+            right, up = straight_right / larger, straight_up / larger
     return np.column_stack([view.width_px / 2 + right, view.height_px / 2 - up])
 
 
@@ -162,11 +172,19 @@ def _offsets(view: View, columns: np.ndarray, rows: np.ndarray, scale: float) ->
     right, up = columns - view.width_px / 2, view.height_px / 2 - rows
     if view.is_mirrored:
         right = -right
+    if view.lens:
+        larger = _larger(view, right, up)
+        right, up = right * larger, up * larger
     if view.tilt_deg:
         right, up = _on_the_ground(view, right, up)
     turn = np.radians(view.heading_deg)
     cosine, sine = np.cos(turn), np.sin(turn)
     return scale * (cosine * right + sine * up), scale * (sine * right - cosine * up)
+
+
+def _larger(view: View, right: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """How much farther from the center than the image shows them points lie: Brown's first radial term."""
+    return 1 + view.lens * (right**2 + up**2) / ((view.width_px**2 + view.height_px**2) / 4)
 
 
 def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

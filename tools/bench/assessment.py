@@ -19,7 +19,8 @@ from semref.core.assessment.cells import Cells, ground_cells
 from semref.core.assessment.summary import brier_score, calibration
 from semref.core.evaluation.trial import Query
 from semref.core.localization import Method
-from semref.core.simulation.noise import USUAL, spoil_labels
+from semref.core.simulation.label_errors import spoil_labels
+from semref.core.simulation.noise import USUAL
 from semref.core.simulation.views import View
 
 PAGE = "benchmarks.md"

@@ -21,7 +21,9 @@ from semref.core.evaluation.trial import Query, Trial, judge
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.localization import Method, Prior
 from semref.core.localizer.localizer import Localizer
-from semref.core.simulation.noise import LabelNoise, spoil_labels, spoil_landmarks
+from semref.core.simulation.label_errors import spoil_labels
+from semref.core.simulation.landmark_errors import spoil_landmarks
+from semref.core.simulation.noise import LabelNoise
 from semref.core.simulation.views import View, cut, lies_on, random_view
 from semref.storage.database.reader import read_database
 

@@ -15,7 +15,8 @@ from semref.core.geometry.pose import Pose, fit_similarity, level_covariance, ti
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.localization import Place, Prior, Status
-from semref.core.simulation.noise import LabelNoise, spoil_landmarks
+from semref.core.simulation.landmark_errors import spoil_landmarks
+from semref.core.simulation.noise import LabelNoise
 from semref.core.simulation.views import PIXELS, View, cut
 
 SIZE = 640

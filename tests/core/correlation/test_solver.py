@@ -13,7 +13,8 @@ from semref.core.errors import LabelMapError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.overview import most_frequent_labels
 from semref.core.localization import Place, Prior
-from semref.core.simulation.noise import MODEST, STRONG, spoil_labels
+from semref.core.simulation.label_errors import spoil_labels
+from semref.core.simulation.noise import MODEST, STRONG
 
 ORIGIN = 500_000.0, 5_200_000.0
 FRAME = MapFrame.at(ORIGIN, 4.0)

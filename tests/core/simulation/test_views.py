@@ -117,3 +117,19 @@ def test_random_views_fill_what_they_are_drawn_from_and_a_seed_repeats_them():
 def test_a_view_knows_the_ground_it_covers():
     view = View(3.0, 4.0, pixel_size=0.5, width_px=640, height_px=480)
     assert (view.position, view.footprint, view.shape_hw) == ((3.0, 4.0), 320.0, (480, 640))
+
+
+def test_a_lens_moves_the_corners_by_its_share_and_leaves_the_center():
+    view = View(1000.0, 2000.0, 30.0, 0.5, 640, 480, lens=0.03)
+    plain = View(1000.0, 2000.0, 30.0, 0.5, 640, 480)
+    columns, rows = np.array([320.0, 0.0, 640.0]), np.array([240.0, 0.0, 480.0])
+    bent, straight = (np.array(map_coordinates(one, columns, rows)) - [[1000.0], [2000.0]] for one in (view, plain))
+    np.testing.assert_allclose(bent, straight * [1.0, 1.03, 1.03])
+
+
+def test_image_coordinates_undo_a_lens():
+    view = View(1000.0, 2000.0, 30.0, 0.5, 640, 480, lens=0.03)
+    pixels = np.array([[10.0, 20.0], [320.0, 240.0], [600.0, 100.0]])
+    np.testing.assert_allclose(
+        image_coordinates(view, np.column_stack(map_coordinates(view, *pixels.T))), pixels, atol=1e-4
+    )

@@ -1,0 +1,217 @@
+"""Label images spoiled on purpose, in the order in which errors happen.
+
+Landmarks are missed, mislabeled, or spurious; roofs lean; near landmarks flow together, long ones break; thin parts
+vanish; boundaries wander and whole neighborhoods are displaced; background gets other classes, and so do whole patches.
+Every step is left out by giving it 0. Every function takes its random generator, so a seed repeats an image.
+
+Example:
+    >>> noise = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05, jitter=1.0)   # lengths in map units
+    >>> labels_hw = spoil_labels(labels_hw, noise.in_pixels(pixel_size), rng, (1, 2, 3), donor_hw)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+
+from ..labels.class_table import UNLABELED
+from ..landmarks.landmarks import class_mask
+from .displacement import displaced, with_leaning_roofs
+from .fields import smooth_noise
+from .noise import LabelNoise
+from .regions import Region, filled_from_around, nearest_zero, regions_of
+
+MERGED_LENGTH_PX = 100.0
+"""Size of the parts of an image in which landmarks flow together, where they do so in a share of it."""
+
+PLACES_TRIED = 20
+"""A spurious landmark is left out when so many random places of the image have no room for it."""
+
+LARGEST_KERNEL_PX = 61
+"""Morphology with larger ellipses is done on that size; keeps the time bounded on very fine images."""
+
+
+def spoil_labels(  # noqa: PLR0913 - an image, how it is spoiled, and what is known of its classes
+    labels_hw: np.ndarray,
+    noise: LabelNoise,
+    rng: np.random.Generator,
+    class_values: Sequence[int],
+    donor_hw: np.ndarray | None = None,
+    minimum_area_px: float = 1.0,
+) -> np.ndarray:
+    """A label image as a network, or an annotator, with these errors would have given it.
+
+    Args:
+        labels_hw: (H, W) uint8; stays as it is
+        noise: in pixels of the image
+        rng: a seeded one repeats the image
+        class_values: classes made of landmarks; landmarks are missed, added, mislabeled, merged and split only there
+        donor_hw: labels of another place at the same scale, whose landmarks are the spurious ones; None for none
+        minimum_area_px: smaller regions are no landmarks
+
+    Returns:
+        (H, W) uint8. Random classes are drawn from those the image has, so an image of one class stays what it is.
+    """
+    labels = labels_hw.copy()
+    if not labels.size:
+        return labels
+    if donor_hw is not None or noise.changes_landmarks:
+        labels = _with_changed_landmarks(labels, noise, rng, class_values, donor_hw, minimum_area_px)
+    labels = with_leaning_roofs(labels, noise, rng, class_values, minimum_area_px)
+    for value in class_values:
+        labels = _merged(labels, value, noise, rng)
+        labels = _split(labels, value, noise, rng)
+    labels = displaced(_without_thin_parts(labels, noise.thin), noise, rng)
+    labels = _with_mislabeled_background(labels, noise.background, rng, class_values, minimum_area_px)
+    return _with_swapped_patches(labels, noise, rng)
+
+
+def _with_changed_landmarks(  # noqa: PLR0913 - as spoil_labels
+    labels_hw: np.ndarray,
+    noise: LabelNoise,
+    rng: np.random.Generator,
+    class_values: Sequence[int],
+    donor_hw: np.ndarray | None,
+    minimum_area_px: float,
+) -> np.ndarray:
+    """Missed landmarks get the nearest label of no landmark; spurious ones lie where they touch no other."""
+    regions = regions_of(labels_hw, class_values, minimum_area_px)
+    missed = rng.random(len(regions)) < noise.missed
+    missed &= np.array([region.area_px < noise.missed_below for region in regions], bool)
+    classes = mislabeled(np.array([r.value for r in regions]), np.unique(class_values), noise.mislabeled, rng)
+    count = rng.binomial(len(regions), min(noise.spurious, 1.0))
+    spoiled, lost = labels_hw.copy(), np.zeros(labels_hw.shape, bool)
+    for region, is_missed, value in zip(regions, missed, classes):
+        if is_missed:
+            lost[region.box] |= region.mask
+        else:
+            spoiled[region.box][region.mask] = value
+    spoiled = filled_from_around(spoiled, lost, ~np.isin(labels_hw, class_values))
+    if donor_hw is not None:
+        _draw_spurious(spoiled, regions_of(donor_hw, class_values, minimum_area_px), count, rng, class_values)
+    return spoiled
+
+
+def _draw_spurious(
+    labels_hw: np.ndarray, donors: list[Region], count: int, rng: np.random.Generator, class_values: Sequence[int]
+) -> None:
+    """Draws ``count`` of the donors into ``labels_hw`` itself, each with a margin of a pixel to other landmarks."""
+    taken = np.isin(labels_hw, class_values)
+    for number in rng.integers(0, len(donors), count if donors else 0):
+        mask = np.pad(donors[number].mask, 1)
+        around = cv2.dilate(mask.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+        rows, columns = (whole - part + 1 for whole, part in zip(labels_hw.shape, mask.shape))
+        if rows < 1 or columns < 1:
+            continue
+        for top, left in zip(rng.integers(0, rows, PLACES_TRIED), rng.integers(0, columns, PLACES_TRIED)):
+            box = np.s_[top : top + mask.shape[0], left : left + mask.shape[1]]
+            if not (taken[box] & around).any():
+                labels_hw[box][mask] = donors[number].value
+                taken[box] |= mask
+                break
+
+
+def _with_mislabeled_background(
+    labels_hw: np.ndarray,
+    share: float,
+    rng: np.random.Generator,
+    class_values: Sequence[int],
+    minimum_area_px: float,
+) -> np.ndarray:
+    """A share of the regions of other classes than those of landmarks gets another of these."""
+    others = np.setdiff1d(np.unique(labels_hw), [UNLABELED, *class_values])
+    if share <= 0 or len(others) < 2:
+        return labels_hw
+    regions = regions_of(labels_hw, others.tolist(), minimum_area_px)
+    classes = mislabeled(np.array([region.value for region in regions]), others, share, rng)
+    spoiled = labels_hw.copy()
+    for region, value in zip(regions, classes):
+        spoiled[region.box][region.mask] = value
+    return spoiled
+
+
+def mislabeled(classes: np.ndarray, known: np.ndarray, share: float, rng: np.random.Generator) -> np.ndarray:
+    """Classes of which a share is changed to any other known class."""
+    if len(known) < 2:
+        return classes
+    step = rng.integers(1, len(known), len(classes))
+    other = known[(np.searchsorted(known, classes) + step) % len(known)]
+    return np.where(rng.random(len(classes)) < share, other, classes).astype(np.uint8)
+
+
+def _merged(labels_hw: np.ndarray, value: int, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
+    """Gaps between regions of class ``value`` get that class, in a share of the image (morphological closing)."""
+    kernel = _ellipse(noise.merge_gap)
+    if kernel is None:
+        return labels_hw
+    closed = cv2.morphologyEx(
+        class_mask(labels_hw, value), cv2.MORPH_CLOSE, kernel, borderType=cv2.BORDER_REPLICATE
+    ).astype(bool)
+    if noise.merge_share < 1:
+        field = smooth_noise(labels_hw.shape, MERGED_LENGTH_PX, rng)
+        closed &= field <= np.quantile(field, noise.merge_share)
+    return np.where(closed, np.uint8(value), labels_hw)
+
+
+def _split(labels_hw: np.ndarray, value: int, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
+    """Long regions of class ``value`` are cut across, in their middle third, into what lies around."""
+    if noise.split <= 0:
+        return labels_hw
+    mask = class_mask(labels_hw, value)
+    contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)
+    cuts = np.zeros_like(mask)
+    for contour, is_cut in zip(contours, rng.random(len(contours)) < noise.split):
+        corners = cv2.boxPoints(cv2.minAreaRect(contour))
+        edges = np.roll(corners, -1, axis=0) - corners
+        lengths = np.hypot(edges[:, 0], edges[:, 1])
+        longest = int(lengths.argmax())
+        if not is_cut or lengths[longest] < noise.split_length:
+            continue
+        at = corners[longest] + edges[longest] * rng.uniform(1 / 3, 2 / 3)
+        start, end = (tuple(int(v) for v in np.rint(point)) for point in (at, at + edges[(longest + 1) % 4]))
+        cv2.line(cuts, start, end, 1, max(1, int(round(noise.split_gap))))
+    return filled_from_around(labels_hw, (cuts & mask) > 0, labels_hw != value)
+
+
+def _without_thin_parts(labels_hw: np.ndarray, width_px: float) -> np.ndarray:
+    """Parts of any class narrower than ``width_px`` get the class of what is left nearest (opening of each class)."""
+    kernel = _ellipse(width_px)
+    if kernel is None:
+        return labels_hw
+    kept = np.zeros(labels_hw.shape, bool)
+    for value in np.unique(labels_hw):
+        mask = (labels_hw == value).astype(np.uint8)
+        kept |= cv2.morphologyEx(mask, cv2.MORPH_OPEN, kernel, borderType=cv2.BORDER_REPLICATE) > 0
+    return filled_from_around(labels_hw, ~kept, kept)
+
+
+def _with_swapped_patches(labels_hw: np.ndarray, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
+    """Patches that cover a share of the area get a random class of the image each, which may be the right one.
+
+    The patches are cells around random points, with wandering boundaries; whole cells are taken in random order until
+    the share is reached.
+    """
+    height, width = labels_hw.shape
+    values = np.unique(labels_hw)
+    if noise.patches <= 0 or len(values) < 2:
+        return labels_hw
+    size_px = max(noise.patch_size, 1.0)
+    count = int(np.ceil(4 * height * width / size_px**2))
+    points = np.full((height, width), 255, np.uint8)
+    points[rng.integers(0, height, count), rng.integers(0, width, count)] = 0
+    wandering = LabelNoise(jitter=size_px / 10, jitter_length=0.3 * size_px)
+    cells = displaced(nearest_zero(points).astype(np.float32), wandering, rng).astype(int)
+    areas = np.bincount(cells.ravel())
+    order = rng.permutation(len(areas))
+    taken = np.zeros(len(areas), bool)
+    taken[order[np.cumsum(areas[order]) <= noise.patches * height * width]] = True
+    classes = rng.choice(values, len(areas)).astype(np.uint8)
+    return np.where(taken[cells], classes[cells], labels_hw).astype(np.uint8)
+
+
+def _ellipse(diameter_px: float) -> np.ndarray | None:
+    """Structuring element of about that diameter, odd so that nothing is shifted; None when it would do nothing."""
+    size = min(2 * int(round((diameter_px - 1) / 2)) + 1, LARGEST_KERNEL_PX)
+    return None if size < 3 else cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))

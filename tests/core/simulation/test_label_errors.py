@@ -1,0 +1,177 @@
+"""Errors of labels: every step does what it says, as much as it is asked for, and a seed repeats it."""
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.landmarks.landmarks import extract_landmarks
+from semref.core.simulation.label_errors import spoil_labels
+from semref.core.simulation.noise import MODEST, STRONG, LabelNoise
+
+BUILDING, FIELD, ROAD, WATER = 1, 2, 3, 4
+
+
+@pytest.fixture
+def village():
+    labels = np.full((400, 500), FIELD, np.uint8)
+    labels[:, 300:] = WATER
+    labels[200:203, :300] = ROAD
+    for column in range(20, 280, 40):
+        labels[60:80, column : column + 20] = BUILDING
+    return labels
+
+
+def spoiled(labels_hw, noise, seed=1, values=(BUILDING,), donor=None, minimum_area_px=1.0):
+    return spoil_labels(labels_hw, noise, np.random.default_rng(seed), values, donor, minimum_area_px)
+
+
+def buildings(labels_hw) -> int:
+    return cv2.connectedComponents((labels_hw == BUILDING).astype(np.uint8))[0] - 1
+
+
+@pytest.mark.parametrize("noise", [LabelNoise(), STRONG])
+def test_an_image_without_pixels_stays_one(noise):
+    assert spoiled(np.zeros((0, 0), np.uint8), noise).shape == (0, 0)
+
+
+def test_no_noise_changes_nothing(village):
+    np.testing.assert_array_equal(spoiled(village, LabelNoise()), village)
+
+
+def test_the_same_seed_gives_the_same_labels_and_the_input_stays(village):
+    before = village.copy()
+    np.testing.assert_array_equal(
+        spoiled(village, STRONG.in_pixels(0.5), 7), spoiled(village, STRONG.in_pixels(0.5), 7)
+    )
+    assert (spoiled(village, STRONG.in_pixels(0.5), 7) != spoiled(village, STRONG.in_pixels(0.5), 8)).any()
+    np.testing.assert_array_equal(village, before)
+
+
+def test_near_houses_are_merged(village):
+    assert buildings(village) == 7
+    assert buildings(spoiled(village, LabelNoise(merge_gap=25))) == 1
+
+
+def test_houses_are_merged_in_the_share_of_the_image_asked_for():
+    labels = np.full((600, 600), FIELD, np.uint8)
+    for top in range(10, 580, 24):
+        for left in range(10, 580, 24):
+            labels[top : top + 18, left : left + 18] = BUILDING
+    whole, half, none = (
+        (spoiled(labels, LabelNoise(merge_gap=9, merge_share=share)) != labels).sum() for share in (1.0, 0.5, 0.0)
+    )
+    assert 0.3 * whole < half < 0.7 * whole and none == 0
+
+
+def test_long_houses_are_split_into_what_lies_around(village):
+    village[100:115, 30:250] = BUILDING
+    labels = spoiled(village, LabelNoise(split=1.0, split_length=100.0))
+    assert buildings(labels) == buildings(village) + 1
+    assert set(np.unique(labels[100:115, 30:250])) == {BUILDING, FIELD}
+
+
+def test_only_landmarks_below_the_area_are_missed(village):
+    village[100:140, 30:250] = BUILDING
+    assert buildings(spoiled(village, LabelNoise(missed=1.0, missed_below=500.0))) == 1
+    assert buildings(spoiled(village, LabelNoise(missed=1.0))) == 0
+
+
+def test_thin_roads_are_lost_and_wide_classes_stay(village):
+    labels = spoiled(village, LabelNoise(thin=6.0))
+    assert not (labels == ROAD).any()
+    assert buildings(labels) == 7
+
+
+def test_boundaries_move_as_far_as_asked_for(village):
+    labels = spoiled(village, LabelNoise(jitter=6.0, jitter_length=18.0), 3)
+    shore = (labels[210:] == WATER).argmax(axis=1)
+    assert 3 < np.sqrt(np.mean((shore - 300.0) ** 2)) < 12
+
+
+def test_boundaries_move_alike_over_the_length_asked_for(village):
+    near, far = (
+        (spoiled(village, LabelNoise(jitter=3.0, jitter_length=length), 3)[210:] == WATER).argmax(axis=1)
+        for length in (8.0, 60.0)
+    )
+    assert np.abs(np.diff(far)).mean() < 0.5 * np.abs(np.diff(near)).mean()
+
+
+@pytest.mark.parametrize("share", [0.15, 0.35])
+def test_patches_cover_the_share_asked_for_but_for_those_that_drew_the_right_class(village, share):
+    changed = (spoiled(village, LabelNoise(patches=share, patch_size=30.0)) != village).mean()
+    assert 0.5 * share < changed <= share
+
+
+@pytest.mark.parametrize("noise", [MODEST, STRONG])
+def test_an_image_of_one_class_stays_what_it_is(noise):
+    labels = np.full((50, 60), FIELD, np.uint8)
+    np.testing.assert_array_equal(spoiled(labels, noise), labels)
+
+
+# --- landmarks drawn into labels ---
+
+
+def squares(size=400):
+    """100 squares of classes 1 and 2 on class 7."""
+    labels = np.full((size, size), 7, np.uint8)
+    for top in range(10, size - 20, 40):
+        for left in range(10, size - 20, 40):
+            labels[top : top + 20, left : left + 20] = 1 + (top // 40 + left // 40) % 2
+    return labels
+
+
+def spoiled_squares(noise, seed=0, donor=None):
+    return spoiled(squares(), noise, seed, (1, 2), squares() if donor is None else donor)
+
+
+def count_landmarks(labels_hw) -> int:
+    return len(extract_landmarks(labels_hw, (1, 2), 1))
+
+
+def test_missed_landmarks_become_what_lies_around_them():
+    labels = spoiled_squares(LabelNoise(missed=0.3))
+    assert set(np.unique(labels)) == {1, 2, 7}
+    assert 55 <= count_landmarks(labels) <= 85
+    assert (spoiled_squares(LabelNoise(missed=1.0)) == 7).all()
+
+
+def test_spurious_landmarks_look_like_those_of_the_donor_and_touch_no_other():
+    donor = np.full((400, 400), 7, np.uint8)
+    donor[100:105, 100:108] = 2
+    labels = spoiled_squares(LabelNoise(spurious=0.3), donor=donor)
+    added = extract_landmarks(np.where(labels != squares(), labels, 0).astype(np.uint8), (1, 2), 1)
+    assert 15 <= len(added) <= 45 and set(added.classes) == {2} and set(added.areas_px) == {28}
+    assert count_landmarks(labels) == 100 + len(added)
+
+
+def test_without_a_donor_nothing_is_spurious():
+    assert count_landmarks(spoiled(squares(), LabelNoise(spurious=0.5), values=(1, 2))) == 100
+
+
+def test_mislabeled_landmarks_keep_their_shape():
+    labels = spoiled_squares(LabelNoise(mislabeled=0.2))
+    np.testing.assert_array_equal(labels == 7, squares() == 7)
+    changed = extract_landmarks(np.where(labels != squares(), labels, 0).astype(np.uint8), (1, 2), 1)
+    assert 8 <= len(changed) <= 32
+
+
+def test_regions_smaller_than_a_landmark_are_left_alone():
+    labels = np.full((50, 50), 7, np.uint8)
+    labels[10:13, 10:13] = 1
+    noise = LabelNoise(missed=1.0)
+    np.testing.assert_array_equal(spoiled(labels, noise, values=(1, 2), donor=labels, minimum_area_px=10), labels)
+
+
+# --- background ---
+
+
+def test_background_gets_other_background_and_landmarks_stay():
+    labels = squares()
+    labels[:, 200:] = np.where(labels[:, 200:] == 7, 8, labels[:, 200:])
+    found = spoiled(labels, LabelNoise(background=1.0), values=(1, 2))
+    np.testing.assert_array_equal(found == 8, labels == 7)
+    np.testing.assert_array_equal(found == 1, labels == 1)
+
+
+def test_background_of_one_class_stays():
+    np.testing.assert_array_equal(spoiled(squares(), LabelNoise(background=1.0), values=(1, 2)), squares())
