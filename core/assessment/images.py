@@ -129,7 +129,8 @@ class ImageSimulator:
         if not len(landmarks):
             found = Localization(Status.TOO_FEW_REFERENCES, Method.CONSTELLATION)
         else:
-            found = solve(landmarks, self.size_px, self.size_px, self._localizer.index, self._prior, self._smallest_px)
+            size = self.size_px, self.size_px
+            found = solve(landmarks, size, self._localizer.index, self._prior, self._smallest_px)
         return judge(query, Method.CONSTELLATION, found, landmarks=count)
 
     def correlation(self, query: Query, rng: np.random.Generator) -> Trial:

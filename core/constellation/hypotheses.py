@@ -6,7 +6,6 @@ Told in docs/method.md#constellation.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional
 
 import numpy as np
 
@@ -40,21 +39,54 @@ class SeenLandmarks:
         """Whole landmarks of known class."""
         return int((self.whole & (self.ranks >= 0)).sum())
 
-    def select(self, chosen: np.ndarray) -> "SeenLandmarks":
+    def select(self, chosen: np.ndarray) -> SeenLandmarks:
         """The chosen objects of the image, in that order."""
-        columns = (column[chosen] for column in (self.points, self.ranks, self.log_areas, self.whole))
-        return SeenLandmarks(*columns, self.diagonal)
+        return SeenLandmarks(
+            self.points[chosen], self.ranks[chosen], self.log_areas[chosen], self.whole[chosen], self.diagonal
+        )
 
-    def mirrored(self) -> "SeenLandmarks":
+    def mirrored(self) -> SeenLandmarks:
         """The landmarks of the mirrored image: same density, same regularity, and no camera can see it."""
         return SeenLandmarks(-self.points.conj(), self.ranks, self.log_areas, self.whole, self.diagonal)
 
 
 @dataclass(frozen=True)
-class Seeds:
-    """Clusters of poses, most votes first: centers and turns (S,) complex, votes (S,); capped: hits were left out.
+class QueryTriangles:
+    """Labeled triangles of an image, Q of them.
 
-    focuses: (S,) complex, where in the image the triangles are on average.
+    Attributes:
+        members: (Q, 3) int64, objects A, B, C of the image.
+        numbers: (Q, 5) float64, what they are described by (``describe_triangles``).
+        tolerances: (Q,) float64, of the place of C in the frame of AB.
+    """
+
+    members: np.ndarray
+    numbers: np.ndarray
+    tolerances: np.ndarray
+
+    def __len__(self) -> int:
+        """How many triangles there are."""
+        return len(self.members)
+
+    def every(self, step: int) -> QueryTriangles:
+        """The first triangle and every ``step``-th after it."""
+        return QueryTriangles(self.members[::step], self.numbers[::step], self.tolerances[::step])
+
+    def mirrored(self) -> QueryTriangles:
+        """The triangles as the mirrored image has them."""
+        return QueryTriangles(self.members, self.numbers * np.array([1, -1, 1, 1, 1]), self.tolerances)
+
+
+@dataclass(frozen=True)
+class Seeds:
+    """Clusters of poses, S of them, most votes first.
+
+    Attributes:
+        centers: (S,) complex, map units from the index's origin.
+        turns: (S,) complex, heading and pixel size.
+        focuses: (S,) complex, where in the image the triangles are on average.
+        votes: (S,) int64, triangles that agree.
+        capped: Hits were left out.
     """
 
     centers: np.ndarray
@@ -64,10 +96,10 @@ class Seeds:
     capped: bool
 
 
-def query_triangles(query: SeenLandmarks, settings: ConstellationSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(Q, 3) objects A, B, C; (Q, 5) descriptors; (Q,) tolerances of the place of C.
+def query_triangles(query: SeenLandmarks, settings: ConstellationSettings) -> QueryTriangles:
+    """Triangles of an image's whole objects of known class.
 
-    A triangle whose sides are so alike that noise could change their order is given in each order.
+    One whose sides are so alike that noise could change their order is given in each order.
     """
     usable = np.flatnonzero(query.whole & (query.ranks >= 0))
     areas = np.exp(query.log_areas[usable])
@@ -89,18 +121,23 @@ def query_triangles(query: SeenLandmarks, settings: ConstellationSettings) -> tu
     short = sides[:, 1] - sides[:, 0] < alike
     triple = np.concatenate([triple, triple[middle][:, (2, 1, 0)], triple[short][:, (1, 0, 2)]])
     tolerance = np.concatenate([tolerance, tolerance[middle], tolerance[short]])
-    return triple, describe_triangles(query.points[triple], query.log_areas[triple]), tolerance
+    return QueryTriangles(triple, describe_triangles(query.points[triple], query.log_areas[triple]), tolerance)
 
 
 def find_seeds(
-    index: ConstellationIndex, query: SeenLandmarks, triangles: tuple, prior: Optional[Prior], cap: int
+    index: ConstellationIndex, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int
 ) -> Seeds:
-    """The most voted poses of an image; triangles as of ``query_triangles``.
+    """The most voted poses of an image.
 
-    At most ``cap`` triangles of the index are looked at, those of the rarest first; where they are more, only those
-    where the prior has the image are counted.
+    Args:
+        index: The map's catalogue.
+        query: The image's objects.
+        triangles: All or some of its triangles.
+        prior: What is known beforehand.
+        cap: Triangles of the index looked at, at most, those of the rarest first; where they are more, only those where
+            the prior has the image are counted.
     """
-    triple, numbers, place = triangles
+    triple, numbers, place = triangles.members, triangles.numbers, triangles.tolerances
     settings = index.settings
     reach = np.column_stack([place, place, *[np.full(len(place), settings.area_tolerance)] * 3])
     which, first, last = key_ranges(index, numbers, query.ranks[triple], reach)
@@ -121,10 +158,11 @@ def find_seeds(
     image = query.points[triple[source]]
     centers, turns = fit_similarity(image, index.points[members], np.ones(image.shape))
     kept = _allowed(index, centers, turns, prior)
-    return _clusters(centers[kept], turns[kept], image[kept].mean(axis=1), query.diagonal, settings, capped)
+    poses = centers[kept], turns[kept], image[kept].mean(axis=1)
+    return _clusters(poses, query.diagonal, settings, capped)
 
 
-def _triangles_near(index: ConstellationIndex, query: SeenLandmarks, prior: Optional[Prior]) -> Optional[np.ndarray]:
+def _triangles_near(index: ConstellationIndex, query: SeenLandmarks, prior: Prior | None) -> np.ndarray | None:
     """Ascending triangles of the index that an image may show at a prior's position; None without one."""
     if prior is None or prior.position is None or prior.radius is None or prior.pixel_size_range is None:
         return None
@@ -136,17 +174,19 @@ def _triangles_near(index: ConstellationIndex, query: SeenLandmarks, prior: Opti
     return np.flatnonzero(inside[index.anchors()])
 
 
-def _rarest(which: np.ndarray, first: np.ndarray, last: np.ndarray, count: int, cap: int):
-    """Only the stretches of the triangles with the fewest hits, as many as the cap allows."""
+def _rarest(
+    which: np.ndarray, first: np.ndarray, last: np.ndarray, count: int, cap: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
+    """Only the stretches of the triangles with the fewest hits, as many as the cap allows; whether any is left out."""
     hits = np.bincount(which, weights=last - first, minlength=count)
     order = np.argsort(hits, kind="stable")
     allowed = np.zeros(count, bool)
     allowed[order[np.cumsum(hits[order]) <= cap]] = True
     kept = allowed[which]
-    return which[kept], first[kept], last[kept], not allowed.all()
+    return which[kept], first[kept], last[kept], not bool(allowed.all())
 
 
-def _allowed(index: ConstellationIndex, centers: np.ndarray, turns: np.ndarray, prior: Optional[Prior]) -> np.ndarray:
+def _allowed(index: ConstellationIndex, centers: np.ndarray, turns: np.ndarray, prior: Prior | None) -> np.ndarray:
     """(H,) bool: poses that the prior does not exclude."""
     size = np.abs(turns)
     kept = size > 0
@@ -162,8 +202,18 @@ def _allowed(index: ConstellationIndex, centers: np.ndarray, turns: np.ndarray, 
     return kept
 
 
-def _clusters(centers, turns, focuses, diagonal: float, settings: ConstellationSettings, capped: bool) -> Seeds:
-    """Means of the poses in the fullest cells; two lattices of cells, so that no cluster is cut by both."""
+def _clusters(
+    poses: tuple[np.ndarray, np.ndarray, np.ndarray], diagonal: float, settings: ConstellationSettings, capped: bool
+) -> Seeds:
+    """Means of the poses in the fullest cells; two lattices of cells, so that no cluster is cut by both.
+
+    Args:
+        poses: (H,) complex centers, turns and focuses.
+        diagonal: Of the image, pixels.
+        settings: Of the constellation.
+        capped: Goes into the seeds.
+    """
+    centers, turns, _ = poses
     log_size = np.log(np.abs(turns))
     angle = np.angle(turns)
     # Cells of position grow with the pixel size in whole steps, so that equal poses share a lattice.
@@ -180,13 +230,13 @@ def _clusters(centers, turns, focuses, diagonal: float, settings: ConstellationS
                 np.floor((angle + np.pi) / (2 * np.pi) * around + shift) % around,
             ]
         ).astype(np.int64)
-        found.append(_cell_means(cells, (centers, turns, focuses), settings.seeds))
+        found.append(_cell_means(cells, poses, settings.seeds))
     centers, turns, focuses, votes = (np.concatenate(parts) for parts in zip(*found))
     order = np.argsort(-votes, kind="stable")
     return Seeds(centers[order], turns[order], focuses[order], votes[order], capped)
 
 
-def _cell_means(cells: np.ndarray, values: tuple, seed_count: int) -> tuple:
+def _cell_means(cells: np.ndarray, values: tuple[np.ndarray, ...], seed_count: int) -> tuple[np.ndarray, ...]:
     """Means of each of the complex values (H,) in the fullest cells (H, D), and their counts."""
     if not len(cells):
         return (*(np.empty(0, complex) for _ in values), np.empty(0, np.int64))

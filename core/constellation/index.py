@@ -38,16 +38,26 @@ FINE_UNIT = CELL * CELLS / FINE_STEPS
 
 @dataclass(frozen=True)
 class ConstellationIndex:
-    """A catalogue prepared for localization; N objects, T triangles, K neighbors.
+    """A catalogue prepared for localization; N objects, T triangles, K neighbors, C classes.
 
-    origin: complex, map coordinates of ``points``' zero; points: (N,) complex128, x + iy in map units;
-    class_values: (C,) uint8; ranks: (N,) int64 place of each object's class there; log_areas: (N,) ln m²;
-    densities: (N,) same-class objects per square map unit nearby; whole: (N,) bool, not cut by the map's edge;
-    minimum_area_m2: smallest of the catalogue; neighbors: (N, K) int32; keys: (T,) uint32 ascending;
-    triangles: (T,) int32 (anchor · P + pair) · 6 + order; fine: (T, 5) uint8;
-    matcher: nearest object of a class; area_densities: (C, B) density of ln area in AREA_BINS;
-    by_easting: (N,) int64 objects from west to east; eastings: (N,) theirs, ascending; settings: it was built with, and
-    every search in it uses.
+    Attributes:
+        origin: Map coordinates x + iy of ``points``' zero.
+        points: (N,) complex128, x + iy in map units.
+        class_values: (C,) uint8, ascending.
+        ranks: (N,) int64, place of each object's class there.
+        log_areas: (N,) ln m².
+        densities: (N,) objects of the same class per square map unit nearby.
+        whole: (N,) bool, not cut by the map's edge.
+        minimum_area_m2: Smallest of the catalogue.
+        neighbors: (N, K) int32, nearest larger objects, −1 where there are no more.
+        keys: (T,) uint32, ascending.
+        triangles: (T,) int32, (anchor · P + pair) · 6 + order, P pairs of neighbors.
+        fine: (T, 5) uint8, the five numbers in steps of 1 / 255 of their range.
+        matcher: Finds the nearest object of a class.
+        area_densities: (C, B) density of ln area in AREA_BINS.
+        by_easting: (N,) int64, objects from west to east.
+        eastings: (N,) theirs, ascending.
+        settings: It was built with, and every search in it uses.
     """
 
     origin: complex
@@ -69,6 +79,7 @@ class ConstellationIndex:
     settings: ConstellationSettings = CONSTELLATION
 
     def __len__(self) -> int:
+        """How many objects the catalogue has."""
         return len(self.points)
 
     def members(self, triangles: np.ndarray) -> np.ndarray:
@@ -100,10 +111,14 @@ class ConstellationIndex:
         return np.where(known, place, -1).astype(np.int64)
 
 
-def full_area(contour_areas: np.ndarray, pixel: float) -> np.ndarray:
+def full_area(contour_areas: np.ndarray | float, pixel: float) -> np.ndarray:
     """Areas of objects from their contours' areas, which run through pixel centers and so lose half a pixel all around.
 
-    Exact for squares; both in the unit of ``pixel`` squared. Makes areas of images of different scale comparable.
+    Exact for squares. Makes areas of images of different scale comparable.
+
+    Args:
+        contour_areas: (n,), or one, in the unit of ``pixel`` squared.
+        pixel: Edge of a pixel.
     """
     return (np.sqrt(contour_areas) + pixel) ** 2
 
@@ -111,9 +126,14 @@ def full_area(contour_areas: np.ndarray, pixel: float) -> np.ndarray:
 def build_index(
     references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings = CONSTELLATION
 ) -> ConstellationIndex:
-    """Indexes all landmarks of a map; ``pixel_size_m`` is the label map's.
+    """Indexes all landmarks of a map. Seconds at 10⁵ objects.
 
-    Objects cut by the map's edge take no part in triangles: their centers are not theirs. Seconds at 10⁵ objects.
+    Objects cut by the map's edge take no part in triangles: their centers are not theirs.
+
+    Args:
+        references: The landmarks.
+        pixel_size_m: Of the label map that they are of.
+        settings: The index is built with, and every search in it uses.
     """
     positions = np.asarray(references.positions, np.float64).reshape(-1, 2)
     middle = positions.mean(axis=0) if len(positions) else np.zeros(2)
@@ -157,7 +177,13 @@ def area_densities(ranks: np.ndarray, log_areas: np.ndarray) -> np.ndarray:
 
 
 def cell_keys(ranks: np.ndarray, class_count: int, cells: np.ndarray) -> np.ndarray:
-    """(T,) uint32 keys of label ranks (T, 3) and quantized numbers (T, 5) int64; the last number varies fastest."""
+    """(T,) uint32 keys of triangles; the last number varies fastest.
+
+    Args:
+        ranks: (T, 3) label ranks of A, B, C.
+        class_count: Classes of the catalogue.
+        cells: (T, 5) int64, quantized numbers.
+    """
     key = ((ranks[:, 0] * class_count + ranks[:, 1]) * class_count + ranks[:, 2]) % LABEL_BUCKETS
     for column, count in enumerate(CELLS):
         key = key * count + cells[:, column]
@@ -177,9 +203,16 @@ def fine_values(numbers: np.ndarray) -> np.ndarray:
 def key_ranges(
     index: ConstellationIndex, numbers: np.ndarray, ranks: np.ndarray, tolerances: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Stretches of the index that may hold triangles like the given ones: (R,) triangle, (R,) first, (R,) last + 1.
+    """Stretches of the index that may hold triangles like the given ones.
 
-    numbers: (Q, 5) descriptors; ranks: (Q, 3) label ranks of A, B, C, all known; tolerances: (Q, 5).
+    Args:
+        index: The map's catalogue.
+        numbers: (Q, 5) descriptors.
+        ranks: (Q, 3) label ranks of A, B, C, all known.
+        tolerances: (Q, 5) of the descriptors.
+
+    Returns:
+        (R,) given triangle, (R,) first and (R,) last + 1 triangle of the index, none empty.
     """
     low, high = quantized(numbers - tolerances), quantized(numbers + tolerances)
     which = np.arange(len(numbers))
@@ -202,7 +235,15 @@ def key_ranges(
 
 
 def expand_ranges(first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(H,) which stretch, (H,) every number in it, of stretches first … last − 1."""
+    """Every number in stretches first … last − 1.
+
+    Args:
+        first: (R,) int.
+        last: (R,) int, one more than the last number.
+
+    Returns:
+        (H,) which stretch and (H,) the number.
+    """
     spans = last - first
     which = np.repeat(np.arange(len(first)), spans)
     return which, np.arange(len(which)) + np.repeat(first - (np.cumsum(spans) - spans), spans)
@@ -211,9 +252,14 @@ def expand_ranges(first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.n
 def like_triangles(
     index: ConstellationIndex, hits: np.ndarray, source: np.ndarray, numbers: np.ndarray, tolerances: np.ndarray
 ) -> np.ndarray:
-    """Those of the hits (H,) whose five numbers agree with those of their triangle, as positions in ``hits``.
+    """Those of the hits whose five numbers agree with those of their triangle, as positions in ``hits``.
 
-    source: (H,) triangle of each hit; numbers, tolerances: (Q, 5) of the triangles.
+    Args:
+        index: The map's catalogue.
+        hits: (H,) triangles of the index.
+        source: (H,) given triangle of each hit.
+        numbers: (Q, 5) descriptors of the given triangles.
+        tolerances: (Q, 5) of the descriptors.
     """
     wanted = fine_values(numbers)
     reach = tolerances / FINE_UNIT + 0.5
@@ -226,7 +272,9 @@ def like_triangles(
     return left
 
 
-def _all_triangles(points, ranks, log_areas, whole, settings: ConstellationSettings):
+def _all_triangles(
+    points: np.ndarray, ranks: np.ndarray, log_areas: np.ndarray, whole: np.ndarray, settings: ConstellationSettings
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Neighbors (N, K), and keys, codes and fine numbers of all triangles of the catalogue."""
     neighbor_count = settings.neighbors
     usable = np.flatnonzero(whole)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 
@@ -18,14 +20,24 @@ class ClassMatcher:
     """Finds the nearest object of the same class, quickly and many at a time."""
 
     def __init__(self, points: np.ndarray, ranks: np.ndarray) -> None:
-        """points: (N,) complex, near zero; ranks: (N,) int place of each object's class, from 0."""
+        """Makes a tree of each class.
+
+        Args:
+            points: (N,) complex, near zero.
+            ranks: (N,) int, place of each object's class, from 0.
+        """
         self._members = [np.flatnonzero(ranks == rank) for rank in range(int(ranks.max()) + 1 if len(ranks) else 0)]
         self._trees = [make_tree(as_float32(points[members])) for members in self._members]
 
     def match(self, places: np.ndarray, ranks: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(S, n) float32 distances, (S, n) int64 objects: the nearest of the same class to each place.
+        """The nearest object of the same class to each place.
 
-        places: (S, n) complex; ranks: (n,) int, −1 for none. Distance inf and object −1 where the class has none.
+        Args:
+            places: (S, n) complex.
+            ranks: (n,) int, −1 for none.
+
+        Returns:
+            (S, n) float32 distances and (S, n) int64 objects; inf and −1 where the class has none.
         """
         distances = np.full(places.shape, np.inf, np.float32)
         objects = np.full(places.shape, -1, np.int64)
@@ -43,25 +55,42 @@ def as_float32(points: np.ndarray) -> np.ndarray:
     return np.column_stack([points.real, points.imag]).astype(np.float32)
 
 
-def make_tree(points_xy: np.ndarray):
+def make_tree(points_xy: np.ndarray) -> Any:  # noqa: ANN401 -- OpenCV tells no type of it
     """OpenCV's exact k-d tree of points (N, 2) float32."""
-    return cv2.flann_Index(points_xy, {"algorithm": KD_TREE_SINGLE, "leaf_max_size": LEAF_POINTS})
+    return cv2.flann_Index(  # type: ignore[attr-defined] # OpenCV has it
+        points_xy, {"algorithm": KD_TREE_SINGLE, "leaf_max_size": LEAF_POINTS}
+    )
 
 
 def nearest(points_xy: np.ndarray, queries_xy: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """(Q, count) int32 indices and (Q, count) float32 squared distances of the nearest points, nearest first.
+    """The nearest points of each query, nearest first; exact.
 
-    points_xy: (N, 2) float32; queries_xy: (Q, 2) float32; count ≤ N. Exact.
+    Args:
+        points_xy: (N, 2) float32.
+        queries_xy: (Q, 2) float32.
+        count: Points for each query, at most N.
+
+    Returns:
+        (Q, count) int32 indices and (Q, count) float32 squared distances.
     """
     return make_tree(points_xy).knnSearch(queries_xy, count, params={"checks": -1})
 
 
 def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int, settings: ConstellationSettings) -> np.ndarray:
-    """(N, count) int32: each object's nearest objects of larger area, nearest first, −1 where there are no more.
+    """Each object's nearest objects of larger area.
 
-    points_xy: (N, 2) float; areas: (N,) in the square of any unit. Whatever the scale of an image, the same objects
-    are found: that is how dense towns are thinned. Objects are halved by area; in each half all but the
-    largest are searched for the others' neighbors, so the work is about 2 N nearest-neighbor searches.
+    Whatever the scale of an image, the same objects are found: that is how dense towns are thinned. Objects are halved
+    by area; in each half all but the largest are searched for the others' neighbors, so the work is about 2 N
+    nearest-neighbor searches.
+
+    Args:
+        points_xy: (N, 2) float.
+        areas: (N,) in the square of any unit.
+        count: Objects wanted for each.
+        settings: Of the constellation.
+
+    Returns:
+        (N, count) int32, nearest first, −1 where there are no more.
     """
     found = np.full((len(areas), count), -1, np.int32)
     points = centered_float32(points_xy)
@@ -80,6 +109,11 @@ def local_density(points_xy: np.ndarray, classes: np.ndarray, settings: Constell
     """(N,) objects of the same class per unit of area around each object.
 
     From the distance of the k-th neighbor of its class, k / (π d²); of the whole extent where a class has few objects.
+
+    Args:
+        points_xy: (N, 2) float.
+        classes: (N,) class of each object, or its rank.
+        settings: Of the constellation.
     """
     points, count = centered_float32(points_xy), settings.density_neighbors
     density = np.empty(len(classes))

@@ -5,8 +5,7 @@ Told in docs/method.md#constellation.
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import List, Optional, Tuple
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -22,7 +21,7 @@ from ..geometry.pose import (
 from ..landmarks.landmarks import Landmarks
 from ..localization import Localization, Matches, Method, Place, Prior, Status
 from ..sentences import Sentence
-from .hypotheses import SeenLandmarks, find_seeds, query_triangles
+from .hypotheses import QueryTriangles, SeenLandmarks, find_seeds, query_triangles
 from .index import ConstellationIndex, full_area
 from .settings import ConstellationSettings
 from .verification import (
@@ -37,49 +36,46 @@ from .verification import (
 
 def localize(
     objects: Landmarks,
-    width_px: float,
-    height_px: float,
+    size_wh: tuple[float, float],
     index: ConstellationIndex,
-    prior: Optional[Prior] = None,
-    minimum_area_px: Optional[float] = None,
+    prior: Prior | None = None,
+    minimum_area_px: float | None = None,
 ) -> Localization:
     """Position, heading and pixel size of an image from its landmarks, or why there is no fix. Deterministic.
 
     Args:
         objects: Landmarks of the whole image.
-        width_px: Of the image.
-        height_px: Of the image.
+        size_wh: (width, height) of the image, pixels.
         index: The map's catalogue.
         prior: What is known beforehand.
         minimum_area_px: Contour area below which landmarks were not extracted; by default the smallest one's.
     """
     settings = index.settings
-    query = make_query(objects, index, width_px, height_px)
+    query = make_query(objects, index, size_wh)
     count = query.usable_count
     if count < settings.minimum_objects:
         return _too_few(count, index, False)
     smallest = minimum_area_px if minimum_area_px is not None else float(objects.areas_px.min())
-    verifier = Verifier(index, width_px, height_px, float(full_area(smallest, 1.0)))
+    verifier = Verifier(index, *size_wh, float(full_area(smallest, 1.0)))
     for triangles, cap in _rounds(query_triangles(query, settings), settings):
         found, capped = _solve(verifier, query, triangles, prior, cap)
         if found and found[0].log_odds >= settings.minimum_log_odds:
             found = _with_repeats(verifier, query, found)
             # A mirrored image has no heading that could be known.
             blind = None if prior is None else replace(prior, heading_deg=None)
-            decoys, _ = _solve(verifier, query.mirrored(), mirrored(triangles), blind, cap)
-            return _decide(objects, query, found, decoys, index, capped)
-    return _decide(objects, query, found, [], index, capped)
+            decoys, _ = _solve(verifier, query.mirrored(), triangles.mirrored(), blind, cap)
+            return _decide(objects, query, index, _Searched(found, decoys, capped))
+    return _decide(objects, query, index, _Searched(found, [], capped))
 
 
 def matches_at(
-    objects: Landmarks, width_px: float, height_px: float, index: ConstellationIndex, place: Place
-) -> Optional[Matches]:
+    objects: Landmarks, size_wh: tuple[float, float], index: ConstellationIndex, place: Place
+) -> Matches | None:
     """Which landmarks agree with the map's at a place that another method found, as the constellation verifies it.
 
     Args:
         objects: Landmarks of the whole image, at least one.
-        width_px: Of the image.
-        height_px: Of the image.
+        size_wh: (width, height) of the image, pixels.
         index: The map's catalogue.
         place: Where the image lies, with heading and pixel size.
 
@@ -87,12 +83,12 @@ def matches_at(
         None where no more agree than by chance.
     """
     settings = index.settings
-    query = make_query(objects, index, width_px, height_px)
+    query = make_query(objects, index, size_wh)
     telling = query.select(telling_objects(query, settings.largest_objects))
     if len(telling.points) < settings.minimum_matches:
         return None
-    verifier = Verifier(index, width_px, height_px, float(full_area(objects.areas_px.min(), 1.0)))
-    pose = Pose(complex(*place.position) - index.origin, turn_of(place.heading_deg, place.pixel_size_m))
+    verifier = Verifier(index, *size_wh, float(full_area(objects.areas_px.min(), 1.0)))
+    pose = Pose(complex(*place.position) - index.origin, turn_of(*place.oriented))
     evidence = verify(verifier, telling, pose)
     if len(evidence.matched):
         focus = complex(telling.points[evidence.matched].mean())
@@ -101,31 +97,23 @@ def matches_at(
     return _matches(objects, query, index, evidence) if evidence.log_odds > 0 else None
 
 
-def make_query(objects: Landmarks, index: ConstellationIndex, width_px: float, height_px: float) -> SeenLandmarks:
-    """An image's objects as localization uses them."""
-    points = image_points(objects.centers_xy, width_px, height_px)
+def make_query(objects: Landmarks, index: ConstellationIndex, size_wh: tuple[float, float]) -> SeenLandmarks:
+    """An image's objects as localization uses them; ``size_wh``: (width, height) of the image, pixels."""
+    points = image_points(objects.centers_xy, *size_wh)
     log_areas = np.log(full_area(np.asarray(objects.areas_px, np.float64), 1.0))
     whole = ~np.asarray(objects.touches_edge, bool)
-    return SeenLandmarks(points, index.rank_of(objects.classes), log_areas, whole, float(np.hypot(width_px, height_px)))
+    return SeenLandmarks(points, index.rank_of(objects.classes), log_areas, whole, float(np.hypot(*size_wh)))
 
 
-def mirrored(triangles: tuple) -> tuple:
-    """Triangles of ``query_triangles`` as the mirrored query has them."""
-    triple, numbers, tolerances = triangles
-    return triple, numbers * np.array([1, -1, 1, 1, 1]), tolerances
-
-
-def _rounds(triangles: tuple, settings: ConstellationSettings) -> List[Tuple[tuple, int]]:
+def _rounds(triangles: QueryTriangles, settings: ConstellationSettings) -> list[tuple[QueryTriangles, int]]:
     """The triangles in two portions with their caps: a few from all over the image, then all."""
-    count = len(triangles[0])
-    step = max(-(-count // settings.first_triangles), 1)
-    some = tuple(part[::step] for part in triangles)
-    return [(some, settings.maximum_hits[0]), (triangles, settings.maximum_hits[1])]
+    step = max(-(-len(triangles) // settings.first_triangles), 1)
+    return [(triangles.every(step), settings.maximum_hits[0]), (triangles, settings.maximum_hits[1])]
 
 
 def _solve(
-    verifier: Verifier, query: SeenLandmarks, triangles: tuple, prior: Optional[Prior], cap: int
-) -> Tuple[List[PoseEvidence], bool]:
+    verifier: Verifier, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int
+) -> tuple[list[PoseEvidence], bool]:
     """The best few poses at different places, best first; and whether the search was capped."""
     settings = verifier.index.settings
     seeds = find_seeds(verifier.index, query, triangles, prior, cap)
@@ -133,10 +121,10 @@ def _solve(
         return [], seeds.capped
     gates = [gate * query.diagonal for gate in settings.rough_gates]
     rough = query.select(telling_objects(query, settings.rough_objects))
-    centers, turns, scores = rough_scores(verifier, rough, seeds.centers, seeds.turns, gates)
+    centers, turns, scores = rough_scores(verifier.index, rough, seeds.centers, seeds.turns, gates)
     telling = query.select(telling_objects(query, settings.largest_objects))
-    found: List[PoseEvidence] = []
-    tried: List[Pose] = []
+    found: list[PoseEvidence] = []
+    tried: list[Pose] = []
     best = 0.0
     for number in np.argsort(-scores, kind="stable"):
         pose = Pose(complex(centers[number]), complex(turns[number]))
@@ -173,7 +161,7 @@ def _agrees(evidence: PoseEvidence, settings: ConstellationSettings) -> bool:
 
 
 def _add(
-    query: SeenLandmarks, found: List[PoseEvidence], evidence: PoseEvidence, settings: ConstellationSettings
+    query: SeenLandmarks, found: list[PoseEvidence], evidence: PoseEvidence, settings: ConstellationSettings
 ) -> None:
     """Adds a pose; of those at one place the best stays, a tilted one only if it is clearly better."""
     same = [other for other in found if same_place(query, evidence, other, settings)]
@@ -182,7 +170,7 @@ def _add(
         found[:] = [other for other in found if not any(other is one for one in same)] + [evidence]
 
 
-def _with_repeats(verifier: Verifier, query: SeenLandmarks, found: List[PoseEvidence]) -> List[PoseEvidence]:
+def _with_repeats(verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence]) -> list[PoseEvidence]:
     """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
     settings = verifier.index.settings
     best, telling = found[0], query.select(telling_objects(query, settings.largest_objects))
@@ -194,7 +182,7 @@ def _with_repeats(verifier: Verifier, query: SeenLandmarks, found: List[PoseEvid
     return sorted(all_found, key=lambda evidence: -evidence.log_odds)
 
 
-def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> List[complex]:
+def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> list[complex]:
     """Steps at which enough of the matched objects have another of their class, most frequent first."""
     index, settings = verifier.index, verifier.index.settings
     points, ranks = index.points[evidence.objects], index.ranks[evidence.objects]
@@ -224,24 +212,29 @@ def _distance(query: SeenLandmarks, pose: Pose, other: Pose) -> float:
     return float(np.median(np.abs(pose.on_map(query.points) - other.on_map(query.points))))
 
 
-def _decide(
-    objects: Landmarks,
-    query: SeenLandmarks,
-    found: List[PoseEvidence],
-    decoys: List[PoseEvidence],
-    index: ConstellationIndex,
-    capped: bool,
-) -> Localization:
-    """The verdict on the poses found, best first, and on those found for the mirrored image."""
+@dataclass(frozen=True)
+class _Searched:
+    """Poses found for the image and for its mirror, each best first; ``capped``: the search left some out."""
+
+    found: list[PoseEvidence]
+    decoys: list[PoseEvidence]
+    capped: bool
+
+
+def _decide(objects: Landmarks, query: SeenLandmarks, index: ConstellationIndex, searched: _Searched) -> Localization:
+    """The verdict on the poses found."""
+    found, decoys, capped = searched.found, searched.decoys, searched.capped
     count, settings = query.usable_count, index.settings
     if not found:
-        reason = Sentence("localization.no_triangles")
-        return Localization(Status.NO_MATCH, Method.CONSTELLATION, count, reason, search_capped=capped)
+        nothing = Sentence("localization.no_triangles")
+        return Localization(Status.NO_MATCH, Method.CONSTELLATION, count, nothing, search_capped=capped)
     best, covariance = found[0], _covariance(index, query, found[0])
     mirror = float(max(decoys[0].log_odds, 0.0)) if decoys else 0.0
     needed = best.log_odds - max(settings.margin, settings.margin_share * best.log_odds)
     rivals = [other for other in found[1:] if other.log_odds > needed]
-    status, reason = _verdict(query, best, len(rivals), mirror > needed, covariance, settings)
+    error_95 = covariance.ellipse_95.semi_major if covariance and covariance.ellipse_95 else None
+    exact = error_95 is not None and error_95 <= settings.largest_error * query.diagonal * abs(best.pose.turn)
+    status, reason = _verdict(best.log_odds, len(rivals), mirror > needed, exact, settings)
     if status is Status.NO_MATCH and count < objects_needed(index):
         return _too_few(count, index, capped)
     runner_up = max((other.log_odds for other in found[1:]), default=-np.inf)
@@ -254,7 +247,7 @@ def _decide(
         best=places[0],
         confidence=confidence(best.log_odds, max(mirror, runner_up), settings),
         alternatives=places if status is Status.AMBIGUOUS else (),
-        error_95_m=covariance.ellipse_95.semi_major if covariance else None,
+        error_95_m=error_95,
         covariance=covariance,
         matches=_matches(objects, query, index, best),
         search_capped=capped,
@@ -264,23 +257,17 @@ def _decide(
 
 
 def _verdict(
-    query: SeenLandmarks,
-    best: PoseEvidence,
-    rivals: int,
-    mirror_fits: bool,
-    covariance: Optional[PoseCovariance],
-    settings: ConstellationSettings,
-) -> Tuple[Status, Optional[Sentence]]:
+    log_odds: float, rivals: int, mirror_fits: bool, exact: bool, settings: ConstellationSettings
+) -> tuple[Status, Sentence | None]:
     """Whether the best pose is a fix, and why not."""
-    if best.log_odds < settings.minimum_log_odds:
-        reason = Sentence("localization.log_odds_too_low", log_odds=best.log_odds, needed=settings.minimum_log_odds)
+    if log_odds < settings.minimum_log_odds:
+        reason = Sentence("localization.log_odds_too_low", log_odds=log_odds, needed=settings.minimum_log_odds)
         return Status.NO_MATCH, reason
     if rivals:
         return Status.AMBIGUOUS, Sentence("localization.rivals", count=rivals)
     if mirror_fits:
         return Status.AMBIGUOUS, Sentence("localization.mirror_fits")
-    largest = settings.largest_error * query.diagonal * abs(best.pose.turn)
-    if covariance is None or covariance.ellipse_95.semi_major > largest:
+    if not exact:
         return Status.NO_MATCH, Sentence("localization.position_too_loose")
     return Status.FIX, None
 
@@ -316,7 +303,7 @@ def _matches(objects: Landmarks, query: SeenLandmarks, index: ConstellationIndex
     return Matches(evidence.objects, objects.centers_xy[matched], np.column_stack([seen.real, seen.imag]), residuals)
 
 
-def _covariance(index: ConstellationIndex, query: SeenLandmarks, evidence: PoseEvidence) -> Optional[PoseCovariance]:
+def _covariance(index: ConstellationIndex, query: SeenLandmarks, evidence: PoseEvidence) -> PoseCovariance | None:
     if len(evidence.matched) < 3:
         return None
     points = query.points[_matched(query, evidence, index.settings)]

@@ -19,9 +19,16 @@ ORDERS = np.array([(0, 1, 2), (0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1,
 def triples(
     points: np.ndarray, areas: np.ndarray, neighbor_count: int, settings: ConstellationSettings
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Triples of an object and two of its nearest larger ones: (N, K) int32 neighbors, (N, P) bool which pairs exist.
+    """Triples of an object and two of its nearest larger ones.
 
-    points: (N,) complex; areas: (N,) in the square of the same unit; P = K (K − 1) / 2 pairs, as ``neighbor_pairs``.
+    Args:
+        points: (N,) complex.
+        areas: (N,) in the square of the same unit.
+        neighbor_count: K, nearest larger objects of each.
+        settings: Of the constellation.
+
+    Returns:
+        (N, K) int32 neighbors and (N, P) bool, which of the P = K (K − 1) / 2 ``neighbor_pairs`` exist.
     """
     points_xy = np.column_stack([points.real, points.imag])
     neighbors = nearest_larger(points_xy, areas, neighbor_count, settings)
@@ -36,9 +43,13 @@ def neighbor_pairs(neighbor_count: int) -> np.ndarray:
 
 
 def canonical_order(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(T,) index into ORDERS, and (T, 3) side lengths in ascending order; points: (T, 3) complex.
+    """Names the vertices: AB is the longest side, and C lies nearer to A than to B.
 
-    AB is the longest side and C lies nearer to A than to B.
+    Args:
+        points: (T, 3) complex.
+
+    Returns:
+        (T,) index into ORDERS, and (T, 3) side lengths in ascending order.
     """
     opposite = np.abs(points[:, (1, 2, 0)] - points[:, (2, 0, 1)])
     rank = np.argsort(opposite, axis=1, kind="stable")
@@ -50,8 +61,11 @@ def canonical_order(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def describe_triangles(points: np.ndarray, log_areas: np.ndarray) -> np.ndarray:
     """(T, 5) float64: C in the frame of AB (along, across), then ln(area / |AB|²) of A, B and C.
 
-    points: (T, 3) complex in the order A, B, C, y up; log_areas: (T, 3) ln of areas in the square of the same unit.
     Turning, moving and scaling change nothing; a mirrored triangle has the opposite second number.
+
+    Args:
+        points: (T, 3) complex in the order A, B, C, y up.
+        log_areas: (T, 3) ln of areas in the square of the same unit.
     """
     a, b, c = points.T
     side = b - a

@@ -5,6 +5,7 @@ Told in docs/method.md#constellation.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,11 +21,17 @@ MEDIAN_OF_RAYLEIGH = 1.1774
 
 @dataclass(frozen=True)
 class PoseEvidence:
-    """A verified pose: log odds against a chance hit, matched pairs and their noise.
+    """A verified pose: log odds against a chance hit, m matched pairs and their noise.
 
-    matched: (m,) objects of the image; objects: (m,) those of the map; deviations: (m,) σ of each match in map units;
-    noise_factor: how much of the assumed noise there is; missing: objects of the map that should be seen and aren't;
-    considered: objects of the image that could be on the map.
+    Attributes:
+        pose: Where the image lies.
+        log_odds: Natural logarithm of the odds against chance.
+        matched: (m,) int64, objects of the image.
+        objects: (m,) int64, those of the map.
+        deviations: (m,) σ of each match, map units.
+        noise_factor: How much of the assumed noise there is.
+        missing: Objects of the map that should be seen and aren't.
+        considered: Objects of the image that could be on the map.
     """
 
     pose: Pose
@@ -39,7 +46,14 @@ class PoseEvidence:
 
 @dataclass(frozen=True)
 class Verifier:
-    """What verification needs of catalogue and image; sizes in pixels."""
+    """What verification needs of catalogue and image.
+
+    Attributes:
+        index: The map's catalogue.
+        width_px: Of the image.
+        height_px: Of the image.
+        minimum_area_px: Area, px², below which objects were not taken from the image.
+    """
 
     index: ConstellationIndex
     width_px: float
@@ -47,22 +61,48 @@ class Verifier:
     minimum_area_px: float
 
 
+@dataclass(frozen=True)
+class Nearest:
+    """Nearest objects of the map to those of an image, of the same class; … stands for as many poses as there are.
+
+    Attributes:
+        distances: (…, n) map units, inf where there is none.
+        objects: (…, n) int64, −1 where there is none.
+        deviations: (…, n) σ of each distance, map units.
+    """
+
+    distances: np.ndarray
+    objects: np.ndarray
+    deviations: np.ndarray
+
+
 def center_noise(
     log_areas_px: np.ndarray, pixel_size: np.ndarray | float, settings: ConstellationSettings
 ) -> np.ndarray:
-    """Assumed σ of centers in map units, of objects with ln area in pixels."""
+    """Assumed σ of centers, map units.
+
+    Args:
+        log_areas_px: (…, n) ln of areas in px².
+        pixel_size: Map units, broadcastable.
+        settings: Of the constellation.
+    """
     return pixel_size * np.hypot(settings.center_noise_px, settings.center_noise_in_sizes * np.exp(log_areas_px / 2))
 
 
-def match_terms(verifier: Verifier, query: SeenLandmarks, distances, objects, deviations, log_scale) -> np.ndarray:
+def match_terms(index: ConstellationIndex, query: SeenLandmarks, nearest: Nearest, log_scale: np.ndarray) -> np.ndarray:
     """(…, n) ln likelihood ratio of every object's nearest match against a random hit at the local density.
 
-    distances, objects, deviations: (…, n); log_scale: ln pixel size, broadcastable. Without a match it is
-    ln of the distractors' share.
+    Without a match it is ln of the distractors' share.
+
+    Args:
+        index: The map's catalogue.
+        query: The image's n objects.
+        nearest: What is nearest to them.
+        log_scale: ln pixel size, broadcastable.
     """
-    index, settings = verifier.index, verifier.index.settings
-    found = np.maximum(objects, 0)
-    position = -0.5 * (distances / deviations) ** 2 - np.log(2 * np.pi * deviations**2 * index.densities[found])
+    settings, deviations = index.settings, nearest.deviations
+    found = np.maximum(nearest.objects, 0)
+    position = -0.5 * (nearest.distances / deviations) ** 2 - np.log(2 * np.pi * deviations**2 * index.densities[found])
     area = query.log_areas + 2 * log_scale
     off = area - index.log_areas[found]
     outliers, distractors = settings.area_outliers, settings.distractors
@@ -70,7 +110,7 @@ def match_terms(verifier: Verifier, query: SeenLandmarks, distances, objects, de
     seen += outliers * _normal(off, settings.area_outlier_deviation)
     bins = np.clip(((area - AREA_BINS[0]) / AREA_BIN).astype(np.int64), 0, len(AREA_BINS) - 1)
     ratio = np.exp(np.clip(position, -50, 30)) * seen / index.area_densities[query.ranks, bins]
-    ratio = np.where((objects >= 0) & (distances <= settings.gate_in_noise * deviations), ratio, 0)
+    ratio = np.where((nearest.objects >= 0) & (nearest.distances <= settings.gate_in_noise * deviations), ratio, 0)
     return np.log(distractors + (1 - distractors) * ratio)
 
 
@@ -78,12 +118,22 @@ def _normal(x: np.ndarray, deviation: float) -> np.ndarray:
     return np.exp(-0.5 * (x / deviation) ** 2) / (np.sqrt(2 * np.pi) * deviation)
 
 
-def rough_scores(verifier: Verifier, query: SeenLandmarks, centers, turns, gates) -> tuple:
-    """Poses (S,) fitted all at once with shrinking gates (map units per pixel of size, (G,)); scores (S,), no misses.
+def rough_scores(
+    index: ConstellationIndex, query: SeenLandmarks, centers: np.ndarray, turns: np.ndarray, gates: Sequence[float]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Poses fitted all at once, with shrinking gates, and their scores; what the image lacks doesn't count.
 
-    query: its most telling objects only, all of known class.
+    Args:
+        index: The map's catalogue.
+        query: The image's most telling objects only, all of known class.
+        centers: (S,) complex, map units from the index's origin.
+        turns: (S,) complex, heading and pixel size.
+        gates: How far off a match may be, one after the other, pixels.
+
+    Returns:
+        (S,) centers, turns and scores.
     """
-    index, settings = verifier.index, verifier.index.settings
+    settings = index.settings
     for gate in gates:
         size = np.abs(turns)[:, None]
         distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
@@ -98,7 +148,7 @@ def rough_scores(verifier: Verifier, query: SeenLandmarks, centers, turns, gates
     size = np.abs(turns)[:, None]
     distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
     deviations = 1.5 * center_noise(query.log_areas, size, settings)
-    scores = match_terms(verifier, query, distances, objects, deviations, np.log(size)).sum(axis=1)
+    scores = match_terms(index, query, Nearest(distances, objects, deviations), np.log(size)).sum(axis=1)
     return centers, turns, scores
 
 
@@ -109,16 +159,30 @@ def telling_objects(query: SeenLandmarks, count: int) -> np.ndarray:
 
 
 def verify(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> PoseEvidence:
-    """Refines the pose of a level camera by match and fit, then weighs it. query: its ``telling_objects``."""
+    """Refines the pose of a level camera by match and fit, then weighs it.
+
+    Args:
+        verifier: Catalogue and image.
+        query: The image's ``telling_objects``.
+        pose: A first one.
+    """
     return _refined(verifier, query, pose, 2.0)
 
 
 def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: complex) -> PoseEvidence:
-    """The same for a camera that may be tilted; matches spread from ``focus``, where the pose holds, over the image."""
+    """The same for a camera that may be tilted.
+
+    Args:
+        verifier: Catalogue and image.
+        query: The image's ``telling_objects``.
+        pose: A first one.
+        focus: Where in the image it holds; matches spread from there over the image.
+    """
     settings = verifier.index.settings
     gate = settings.growing_gate * query.diagonal
     for reach in settings.growing_reach:
-        distances, objects, deviations = _nearest(verifier, query, pose)
+        nearest = _nearest(verifier.index, query, pose)
+        distances, objects, deviations = nearest.distances, nearest.objects, nearest.deviations
         near = (np.abs(query.points - focus) <= reach * query.diagonal) & _one_to_one(distances, objects)
         ends = gate * abs(pose.turn) + settings.gate_in_noise * deviations
         kept = np.flatnonzero(near & (distances <= ends))
@@ -136,7 +200,8 @@ def _refined(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float
     """Match and fit until both agree; then the evidence."""
     settings = verifier.index.settings
     for number in range(settings.refinements):
-        distances, objects, deviations = _nearest(verifier, query, pose)
+        nearest = _nearest(verifier.index, query, pose)
+        distances, objects, deviations = nearest.distances, nearest.objects, nearest.deviations
         ends = settings.gate_in_noise * factor * deviations
         kept = np.flatnonzero(_one_to_one(distances, objects) & (distances <= ends))
         if len(kept) < settings.minimum_matches:
@@ -159,10 +224,15 @@ def _refined(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float
 
 
 def noise_factor(residuals: np.ndarray, fitted: int, settings: ConstellationSettings) -> float:
-    """σ of matches over the assumed one; residuals: (n,) lengths over the assumed σ; fitted: numbers of the pose.
+    """σ of matches over the assumed one.
 
     From the median, because some matches are wrong. A pose takes its numbers out of the residuals: the squares of n
     true ones are smaller by 2 n / (2 n − fitted). Few residuals tell little, so the assumption counts as well.
+
+    Args:
+        residuals: (n,) lengths over the assumed σ.
+        fitted: Numbers of the pose.
+        settings: Of the constellation.
     """
     count = len(residuals)
     measured = (np.median(residuals) / MEDIAN_OF_RAYLEIGH) ** 2 * 2 * count / max(2 * count - fitted, 1)
@@ -172,13 +242,20 @@ def noise_factor(residuals: np.ndarray, fitted: int, settings: ConstellationSett
 
 
 def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -> PoseEvidence:
-    """The evidence for a pose as it is."""
+    """The evidence for a pose as it is.
+
+    Args:
+        verifier: Catalogue and image.
+        query: The image's ``telling_objects``.
+        pose: Where the image may lie.
+        factor: How much of the assumed noise there is.
+    """
     index, settings = verifier.index, verifier.index.settings
     log_sizes = np.log(pose.pixel_sizes(query.points))
-    distances, objects, deviations = _nearest(verifier, query, pose)
-    deviations = factor * deviations
-    objects = np.where(_one_to_one(distances, objects), objects, -1)
-    terms = match_terms(verifier, query, distances, objects, deviations, log_sizes)
+    nearest = _nearest(index, query, pose)
+    distances, deviations = nearest.distances, factor * nearest.deviations
+    objects = np.where(_one_to_one(distances, nearest.objects), nearest.objects, -1)
+    terms = match_terms(index, query, Nearest(distances, objects, deviations), log_sizes)
     # Smaller than anything on the map, more than area noise explains: neither for nor against. Were those that match
     # for it, a pose at which hardly anything is large enough would have nothing against it.
     smallest = np.log(max(index.minimum_area_m2, 1e-12)) - settings.smaller_in_noise * settings.area_deviation
@@ -186,8 +263,8 @@ def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -
     matched = np.flatnonzero(possible & (objects >= 0) & (distances <= settings.gate_in_noise * deviations))
     terms = np.where(possible, terms, 0)
     missing = len(np.setdiff1d(expected_objects(verifier, query, pose), objects[matched]))
-    assumed = settings.assumed_objects if pose.is_level else settings.assumed_objects_tilted
-    assumed *= max(float(terms[matched].mean()), 0) if len(matched) else 0
+    makers = settings.assumed_objects if pose.is_level else settings.assumed_objects_tilted
+    assumed = makers * max(float(terms[matched].mean()), 0) if len(matched) else 0
     log_odds = float(terms.sum() - assumed + missing * np.log(1 - settings.visibility))
     considered = int(possible.sum())
     return PoseEvidence(pose, log_odds, matched, objects[matched], deviations[matched], factor, missing, considered)
@@ -211,12 +288,11 @@ def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np
     return found[seen & (log_areas_px > smallest + settings.area_deviation)]
 
 
-def _nearest(verifier: Verifier, query: SeenLandmarks, pose: Pose):
-    """Distances (n,), objects (n,), assumed deviations (n,) of the image's objects at a pose."""
-    index = verifier.index
+def _nearest(index: ConstellationIndex, query: SeenLandmarks, pose: Pose) -> Nearest:
+    """What is nearest to the image's objects at a pose, (n,) each, with the assumed deviations."""
     distances, objects = index.matcher.match(pose.on_map(query.points)[None], query.ranks)
     noise = center_noise(query.log_areas, abs(pose.turn), index.settings)
-    return distances[0].astype(np.float64), objects[0], noise
+    return Nearest(distances[0].astype(np.float64), objects[0], noise)
 
 
 def _one_to_one(distances: np.ndarray, objects: np.ndarray) -> np.ndarray:
@@ -228,5 +304,5 @@ def _one_to_one(distances: np.ndarray, objects: np.ndarray) -> np.ndarray:
 
 
 def biweight(distances: np.ndarray, ends: np.ndarray) -> np.ndarray:
-    """Tukey's biweight: 1 at distance 0, falling smoothly to 0 at the end."""
+    """Tukey's biweight: (n,) weights, 1 at distance 0, falling smoothly to 0 at the end."""
     return np.maximum(1 - (distances / ends) ** 2, 0) ** 2

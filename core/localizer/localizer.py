@@ -185,7 +185,7 @@ class Localizer:
         sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.constellation.scales)
         prior = replace(prior, pixel_size_range=sizes)
         objects, smallest = self._objects(labels_hw, sizes[1])
-        return solve(objects, width, height, self.index, prior, smallest)
+        return solve(objects, (width, height), self.index, prior, smallest)
 
     def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> tuple[Landmarks, float]:
         """The image's landmarks, and the smallest contour area, px², that the map's may have in it."""
@@ -318,7 +318,7 @@ class Localizer:
     def _matches_at(self, labels_hw: np.ndarray, place: Place) -> Matches | None:
         height, width = labels_hw.shape
         objects, _ = self._objects(labels_hw, place.oriented[1])
-        return matches_at(objects, width, height, self.index, place) if len(objects) else None
+        return matches_at(objects, (width, height), self.index, place) if len(objects) else None
 
     def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:
         """The image as windows of ``window_size`` (map units) of this database are described."""

@@ -222,7 +222,7 @@ def _ours(objects, index_of: Callable) -> Answer:
     from semref.core.localization import Prior
 
     started = time.process_time()
-    found = localize(objects, IMAGE_PX, IMAGE_PX, index_of(), Prior(pixel_size_range=PIXEL_SIZES_M))
+    found = localize(objects, (IMAGE_PX, IMAGE_PX), index_of(), Prior(pixel_size_range=PIXEL_SIZES_M))
     place = complex(*found.place.position) if found.is_fix else None
     return Answer(place, time.process_time() - started)
 

@@ -54,6 +54,6 @@ def test_objects_that_are_cut_or_of_unknown_class_make_no_triangles(cut):
     query = cut(*TRUE).query
     query.whole[::4] = False
     query.ranks[1::4] = -1
-    triple, numbers, tolerances = query_triangles(query, CONSTELLATION)
-    assert len(triple) == len(numbers) == len(tolerances) > 50
-    assert set(np.unique(triple % 4)) == {2, 3}
+    triangles = query_triangles(query, CONSTELLATION)
+    assert len(triangles) == len(triangles.numbers) == len(triangles.tolerances) > 50
+    assert set(np.unique(triangles.members % 4)) == {2, 3}

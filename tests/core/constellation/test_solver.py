@@ -70,7 +70,7 @@ def seen_from(column, row, heading=0.0, scale=1.0):
 
 
 def solve(ground, objects, prior=PRIOR):
-    return localize(objects, SIZE, SIZE, ground.index, prior)
+    return localize(objects, (SIZE, SIZE), ground.index, prior)
 
 
 def error(result, view):
@@ -106,7 +106,7 @@ def test_an_image_without_known_classes_has_too_few_references(ground):
 
 def test_an_empty_catalogue_gives_no_fix(ground):
     empty = MapLandmarks(np.empty((0, 2)), np.empty(0, np.uint8), np.empty(0), np.empty(0, bool))
-    result = localize(ground.see(seen_from(1500, 1500)), SIZE, SIZE, build_index(empty, 1.0), PRIOR)
+    result = localize(ground.see(seen_from(1500, 1500)), (SIZE, SIZE), build_index(empty, 1.0), PRIOR)
     assert result.status != Status.FIX
 
 
@@ -115,7 +115,7 @@ def test_objects_smaller_than_any_of_the_catalogue_are_no_evidence(ground, share
     view = seen_from(1500, 1500)
     right = ground.see(view)
     small = dataclasses.replace(right, areas_px=share * ground.index.minimum_area_m2 * np.ones(len(right)))
-    query = make_query(small, ground.index, SIZE, SIZE)
+    query = make_query(small, ground.index, (SIZE, SIZE))
     center = complex(*view.position) + complex(*ORIGIN) - ground.index.origin
     evidence = weigh(Verifier(ground.index, SIZE, SIZE, 1.0), query, Pose(center, 1 + 0j), 1.0)
     assert (len(evidence.matched) > 0, evidence.considered > 0) == (counts, counts)
@@ -238,12 +238,12 @@ def test_matches_at_a_place_told_by_another_method_are_those_of_a_fix_there(grou
     view = seen_from(1500.0, 1490.0)
     objects = ground.see(view)
     x, y = np.array(ORIGIN) + view.position
-    found = matches_at(objects, SIZE, SIZE, ground.index, Place((x + 1, y), 0.5, 1.002))
+    found = matches_at(objects, (SIZE, SIZE), ground.index, Place((x + 1, y), 0.5, 1.002))
     fix = solve(ground, objects).matches
     assert len(found) == len(fix) and set(found.on_map) == set(fix.on_map)
-    assert matches_at(objects, SIZE, SIZE, ground.index, Place((x + 73, y - 41), 0.0, 1.0)) is None
+    assert matches_at(objects, (SIZE, SIZE), ground.index, Place((x + 73, y - 41), 0.0, 1.0)) is None
     nothing = objects.select(np.zeros(len(objects), bool))
-    assert matches_at(nothing, SIZE, SIZE, ground.index, Place((x, y), 0.0, 1.0)) is None
+    assert matches_at(nothing, (SIZE, SIZE), ground.index, Place((x, y), 0.0, 1.0)) is None
 
 
 def test_a_tilted_camera_is_located(ground):
@@ -314,7 +314,7 @@ def test_a_tilted_ellipse_of_a_level_camera_is_a_little_larger_than_a_level_one(
 def test_a_cap_does_not_count_triangles_that_a_prior_excludes(ground, place):
     view = seen_from(*place, 70.0, 1.1)
     objects = ground.see(view, NOISE, 5)
-    query = make_query(objects, ground.index, SIZE, SIZE)
+    query = make_query(objects, ground.index, (SIZE, SIZE))
     triangles = query_triangles(query, CONSTELLATION)
     position = (ORIGIN[0] + view.position[0] + 40, ORIGIN[1] + view.position[1] - 30)
     prior = Prior(position=position, radius=100.0, pixel_size_range=(0.9, 1.3))
