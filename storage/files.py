@@ -6,27 +6,23 @@ Told in docs/decisions/outputs.md.
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
-import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
 from ..core.errors import ParameterError
-
-try:
-    import fcntl
-except ImportError:  # Windows, where an open file can't be removed
-    fcntl = None
+from .locks import TakenError, folders_held, held
+from .moving import LOCK, SUFFIX, Plan, clear, dismantle, flush, is_moving, is_own, move_all, move_of
 
 SIDECARS = (".aux.xml", ".ovr", "-wal", "-shm", "-journal")
 """What GDAL or SQLite may have beside an output: metadata, pyramids, changes not yet in the database."""
 
-_SUFFIX, _LOCK, _OLDER = ".part", ".lock", ".older"
-"""Folders of unfinished outputs are hidden and end so; the file in them is locked while their run lives; what an output
-replaces lies there until all are moved."""
+_TRIES = 20
+"""Others may take a new folder for a dead run's in the instant before it is locked."""
 
 
 @dataclass(frozen=True)
@@ -37,11 +33,13 @@ class _Staged:
         workplace: The folder that it lies in, beside its place.
         final: Its place.
         is_folder: Whether it is a folder.
+        lock: Tells others that the run lives, while it is open; None where the system has no locks.
     """
 
     workplace: Path
     final: Path
     is_folder: bool
+    lock: IO[bytes] | None
 
     @property
     def made(self) -> Path:
@@ -62,7 +60,6 @@ class Batch:
 
     def __init__(self) -> None:
         self._staged: list[_Staged] = []
-        self._locks: list[IO[bytes]] = []
 
     def __enter__(self) -> Batch:
         return self
@@ -104,46 +101,43 @@ class Batch:
         staged.made.mkdir()
         return str(staged.made)
 
-    def commit(self) -> None:
+    def commit(self, *checks: Callable[[], None]) -> None:
         """Moves everything to its place; when one can't be moved, those that were are taken back.
+
+        Args:
+            *checks: Called last of all, while no other run moves anything there: what one raises leaves all as it was.
 
         Raises:
             ParameterError: When an older file can't be replaced.
             OSError: When the disk can't take what was written.
         """
         for staged in self._staged:
-            _flush(staged.made)
-        done: list[_Replaced] = []
-        try:
-            for staged in self._staged:
-                for source, target in _moves(staged):
-                    done.append(_replace(source, target, staged.workplace))
-        except BaseException:
-            for replaced in reversed(done):
-                replaced.take_back()
-            raise
+            flush(staged.workplace)
+        with folders_held(staged.final.parent for staged in self._staged):
+            for check in checks:
+                check()
+            move_all([_plan(staged) for staged in self._staged])
 
     def close(self) -> None:
         """Clears away what was not moved, and the older files that were replaced."""
-        for lock in self._locks:
-            lock.close()
         for staged in self._staged:
-            shutil.rmtree(staged.workplace, ignore_errors=True)
-        self._staged, self._locks = [], []
+            if not is_moving(self._staged[0].workplace):
+                dismantle(staged.workplace, staged.lock)
+            if staged.lock is not None:
+                staged.lock.close()
+        self._staged = []
 
     def _stage(self, final: Path, is_folder: bool) -> _Staged:
-        _clear_strays(final.parent)
+        clear(final.parent)
         try:
-            workplace = Path(tempfile.mkdtemp(prefix=f".{final.stem[:40]}.", suffix=_SUFFIX, dir=final.parent))
+            workplace, lock = _workplace(final)
         except PermissionError:
             raise ParameterError("storage.folder_unwritable", folder=final.parent, name=final.name) from None
-        except OSError as error:
-            raise ParameterError("storage.file_unwritable", path=final, reason=error.strerror) from None
-        staged = _Staged(workplace, final, is_folder)
+        except (OSError, TakenError) as error:
+            reason = getattr(error, "strerror", None) or os.strerror(errno.EBUSY)
+            raise ParameterError("storage.file_unwritable", path=final, reason=reason) from None
+        staged = _Staged(workplace, final, is_folder, lock)
         self._staged.append(staged)
-        lock = _locked(workplace / _LOCK)
-        if lock is not None:
-            self._locks.append(lock)
         return staged
 
 
@@ -163,120 +157,28 @@ def folder_written_beside(target: str, mark: str = "") -> Iterator[str]:
         batch.commit()
 
 
-@dataclass(frozen=True)
-class _Replaced:
-    """What a move did: ``older`` is where the file that it replaced lies now, None where there was none."""
-
-    target: Path
-    older: Path | None
-
-    def take_back(self) -> None:
-        """Puts the older one back; without one the new one goes."""
-        if self.older is None or self.target.is_dir():
-            _remove(self.target)
-        if self.older is not None:
-            os.replace(self.older, self.target)
-
-
-def _moves(staged: _Staged) -> list[tuple[Path | None, Path]]:
-    """(file written, its place) of an output and what belongs to it; None: an older companion that must go."""
-    final = staged.final
+def _plan(staged: _Staged) -> Plan:
+    """What an output moves: what belongs to it, older companions that must go, and last itself."""
+    final, workplace = staged.final, staged.workplace
     if staged.is_folder:
-        return [(staged.made, final)]
-    written = [path for path in sorted(staged.workplace.iterdir()) if path.name != _LOCK and path != staged.made]
-    moves: list[tuple[Path | None, Path]] = [(path, final.with_name(path.name)) for path in written]
+        return Plan(workplace, (move_of(workplace, final.name),))
+    written = [path.name for path in sorted(workplace.iterdir()) if not is_own(path.name) and path != staged.made]
     # What belongs to an older output would be taken for the new one's.
-    names = {path.name for path in written}
-    beside = [final.with_name(final.name + suffix) for suffix in SIDECARS]
-    moves += [(None, path) for path in beside if path.name not in names and path.exists()]
+    beside = [final.name + suffix for suffix in SIDECARS]
+    gone = [name for name in beside if name not in written and final.with_name(name).exists()]
     # Last, so that whoever sees the file sees what belongs to it, too.
-    return [*moves, (staged.made, final)] if staged.made.exists() else moves
+    made = [final.name] if staged.made.exists() else []
+    return Plan(workplace, tuple(move_of(workplace, name) for name in [*written, *gone, *made]))
 
 
-def _replace(source: Path | None, target: Path, workplace: Path) -> _Replaced:
-    """Moves one file or folder to its place, keeping what it replaces in the workplace until all are moved."""
-    older = None
-    try:
-        if target.exists():
-            older = workplace / f"{target.name}{_OLDER}"
-            if source is None or target.is_dir():
-                os.replace(target, older)
-            else:
-                # A second name for the older file: at no moment is there none under its own.
-                _link(target, older)
-        if source is not None:
-            os.replace(source, target)
-    except PermissionError:
-        if older is not None and older.exists() and not target.exists():
-            os.replace(older, target)
-        raise ParameterError("storage.not_replaceable", path=target) from None
-    return _Replaced(target, older)
-
-
-def _link(path: Path, name: Path) -> None:
-    """Gives a file a second name; where the file system has no such links, a copy."""
-    try:
-        os.link(path, name)
-    except (OSError, NotImplementedError, AttributeError):
-        shutil.copy2(path, name)
-
-
-def _flush(path: Path) -> None:
-    """Has what was written reach the disk, so that a full one is heard of before anything is moved."""
-    files = [path] if path.is_file() else [child for child in path.rglob("*") if child.is_file()]
-    for file in files:
-        # Windows flushes only files that may be written to.
-        with file.open("rb+") as opened:
-            os.fsync(opened.fileno())
-
-
-def _remove(path: Path) -> None:
-    if path.is_dir():
-        shutil.rmtree(path)
-    else:
-        path.unlink(missing_ok=True)
-
-
-def _locked(path: Path) -> IO[bytes] | None:
-    """A file that stays open, and locked where the system can; None where it can't be made."""
-    try:
-        file = path.open("wb")
-    except OSError:
-        return None
-    if fcntl is not None:
+def _workplace(final: Path) -> tuple[Path, IO[bytes] | None]:
+    """A new folder beside a place and its lock; raises OSError, and TakenError where others take it each time."""
+    for _ in range(_TRIES):
+        made = Path(tempfile.mkdtemp(prefix=f".{final.stem[:40]}.", suffix=SUFFIX, dir=final.parent))
         try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            with contextlib.suppress(TakenError):
+                return made, held(made / LOCK)
         except OSError:
-            # A network share without locks; such folders are left to the user.
-            path.unlink(missing_ok=True)
-    return file
-
-
-def _clear_strays(folder: Path) -> None:
-    """Removes unfinished outputs of runs that are dead: their lock is free.
-
-    One that died while it moved its output gets what it had replaced back to its place.
-    """
-    for stray in folder.glob(f".*{_SUFFIX}"):
-        lock = stray / _LOCK
-        if not (stray.is_dir() and lock.is_file() and _is_free(lock)):
-            continue
-        kept = [path for path in stray.iterdir() if path.name != _LOCK]
-        if any(not path.name.endswith(_OLDER) for path in kept):
-            for path in kept:
-                if path.name.endswith(_OLDER):
-                    os.replace(path, folder / path.name[: -len(_OLDER)])
-        shutil.rmtree(stray, ignore_errors=True)
-
-
-def _is_free(lock: Path) -> bool:
-    """Whether no living run holds a lock."""
-    try:
-        if fcntl is None:
-            lock.unlink()
-            return True
-        with lock.open("rb") as file:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            return True
-    except OSError:
-        return False
+            dismantle(made)
+            raise
+    raise TakenError

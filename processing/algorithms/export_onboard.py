@@ -120,7 +120,8 @@ class ExportOnboard(SemRefAlgorithm):
         database = cancelable(read_database, path, feedback=feedback)
         crs = database_crs(database)
         if values.switch(self.OVERVIEW):
-            database = replace(database, overview=cancelable(read_overview, path, feedback=feedback))
+            overview = cancelable(read_overview, path, database.parameters, feedback=feedback)
+            database = replace(database, overview=overview)
         feedback.setProgress(40)
         if self._area is not None:
             database = self._clipped(values, database, crs, feedback)

@@ -416,10 +416,13 @@ def _polygon(corners_xy: Sequence[Tuple[float, float]]) -> QgsGeometry:
 
 def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
     """The database with its overview; without one automatic has the constellation alone, and says so."""
+    from ...storage.database.connection import DatabaseChangedError
     from ...storage.database.reader import read_overview
 
     try:
-        return replace(database, overview=read_overview(path))
+        return replace(database, overview=read_overview(path, database.parameters))
+    except DatabaseChangedError:
+        raise
     except DatabaseError as error:
         warning = tr("Automatic uses the constellation alone, without map correlation: {reason}").format(
             reason=worded(error)

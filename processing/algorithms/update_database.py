@@ -104,6 +104,8 @@ class UpdateDatabase(SemRefAlgorithm):
         with outputs.file(self.OUTPUT) as path:
             follow(updater.steps(), feedback, 0, 80)
             follow(DatabaseEditor(path, stored, updater.changes).steps(), feedback, 80, 100)
+        # Else the update would undo what others have written since, where it replaces the database.
+        outputs.require(stored.require_as_read)
         self._say_result(stored.database, updater.changes, feedback)
 
     def _check_crs(self, database: ReferenceDatabase) -> None:

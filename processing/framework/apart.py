@@ -1,10 +1,11 @@
-"""Outputs must not lie where an input or another output lies: checked for every algorithm before any work."""
+"""Where inputs and outputs lie, before any work: no output where another or an input does, nothing half moved."""
 
 from __future__ import annotations
 
 import os
 import re
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Iterator, List
 
 from qgis.core import (
@@ -19,6 +20,7 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ...storage.moving import clear
 from .destinations import Destination, destination_of
 
 if TYPE_CHECKING:
@@ -74,6 +76,19 @@ def require_outputs_apart(algorithm: QgsProcessingAlgorithm, values: Values, may
                     path=wanted.path,
                 )
         seen.append((definition, wanted))
+
+
+def clear_beside_inputs(algorithm: QgsProcessingAlgorithm, values: Values) -> None:
+    """Takes back what runs that died were moving into the folders of inputs, so that nothing half moved is read."""
+    folders = set()
+    for definition in algorithm.parameterDefinitions():
+        if not definition.isDestination():
+            for source in _sources(values.raw(definition.name()), values.context):
+                path = Path(source.split("|")[0])
+                if path.is_absolute() or path.exists():
+                    folders.add(path.parent)
+    for folder in folders:
+        clear(folder)
 
 
 def _adds_a_layer(wanted: Destination, read: _Input) -> bool:

@@ -84,6 +84,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         self, values: Values, feedback: QgsProcessingFeedback
     ) -> Tuple[ReferenceDatabase, QgsCoordinateReferenceSystem]:
         """(database with bounds and, if it has one, overview; its CRS)."""
+        from ...storage.database.connection import DatabaseChangedError
         from ...storage.database.reader import read_overview, read_stored_database
         from ..exchange.reference_systems import database_crs
 
@@ -92,7 +93,10 @@ class AssessAlgorithm(SemRefAlgorithm):
         stored = cancelable(read_stored_database, path, feedback=feedback)
         crs, database = database_crs(stored.database), stored.database
         try:
-            database = replace(database, overview=cancelable(read_overview, path, feedback=feedback))
+            overview = cancelable(read_overview, path, database.parameters, feedback=feedback)
+            database = replace(database, overview=overview)
+        except DatabaseChangedError:
+            raise
         except DatabaseError:
             # Landmarks can be assessed all the same.
             if values.switch(self.MAP_CORRELATION):

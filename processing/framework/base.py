@@ -17,7 +17,7 @@ from ..packages.components import OPENCV, Package, how_to_install, missing
 from ..translation import tr
 from ..version import algorithm_help_url
 from ..wording.sentences import worded
-from .apart import require_outputs_apart
+from .apart import clear_beside_inputs, require_outputs_apart
 from .declarations import NumberResult, Parameter
 from .outputs import Outputs
 from .values import Values
@@ -132,6 +132,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
 
     def checkParameterValues(self, parameters: Dict[str, Any], context: QgsProcessingContext) -> Tuple[bool, str]:
         values = Values(self, parameters, context)
+        clear_beside_inputs(self, values)
         try:
             # First: QGIS opens layers to see whether they can be.
             for definition in self.parameterDefinitions():
@@ -152,6 +153,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         self._refusal = None
         try:
             values = Values(self, parameters, context)
+            clear_beside_inputs(self, values)
             require_outputs_apart(self, values, self.MAY_REPLACE)
             self.read_layers(values)
         except SemRefError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -52,6 +52,7 @@ class Outputs:
         self._batch = Batch()
         self._layers: List[_Layer] = []
         self._copies: Dict[str, str] = {}
+        self._checks: List[Callable[[], None]] = []
         self.results: Dict[str, Any] = {}
 
     def __enter__(self) -> Outputs:
@@ -62,9 +63,13 @@ class Outputs:
 
     def commit(self) -> None:
         """Moves everything to its place and lets QGIS load it from there."""
-        self._batch.commit()
+        self._batch.commit(*self._checks)
         for layer in self._layers:
             layer.announce(self._values.context)
+
+    def require(self, check: Callable[[], None]) -> None:
+        """Has ``check`` called before anything moves, while no other run moves its outputs there; it may raise."""
+        self._checks.append(check)
 
     @contextmanager
     def raster(self, key: str, table: Optional[ClassTable] = None) -> Iterator[str]:

@@ -28,8 +28,22 @@ _COLUMNS = {
 }
 
 
+class DatabaseChangedError(DatabaseError):
+    """A database was replaced or written to between two looks at it."""
+
+
+class Snapshot(sqlite3.Connection):
+    """A connection to one state of a database.
+
+    Attributes:
+        state: ``state`` of the database before it was opened.
+    """
+
+    state: tuple = ()
+
+
 @contextlib.contextmanager
-def snapshot(path: str) -> Iterator[sqlite3.Connection]:
+def snapshot(path: str) -> Iterator[Snapshot]:
     """One state of a reference database, whatever others write to it while the block runs.
 
     What a killed writer left half done is rolled back first, as SQLite does it; where that can't be, or where another
@@ -91,12 +105,24 @@ def state(path: str) -> tuple:
     return tuple((found.st_mtime_ns, found.st_size, found.st_ino) for found in stats)
 
 
+def require_unchanged_since(path: str, then: tuple) -> None:
+    """Raises DatabaseChangedError where a database's files are others than when ``state`` was ``then``."""
+    try:
+        is_same = state(path) == then
+    except OSError:
+        is_same = False
+    if not is_same:
+        raise DatabaseChangedError("storage.database_changed", path=path)
+
+
 def open_table(path: str, table: str, kind: int, options: Sequence[str] = ()) -> gdal.Dataset | None:
     """One table of a GeoPackage by GDAL, whatever characters its path has; None or RuntimeError where it can't."""
     return gdal.OpenEx(path, kind, ["GPKG"], [f"TABLE={table}", *options])
 
 
-def _connected(path: str) -> sqlite3.Connection:
+def _connected(path: str) -> Snapshot:
+    # Before, as it may be replaced at any moment.
+    found = state(path)
     with open(path, "rb") as file:
         header = file.read(100).ljust(100, b"\0")
     if not header.startswith(b"SQLite format 3\0"):
@@ -116,7 +142,9 @@ def _connected(path: str) -> sqlite3.Connection:
     else:
         mode = "ro"
     uri = f"{Path(path).resolve().as_uri()}?mode={mode}"
-    return sqlite3.connect(uri, uri=True, timeout=_WAIT_S, isolation_level=None)
+    connection = sqlite3.connect(uri, uri=True, timeout=_WAIT_S, isolation_level=None, factory=Snapshot)
+    connection.state = found
+    return connection
 
 
 def _require_our_tables(connection: sqlite3.Connection, path: str) -> None:

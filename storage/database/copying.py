@@ -9,9 +9,8 @@ import tempfile
 
 from osgeo import gdal, ogr
 
-from ...core.errors import DatabaseError
 from . import schema
-from .connection import snapshot, state
+from .connection import require_unchanged_since, snapshot
 
 _OWN = (*schema.LAYERS, schema.OVERVIEW)
 _KEPT_PREFIXES = ("gpkg_", "sqlite_", "rtree_windows_geom", "rtree_references_geom")
@@ -31,12 +30,10 @@ def copy_database(path: str, target: str, state_when_read: tuple) -> None:
         DatabaseError: It is in use, damaged, or was changed since it was read.
     """
     with snapshot(path) as source, contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
-        if state(path) != state_when_read:
-            raise DatabaseError("storage.database_changed", path=path)
+        require_unchanged_since(path, state_when_read)
         source.rollback()
         source.backup(copy)
-        if state(path) != state_when_read:
-            raise DatabaseError("storage.database_changed", path=path)
+        require_unchanged_since(path, state_when_read)
         _remove_foreign(copy)
     # Anew: what was removed from the schema is still known to the connection that removed it.
     with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:

@@ -23,7 +23,7 @@ from ...core.values import read_json
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
 from .checksums import CHECKSUMS, checksums_of, overview_checksum, require_unchanged
-from .connection import damaged, open_table, snapshot, state
+from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
 
 _LONGEST_REASON = 200
 
@@ -38,9 +38,20 @@ def read_database(path: str, with_overview: bool = False) -> ReferenceDatabase:
         return replace(database, overview=_overview(connection, path)) if with_overview else database
 
 
-def read_overview(path: str) -> np.ndarray:
-    """(h, w) uint8 class values. Raises DatabaseError for a database that has none."""
+def read_overview(path: str, of: BuildParameters | None = None) -> np.ndarray:
+    """(h, w) uint8 class values.
+
+    Args:
+        path: The database.
+        of: What was read from it before, if anything: what was updated since is refused.
+
+    Raises:
+        DatabaseError: It has no overview.
+        DatabaseChangedError: It was updated since.
+    """
     with snapshot(path) as connection:
+        if of is not None and _read_parameters(connection, path) != of:
+            raise DatabaseChangedError("storage.database_changed", path=path)
         return _overview(connection, path)
 
 
@@ -55,8 +66,8 @@ def _read(connection: sqlite3.Connection, path: str, is_checked: bool = True) ->
     return ReferenceDatabase(windows, landmarks, table, parameters, path)
 
 
-def _overview(connection: sqlite3.Connection, path: str) -> np.ndarray:
-    """Read by GDAL while the connection's lock keeps writers out."""
+def _overview(connection: Snapshot, path: str) -> np.ndarray:
+    """Read by GDAL while the connection's lock keeps writers out; one that replaces the file is noticed."""
     parameters = _read_parameters(connection, path)
     require_unchanged(connection, {schema.OVERVIEW: overview_checksum(connection)})
     # Left as it is where GDAL raises.
@@ -64,6 +75,7 @@ def _overview(connection: sqlite3.Connection, path: str) -> np.ndarray:
     with gdal_failures() as failures:
         dataset = open_table(path, schema.OVERVIEW, gdal.OF_RASTER)
         overview = None if dataset is None else _labels(dataset, parameters)
+    require_unchanged_since(path, connection.state)
     if overview is None:
         reason = gdal_failure(failures[0] if failures else None)
         raise DatabaseError("storage.no_readable_overview", path=path, reason=reason)
@@ -158,11 +170,14 @@ class StoredDatabase:
     reference_fids: tuple[int, ...]
     state: tuple
 
+    def require_as_read(self) -> None:
+        """Raises DatabaseChangedError where the database was changed since it was read."""
+        require_unchanged_since(self.database.source, self.state)
+
 
 def read_stored_database(path: str) -> StoredDatabase:
     """Reads what ``read_database`` reads and what an update needs besides; raises DatabaseError as that does."""
     with snapshot(path) as connection:
-        found = state(path)
         database = _read(connection, path)
         window_fids = connection.execute("SELECT fid FROM windows ORDER BY fid").fetchall()
         fids = connection.execute('SELECT fid FROM "references" ORDER BY fid').fetchall()
@@ -174,7 +189,9 @@ def read_stored_database(path: str) -> StoredDatabase:
     if bounds is not None and not _on_map(bounds, database.parameters):
         raise damaged(path, ValueError("a landmark spans pixels that the map has not"))
     database = replace(database, references=replace(database.references, bounds_px=bounds))
-    return StoredDatabase(database, tuple(fid for (fid,) in window_fids), tuple(fid for (fid,) in fids), found)
+    return StoredDatabase(
+        database, tuple(fid for (fid,) in window_fids), tuple(fid for (fid,) in fids), connection.state
+    )
 
 
 def _on_map(bounds_px: np.ndarray, parameters: BuildParameters) -> bool:

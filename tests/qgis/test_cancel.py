@@ -157,18 +157,22 @@ def test_cancel_leaves_nothing_where_nothing_was(jobs, small_steps, tmp_path, na
 def test_files_are_closed_before_they_are_removed(jobs, small_steps, tmp_path, monkeypatch, name, percent):
     """Windows removes no file that is open."""
     from semref.storage import files
+    from semref.storage.moving import LOCK
 
-    remove, still_open = files._remove, []
+    remove, still_open, looked = files.dismantle, [], []
 
-    def look_and_remove(workplace):
+    def look_and_remove(workplace, lock):
+        looked.append(workplace)
         links = [os.path.realpath(f"/proc/self/fd/{number}") for number in os.listdir("/proc/self/fd")]
-        still_open.extend(link for link in links if link.startswith(workplace))
-        remove(workplace)
+        still_open.extend(link for link in links if link.startswith(str(workplace)))
+        still_open.remove(str(workplace / LOCK))
+        remove(workplace, lock)
 
-    monkeypatch.setattr(files, "_remove", look_and_remove)
+    monkeypatch.setattr(files, "dismantle", look_and_remove)
     with pytest.raises(QgsProcessingException):
         run(jobs[name], tmp_path, CancelAt(percent))
     assert still_open == []
+    assert looked
 
 
 @pytest.mark.parametrize("name", JOBS)
