@@ -37,8 +37,10 @@ STORED_REDUCTION = 4
 class ClassSpace:
     """How the labels of a map become evidence. K classes, C ≤ MAXIMUM_CHANNELS channels.
 
-    values: (K,) uint8 class values of the map, without 0; usual: (K,) share of the labeled area each covers;
-    projection: (C, K) float32.
+    Attributes:
+        values: (K,) uint8, class values of the map, without 0.
+        usual: (K,) float64, share of the labeled area that each covers.
+        projection: (C, K) float32, evidence of fractions less the usual ones.
     """
 
     values: np.ndarray
@@ -47,13 +49,18 @@ class ClassSpace:
 
     @property
     def channels(self) -> int:
+        """Numbers a pixel of evidence, C; 0 where the map tells nothing."""
         return len(self.projection)
 
 
 @dataclass(frozen=True)
 class EvidenceLevel:
-    """Evidence on a grid. evidence: (H, W, C) float32, 0 where nothing is known; known: (H, W) float32 labeled share;
-    pixel: edge of a pixel in the unit of the raster (meters for a map, pixels for an image), (x, y).
+    """Evidence on a grid.
+
+    Attributes:
+        evidence: (H, W, C) float32, 0 where nothing is known.
+        known: (H, W) float32, labeled share of each pixel.
+        pixel: (x, y) edges of a pixel in the unit of the raster: meters for a map, pixels for an image.
     """
 
     evidence: np.ndarray
@@ -61,10 +68,13 @@ class EvidenceLevel:
     pixel: tuple[float, float]
 
 
-def class_fractions(labels_hw: np.ndarray, values: Sequence[int], size_wh: tuple[int, int]) -> np.ndarray:
+def class_fractions(labels_hw: np.ndarray, values: Sequence[int] | np.ndarray, size_wh: tuple[int, int]) -> np.ndarray:
     """(h, w, K) uint8: the share of each coarse pixel (``FULL`` = all of it) that each class covers.
 
-    ``size_wh``: number of coarse pixels along x and y, not more than the raster has; pixel edges needn't fall together.
+    Args:
+        labels_hw: (H, W) uint8 labels.
+        values: (K,) class values.
+        size_wh: (w, h), coarse pixels along x and y, not more than the raster has; pixel edges needn't fall together.
     """
     fractions = np.empty((size_wh[1], size_wh[0], len(values)), np.uint8)
     for index, value in enumerate(values):
@@ -75,9 +85,12 @@ def class_fractions(labels_hw: np.ndarray, values: Sequence[int], size_wh: tuple
 
 
 def class_space(fractions: np.ndarray, values: np.ndarray, rarity_exponent: float) -> ClassSpace:
-    """The class space of a map from its coarse fractions (h, w, K) uint8. No labeled pixel gives no channels.
+    """The class space of a map. No labeled pixel gives no channels.
 
-    ``rarity_exponent``: as of CorrelationSettings.
+    Args:
+        fractions: (h, w, K) uint8, coarse ones of the map.
+        values: (K,) uint8, its class values.
+        rarity_exponent: As of CorrelationSettings.
     """
     pixels = fractions.reshape(fractions.shape[0] * fractions.shape[1], len(values))
     pixels = pixels[pixels.any(axis=1)].astype(np.float64) / FULL
@@ -98,9 +111,14 @@ def class_space(fractions: np.ndarray, values: np.ndarray, rarity_exponent: floa
 
 
 def evidence_of(fractions: np.ndarray, space: ClassSpace) -> tuple[np.ndarray, np.ndarray]:
-    """Evidence (h, w, C) float32 and labeled share (h, w) float32 of fractions (h, w, K) uint8.
+    """Evidence = projection · (fraction − labeled share × usual fraction), 0 where nothing is labeled.
 
-    Evidence = projection · (fraction − labeled share × usual fraction), 0 where nothing is labeled.
+    Args:
+        fractions: (h, w, K) uint8.
+        space: The map's.
+
+    Returns:
+        Evidence (h, w, C) float32 and labeled share (h, w) float32.
     """
     # projection · (f − usual · Σf) and Σf are linear in f: one matrix does both.
     matrix = np.vstack([space.projection - (space.projection @ space.usual)[:, None], np.ones(len(space.usual))])
@@ -111,7 +129,16 @@ def evidence_of(fractions: np.ndarray, space: ClassSpace) -> tuple[np.ndarray, n
 
 
 def evidence_level(labels_hw: np.ndarray, space: ClassSpace, size_wh: tuple[int, int]) -> EvidenceLevel:
-    """A label raster's evidence on ``size_wh`` coarse pixels; ``pixel`` is in pixels of the raster."""
+    """A label raster's evidence at coarse pixels.
+
+    Args:
+        labels_hw: (H, W) uint8 labels.
+        space: The map's.
+        size_wh: Coarse pixels along x and y.
+
+    Returns:
+        Its ``pixel`` is in pixels of the raster.
+    """
     evidence, known = evidence_of(class_fractions(labels_hw, space.values, size_wh), space)
     return EvidenceLevel(evidence, known, (labels_hw.shape[1] / size_wh[0], labels_hw.shape[0] / size_wh[1]))
 
@@ -159,7 +186,7 @@ class MapPyramid:
         padded = cv2.copyMakeBorder(self.labels, 0, -height % block, 0, -width % block, cv2.BORDER_CONSTANT, value=0)
         fractions = class_fractions(padded, values, (padded.shape[1] // block, padded.shape[0] // block))
         self.space = class_space(_halved(_halved(fractions)), values, settings.rarity_exponent)
-        self._stored = []
+        self._stored: list[EvidenceLevel] = []
         while self.space.channels and min(fractions.shape[:2]) >= 1:
             evidence, known = evidence_of(fractions, self.space)
             pixel = self.frame.pixel_size * STORED_REDUCTION * 2 ** len(self._stored)
@@ -188,10 +215,15 @@ class MapPyramid:
         return self.labels.shape[1] * self.frame.pixel_size, self.labels.shape[0] * self.frame.pixel_size
 
     def crop(self, pixel_m: float, box_m: tuple[float, float, float, float]) -> tuple[EvidenceLevel, float, float]:
-        """The level whose pixels are nearest to ``pixel_m`` from below (×0.71 to ×1.41), cut to a box.
+        """The level whose pixels are nearest to those wanted (×0.71 to ×1.41), cut to a box.
 
-        ``box_m``: (left, top, right, bottom) in meters right and down from the map's upper left corner. Returns the
-        level and the left and top edge of its first pixel. Never empty: a box beside the map gives one unknown pixel.
+        Args:
+            pixel_m: Edge of a pixel, meters.
+            box_m: (left, top, right, bottom) in meters right and down from the map's upper left corner.
+
+        Returns:
+            The level and the left and top edge of its first pixel, meters. Never empty: a box beside the map gives one
+            unknown pixel.
         """
         level = max(0, int(round(np.log2(pixel_m / self.frame.pixel_size))))
         stored = int(np.log2(STORED_REDUCTION))

@@ -8,8 +8,6 @@ curves were fitted on trials in the northern half of Liechtenstein and frozen be
 
 from __future__ import annotations
 
-from typing import Optional, Tuple
-
 import numpy as np
 
 from ..localization import CorrelationPeaks, Status
@@ -37,7 +35,7 @@ def fisher_z(correlation: float) -> float:
     return float(np.arctanh(np.clip(correlation, 0.0, 0.999)))
 
 
-def decide(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> Tuple[Status, Optional[Sentence]]:
+def decide(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> tuple[Status, Sentence | None]:
     """Status, and the reason unless that is a fix."""
     score = peaks.score
     if score < settings.least_score:
@@ -51,7 +49,7 @@ def decide(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION)
 
 def exact_enough(
     error_95_m: float, diagonal_m: float, settings: CorrelationSettings = CORRELATION
-) -> Tuple[Status, Optional[Sentence]]:
+) -> tuple[Status, Sentence | None]:
     """Status of the only place that agrees, by how closely it is known, and the reason unless that is a fix."""
     needed_m = settings.largest_error * diagonal_m
     if error_95_m <= needed_m:
@@ -71,8 +69,14 @@ def confidence_of(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRE
 def position_error_95(
     covariance_m2: np.ndarray, score: float, overview_pixel_m: float, settings: CorrelationSettings = CORRELATION
 ) -> float:
-    """Radius in meters that holds the true position in 95 % of fixes, from the (2, 2) covariance of the position and
-    the correlation."""
+    """Radius in meters that holds the true position in 95 % of fixes.
+
+    Args:
+        covariance_m2: (2, 2) of the position.
+        score: Correlation there.
+        overview_pixel_m: Pixel of the map's overview.
+        settings: Of map correlation.
+    """
     if not np.isfinite(covariance_m2).all():
         return float("inf")
     deviation = float(np.sqrt(max(np.linalg.eigvalsh(covariance_m2).max(), 0.0)))

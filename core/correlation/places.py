@@ -6,7 +6,6 @@ Told in docs/method.md#map-correlation.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import List, Optional, Tuple
 
 import numpy as np
 
@@ -19,10 +18,10 @@ from .search import SearchSpace, search
 
 def image_evidence(labels_hw: np.ndarray, pyramid: MapPyramid) -> EvidenceLevel:
     """The image's evidence at the finest pixels that are used: ``finest_edge`` of them along an edge or all it has."""
-    return evidence_level(labels_hw, pyramid.space, size_for(labels_hw.shape, pyramid.settings.finest_edge))
+    return evidence_level(labels_hw, pyramid.space, size_for(_shape(labels_hw), pyramid.settings.finest_edge))
 
 
-def size_for(shape_hw: Tuple[int, int], edge: int) -> Tuple[int, int]:
+def size_for(shape_hw: tuple[int, int], edge: int) -> tuple[int, int]:
     """(width, height) of an image of that shape with ``edge``² pixels, never more than it has."""
     height, width = shape_hw
     step = max(1.0, np.sqrt(height * width) / edge)
@@ -31,10 +30,10 @@ def size_for(shape_hw: Tuple[int, int], edge: int) -> Tuple[int, int]:
 
 def reduced_image(image: EvidenceLevel, edge: int) -> EvidenceLevel:
     """The image at about edge × edge pixels (the root of its area), never more than it has."""
-    return reduced_level(image, size_for(image.known.shape, edge))
+    return reduced_level(image, size_for(_shape(image.known), edge))
 
 
-def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Optional[Sentence]:
+def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Sentence | None:
     """Why the image can't be found on any map; None when it may."""
     settings = pyramid.settings
     labeled = float(coarse.known.mean())
@@ -47,8 +46,14 @@ def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Optional[
 
 
 def search_space(pyramid: MapPyramid, prior: Prior) -> SearchSpace:
-    """All turns (or those of the prior), its pixel sizes in even ratios, and the part of the map to search."""
+    """All turns (or those of the prior), its pixel sizes in even ratios, and the part of the map to search.
+
+    Raises:
+        ValueError: The prior has no range of pixel sizes.
+    """
     settings = pyramid.settings
+    if prior.pixel_size_range is None:
+        raise ValueError("Without a range of pixel sizes nothing can be searched.")
     low, high = np.log(prior.pixel_size_range[0]), np.log(prior.pixel_size_range[1])
     count = max(1, int(np.ceil((high - low) / np.log(settings.scale_step) - 1e-9)))
     sizes = np.exp(low + (np.arange(count) + 0.5) * (high - low) / count)
@@ -67,6 +72,11 @@ def search_space(pyramid: MapPyramid, prior: Prior) -> SearchSpace:
     return SearchSpace(headings, sizes, box)
 
 
+def _shape(plane: np.ndarray) -> tuple[int, int]:
+    height, width = plane.shape
+    return height, width
+
+
 def comparisons(space: SearchSpace, coarse: EvidenceLevel) -> float:
     """Places × turns × scales that ``search`` compares."""
     width, height = space.box_m[2] - space.box_m[0], space.box_m[3] - space.box_m[1]
@@ -74,7 +84,7 @@ def comparisons(space: SearchSpace, coarse: EvidenceLevel) -> float:
     return float((width * height / pixels_m2).sum() * len(space.headings_deg))
 
 
-def apart_m(coarse: EvidenceLevel, pixel_sizes_m: Tuple[float, float]) -> float:
+def apart_m(coarse: EvidenceLevel, pixel_sizes_m: tuple[float, float]) -> float:
     """Distance from which two poses count as different places: a quarter of the image's edge on the ground."""
     height, width = coarse.known.shape
     pixels = np.sqrt(coarse.pixel[0] * width * coarse.pixel[1] * height)
@@ -87,8 +97,16 @@ def best_places(
     space: SearchSpace,
     count: int,
     distance_m: float,
-) -> List[ScoredPose]:
-    """The best poses, refined at the decision's pixels, best first, no two at the same place."""
+) -> list[ScoredPose]:
+    """The best poses, refined at the decision's pixels, best first, no two at the same place.
+
+    Args:
+        image: Its evidence at the finest pixels.
+        pyramid: The map's.
+        space: What is searched.
+        count: Places refined after the first look.
+        distance_m: From which two poses count as different places.
+    """
     settings, quiet = pyramid.settings, pyramid.quiet
     coarse = reduced_image(image, settings.coarse_edge)
     peaks = search(coarse, pyramid, space)
@@ -102,9 +120,9 @@ def best_places(
     return distinct(sorted(finest, key=lambda pose: -pose.score), distance_m, settings.finalists)
 
 
-def distinct(poses: List[ScoredPose], distance_m: float, count: int) -> List[ScoredPose]:
+def distinct(poses: list[ScoredPose], distance_m: float, count: int) -> list[ScoredPose]:
     """The first ``count`` poses of which none is nearer than ``distance_m`` to an earlier one."""
-    kept: List[ScoredPose] = []
+    kept: list[ScoredPose] = []
     places = np.empty((count, 2))
     for pose in poses:
         if len(kept) == count:
@@ -116,7 +134,7 @@ def distinct(poses: List[ScoredPose], distance_m: float, count: int) -> List[Sco
     return kept
 
 
-def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> Tuple[ScoredPose, np.ndarray]:
+def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tuple[ScoredPose, np.ndarray]:
     """The pose refined at finer and finer pixels, to the map's overview pixel at most, and its covariance.
 
     That is taken at the decision's pixels: finer ones promise an accuracy that poor labels don't keep (measured with

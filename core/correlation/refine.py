@@ -10,7 +10,6 @@ wider pull. Four parameters: place (2), heading, logarithm of the pixel size.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Optional, Tuple
 
 import cv2
 import numpy as np
@@ -24,8 +23,14 @@ NOT_COMPARABLE = -1.0
 
 @dataclass(frozen=True)
 class ScoredPose:
-    """Where an image lies: its center in meters right (x) and down (y) of the map's corner, heading of its top in
-    degrees clockwise from up, ground sampling distance in meters; score −1…1.
+    """Where an image lies, from the map's upper left corner.
+
+    Attributes:
+        x: Of its center, meters right.
+        y: Of its center, meters down.
+        heading_deg: Of its top, clockwise from up.
+        pixel_size_m: Ground sampling distance.
+        score: Correlation, −1 to 1.
     """
 
     x: float
@@ -41,7 +46,7 @@ def axes(pose: ScoredPose) -> np.ndarray:
     return pose.pixel_size_m * np.array([[cos, -sin], [sin, cos]])
 
 
-def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> Tuple[np.ndarray, np.ndarray]:
+def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tuple[np.ndarray, np.ndarray]:
     """The map as the image would see it from ``pose``: evidence (h, w, C) and labeled share (h, w), float32."""
     height, width = image.known.shape
     to_map = axes(pose) * np.array(image.pixel)
@@ -60,9 +65,14 @@ def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> Tu
 
 
 def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float, steps: int) -> ScoredPose:
-    """The best pose of at most ``steps`` Gauss–Newton steps from ``pose``, with its score.
+    """The best pose of a few Gauss–Newton steps, with its score.
 
-    ``quiet``: energy a pixel added to the map's own in the score.
+    Args:
+        image: Its evidence.
+        pyramid: The map's.
+        pose: A first one.
+        quiet: Energy a pixel added to the map's own in the score.
+        steps: At most.
     """
     best, settings = pose, pyramid.settings
     for step in range(steps + 1):
@@ -70,9 +80,9 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
         pose = replace(pose, score=fit.score)
         if step == 0 or fit.score > best.score:
             best = pose
-        if step == steps or fit.slopes is None or fit.score < best.score - 0.1:
+        if step == steps or fit.pull is None or fit.score < best.score - 0.1:
             break
-        move = _move(fit, image, settings)
+        move = _move(fit.pull, image, settings)
         if (np.abs(move) < settings.converged * _units(image)).all():
             break
         shift = axes(pose) @ move[:2]
@@ -91,28 +101,44 @@ def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet:
 
 
 def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> np.ndarray:
-    """(4, 4) covariance of (x in image pixels right, y down, heading in radians, ln pixel size), to be calibrated;
-    infinite where nothing tells all of the pose."""
-    fit = _linearized(image, pyramid, pose, quiet)
-    if fit.slopes is None:
+    """Covariance of a pose, to be calibrated.
+
+    Returns:
+        (4, 4) of x in image pixels right, y down, heading in radians and ln pixel size; infinite where nothing tells
+        all of the pose.
+    """
+    pull = _linearized(image, pyramid, pose, quiet).pull
+    if pull is None:
         return np.full((4, 4), np.inf)
-    strengths = np.linalg.eigvalsh(_normal(fit))
+    strengths = np.linalg.eigvalsh(_normal(pull))
     damping = pyramid.settings.damping
     if strengths[0] <= damping * strengths.sum():
         return np.full((4, 4), np.inf)
-    inverse, units = _inverse(fit, damping), _units(image)
-    pulls = _clustered(fit.slopes * fit.residual, (*image.known.shape, -1), pyramid.settings.blocks)
+    inverse, units = _inverse(pull, damping), _units(image)
+    height, width = image.known.shape
+    pulls = _clustered(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
 
 
 @dataclass(frozen=True)
+class _Pull:
+    """Where a pose is drawn to.
+
+    Attributes:
+        slopes: (4, h·w·C) of the fit, by the parameters in ``_units``.
+        residual: (h·w·C,) of the fit.
+    """
+
+    slopes: np.ndarray
+    residual: np.ndarray
+
+
+@dataclass(frozen=True)
 class _Fit:
-    """Score of a pose and, unless nothing tells where to go, the fit's slopes (4, h·w·C) by the parameters in
-    ``_units`` and its residual (h·w·C,)."""
+    """Score of a pose, and where it is drawn to unless nothing tells that."""
 
     score: float
-    slopes: Optional[np.ndarray] = None
-    residual: Optional[np.ndarray] = None
+    pull: _Pull | None = None
 
 
 def _units(image: EvidenceLevel) -> np.ndarray:
@@ -145,38 +171,38 @@ def _linearized(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, qui
     slopes = np.stack(
         [gradient_x, gradient_y, (by_y * x - by_x * y) * (2 / width), (by_x * x + by_y * y) * (2 / height)]
     )
-    return _Fit(score, slopes.reshape(4, -1), (there - gain * seen).ravel())
+    return _Fit(score, _Pull(slopes.reshape(4, -1), (there - gain * seen).ravel()))
 
 
-def _normal(fit: _Fit) -> np.ndarray:
+def _normal(pull: _Pull) -> np.ndarray:
     """(4, 4) of the normal equations."""
     # OpenCV's product and inverse: BLAS and LAPACK would start threads for them and let them spin.
-    return cv2.mulTransposed(fit.slopes, False, dtype=cv2.CV_64F)
+    return cv2.mulTransposed(pull.slopes, False, dtype=cv2.CV_64F)
 
 
-def _inverse(fit: _Fit, damping: float) -> np.ndarray:
+def _inverse(pull: _Pull, damping: float) -> np.ndarray:
     """(4, 4) inverse of the normal equations, lightly damped."""
-    normal = _normal(fit)
+    normal = _normal(pull)
     damped = damping * max(float(np.trace(normal)), 1e-30)
     return cv2.invert(normal + damped * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
 
 
-def _move(fit: _Fit, image: EvidenceLevel, settings: CorrelationSettings) -> np.ndarray:
+def _move(pull: _Pull, image: EvidenceLevel, settings: CorrelationSettings) -> np.ndarray:
     """(4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
-    pull = np.einsum("ik,k->i", fit.slopes, fit.residual).astype(np.float64)
+    descent = np.einsum("ik,k->i", pull.slopes, pull.residual).astype(np.float64)
     limit = np.array(settings.largest_step) * np.array([*image.pixel, 1, 1])
-    return np.clip(-(_inverse(fit, settings.damping) @ pull) * _units(image), -limit, limit)
+    return np.clip(-(_inverse(pull, settings.damping) @ descent) * _units(image), -limit, limit)
 
 
-def _clustered(pulls: np.ndarray, shape, blocks: int) -> np.ndarray:
+def _clustered(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:
     """(4, 4) covariance of the sum of all pixels' pulls (4, h·w·C), whose neighbors err together.
 
     Pulls are summed in blocks × blocks parts of the image, which are taken as independent (cluster-robust "sandwich"
     covariance, Liang & Zeger 1986): a patch of a wrong class counts as one error, not as a thousand.
     """
-    height, width, _ = shape
+    height, width = shape_hw
     rows, columns = (np.linspace(0, edge, min(blocks, edge), endpoint=False).astype(int) for edge in (height, width))
-    sums = pulls.reshape(4, *shape).sum(axis=3)
+    sums = pulls.reshape(4, height, width, -1).sum(axis=3)
     sums = np.add.reduceat(np.add.reduceat(sums, rows, axis=1), columns, axis=2).reshape(4, -1)
     sums = sums - sums.mean(axis=1, keepdims=True)
     return np.einsum("ik,jk->ij", sums, sums)

@@ -11,8 +11,6 @@ but not known closely (a straight shore) is told as a possible place, not as a f
 
 from __future__ import annotations
 
-from typing import List, Optional
-
 import numpy as np
 
 from ..errors import LabelMapError
@@ -50,7 +48,7 @@ def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior) -> Locali
         LabelMapError: The image has no pixels.
         ValueError: The range of pixel sizes is empty or not positive, or the radius is not.
     """
-    _check(labels_hw, prior)
+    pixel_sizes_m = _checked(labels_hw, prior)
     settings = pyramid.settings
     if not pyramid.space.channels:
         return _no_match(Sentence("localization.too_few_classes"))
@@ -62,7 +60,7 @@ def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior) -> Locali
     space = search_space(pyramid, prior)
     if comparisons(space, coarse) > settings.most_comparisons:
         return _no_match(Sentence("localization.too_little_ground"))
-    distance = apart_m(coarse, prior.pixel_size_range)
+    distance = apart_m(coarse, pixel_sizes_m)
     poses = best_places(image, pyramid, space, settings.candidates, distance)
     if not poses:
         return _no_match(Sentence("localization.nothing_under_image"))
@@ -70,11 +68,12 @@ def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior) -> Locali
     runner_up, mirror = (found[0].score if found else 0.0 for found in (poses[1:], mirrored))
     peaks = CorrelationPeaks(poses[0].score, runner_up, mirror)
     pose, covariance = finest_pose(image, pyramid, poses[0])
-    diagonal_m = float(np.hypot(*labels_hw.shape)) * pose.pixel_size_m
-    return _result(pyramid, pose, covariance, peaks, poses[1:], diagonal_m)
+    height, width = labels_hw.shape
+    diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
+    return _result(pyramid, [pose, *poses[1:]], covariance, peaks, diagonal_m)
 
 
-def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> Optional[float]:
+def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> float | None:
     """Correlation −1…1 of a label image with the map at a place that another method found; milliseconds.
 
     Args:
@@ -88,18 +87,19 @@ def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> Op
     """
     if not pyramid.space.channels:
         return None
-    size = size_for(labels_hw.shape, pyramid.settings.decision_edge)
+    height, width = labels_hw.shape
+    size = size_for((height, width), pyramid.settings.decision_edge)
     image = evidence_level(np.ascontiguousarray(labels_hw), pyramid.space, size)
     if missing_information(image, pyramid):
         return None
     x, y = place.position[0] - pyramid.frame.origin[0], pyramid.frame.origin[1] - place.position[1]
-    pose = ScoredPose(x, y, place.heading_deg, place.pixel_size_m)
+    pose = ScoredPose(x, y, *place.oriented)
     score = score_at(image, pyramid, pose, pyramid.quiet)
     return None if score == NOT_COMPARABLE else score
 
 
-def _check(labels_hw: np.ndarray, prior: Prior) -> None:
-    """Raises what ``localize`` says."""
+def _checked(labels_hw: np.ndarray, prior: Prior) -> tuple[float, float]:
+    """The prior's range of pixel sizes; raises what ``localize`` says."""
     if labels_hw.size == 0:
         raise LabelMapError("labels.no_pixels")
     sizes = prior.pixel_size_range
@@ -107,6 +107,7 @@ def _check(labels_hw: np.ndarray, prior: Prior) -> None:
         raise ValueError(f"Pixel sizes {sizes} are no range.")
     if prior.radius is not None and not prior.radius > 0:
         raise ValueError(f"The radius of the prior is {prior.radius:g}; it has to be positive.")
+    return sizes
 
 
 def _no_match(reason: Sentence) -> Localization:
@@ -114,14 +115,10 @@ def _no_match(reason: Sentence) -> Localization:
 
 
 def _result(
-    pyramid: MapPyramid,
-    pose: ScoredPose,
-    covariance: np.ndarray,
-    peaks: CorrelationPeaks,
-    others: List[ScoredPose],
-    diagonal_m: float,
+    pyramid: MapPyramid, poses: list[ScoredPose], covariance: np.ndarray, peaks: CorrelationPeaks, diagonal_m: float
 ) -> Localization:
-    """The verdict in map coordinates; ``covariance`` (4, 4) as ``refine`` gives it."""
+    """The verdict in map coordinates on poses, best first, of which the first has a ``pose_covariance``."""
+    pose, *others = poses
     settings = pyramid.settings
     known = _map_covariance(pose, covariance)
     error_95 = position_error_95(np.array(known.position), peaks.score, pyramid.frame.pixel_size, settings)
@@ -129,14 +126,15 @@ def _result(
     if status is Status.FIX:
         status, reason = exact_enough(error_95, diagonal_m, settings)
     best = _place(pyramid, pose)
-    others = [_place(pyramid, other) for other in others if other.score >= peaks.score - settings.alternative_band]
+    least = peaks.score - settings.alternative_band
+    alternatives = (best, *(_place(pyramid, other) for other in others if other.score >= least))
     return Localization(
         status,
         Method.MAP_CORRELATION,
         reason=reason,
         best=best,
         confidence=confidence_of(peaks, settings) if status is Status.FIX else 0.0,
-        alternatives=(best, *others) if status is Status.AMBIGUOUS else (),
+        alternatives=alternatives if status is Status.AMBIGUOUS else (),
         error_95_m=error_95,
         covariance=known,
         peaks=peaks,
