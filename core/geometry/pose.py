@@ -150,16 +150,22 @@ def fit_tilted(image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, po
     """
     columns, right = _tilted_system(image, on_map, deviations, pose, diagonal)
     solution = np.linalg.lstsq(columns, right, rcond=None)[0]
-    center, turn, stretch = (complex(*solution[k : k + 2]) for k in (0, 2, 4))
+    center, turn, stretched, slope = (complex(*solution[k : k + 2]) for k in (0, 2, 4, 6))
+    # The equations have the center above the depth, a pose has it beside: center = center · depth / depth, and what
+    # depth adds, center · Re(slope* · u), is part of the turn and of the stretch.
+    turn, stretched = turn - center * slope.conjugate() / 2, stretched - center * slope / 2
     scale = diagonal / 2
-    stretch, slope = stretch / turn, complex(*solution[6:8]) / scale
-    return Pose(pose.center + pose.turn * scale * center, pose.turn * turn, stretch, slope)
+    return Pose(pose.center + pose.turn * scale * center, pose.turn * turn, stretched / turn, slope / scale)
 
 
 def _tilted_system(
     image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, pose: Pose, diagonal: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(2 n + 4, 8) real equations for center, turn, turn · stretch and slope, relative to ``pose``, of size 1."""
+    """Real equations for what goes to (center + turn · u + stretched · ū) / (1 + Re(slope* · u)), relative to ``pose``.
+
+    Returns:
+        (2 n + 4, 8) columns and (2 n + 4,) right side, of size 1; the last four are the prior.
+    """
     scale = diagonal / 2
     u = image / scale
     z = (on_map - pose.center) / pose.turn / scale
