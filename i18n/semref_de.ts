@@ -1268,6 +1268,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Längen und Breiten stimmen auf {error:.4f} m.</translation>
   </message>
   <message>
+   <source>Look-alikes: another place, or the mirrored image, fits almost as well.</source>
+   <translation>Doppelgänger: Ein anderer Ort oder das gespiegelte Bild passt fast ebenso gut.</translation>
+  </message>
+  <message>
    <source>Looking at geometries</source>
    <translation>Geometrien werden geprüft</translation>
   </message>
@@ -1682,6 +1686,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Outlining the disagreements</source>
    <translation>Abweichungen werden umrissen</translation>
+  </message>
+  <message>
+   <source>Outside the database’s map.</source>
+   <translation>Außerhalb der Karte der Datenbank.</translation>
   </message>
   <message>
    <source>Over ground; gaps are then told in seconds, too.</source>
@@ -2202,6 +2210,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Smallest scale</source>
    <translation>Kleinster Maßstab</translation>
+  </message>
+  <message>
+   <source>Some fixes would be wrong.</source>
+   <translation>Einige Fixe wären falsch.</translation>
   </message>
   <message>
    <source>Spacing (map units)</source>
@@ -2800,6 +2812,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Zu wenige Landmarken</translation>
   </message>
   <message>
+   <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
+   <translation>Zu wenige Landmarken: im Mittel {landmarks:.0f} im Bild.</translation>
+  </message>
+  <message>
+   <source>Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.</source>
+   <translation>Zu wenig Anhaltspunkte: Die Landmarken ({landmarks:.0f} im Bild) stimmen zu ungenau mit der Karte überein.</translation>
+  </message>
+  <message>
    <source>Too old</source>
    <translation>Zu alt</translation>
   </message>
@@ -2810,10 +2830,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Topologievektor (He &amp; Wu 2025)</translation>
-  </message>
-  <message>
-   <source>Topology vector (published)</source>
-   <translation>Topologievektor (veröffentlicht)</translation>
   </message>
   <message>
    <source>Trials</source>

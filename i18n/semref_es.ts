@@ -1268,6 +1268,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Las longitudes y latitudes son exactas hasta {error:.4f} m.</translation>
   </message>
   <message>
+   <source>Look-alikes: another place, or the mirrored image, fits almost as well.</source>
+   <translation>Parecidos: otro lugar, o la imagen reflejada, encaja casi igual de bien.</translation>
+  </message>
+  <message>
    <source>Looking at geometries</source>
    <translation>Examinando geometrías</translation>
   </message>
@@ -1682,6 +1686,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Outlining the disagreements</source>
    <translation>Trazando el contorno de las discrepancias</translation>
+  </message>
+  <message>
+   <source>Outside the database’s map.</source>
+   <translation>Fuera del mapa de la base de datos.</translation>
   </message>
   <message>
    <source>Over ground; gaps are then told in seconds, too.</source>
@@ -2202,6 +2210,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Smallest scale</source>
    <translation>Escala menor</translation>
+  </message>
+  <message>
+   <source>Some fixes would be wrong.</source>
+   <translation>Algunas posiciones encontradas serían erróneas.</translation>
   </message>
   <message>
    <source>Spacing (map units)</source>
@@ -2800,6 +2812,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Muy pocos hitos</translation>
   </message>
   <message>
+   <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
+   <translation>Muy pocos hitos: {landmarks:.0f} a la vista en promedio.</translation>
+  </message>
+  <message>
+   <source>Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.</source>
+   <translation>Muy pocos indicios: los hitos ({landmarks:.0f} a la vista) coinciden con el mapa con demasiada holgura.</translation>
+  </message>
+  <message>
    <source>Too old</source>
    <translation>Demasiado antiguo</translation>
   </message>
@@ -2810,10 +2830,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Vector topológico (He &amp; Wu 2025)</translation>
-  </message>
-  <message>
-   <source>Topology vector (published)</source>
-   <translation>Vector topológico (publicado)</translation>
   </message>
   <message>
    <source>Trials</source>

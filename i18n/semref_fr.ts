@@ -1268,6 +1268,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Les longitudes et latitudes sont exactes à {error:.4f} m près.</translation>
   </message>
   <message>
+   <source>Look-alikes: another place, or the mirrored image, fits almost as well.</source>
+   <translation>Sosies : un autre lieu, ou l’image en miroir, convient presque aussi bien.</translation>
+  </message>
+  <message>
    <source>Looking at geometries</source>
    <translation>Examen des géométries</translation>
   </message>
@@ -1682,6 +1686,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Outlining the disagreements</source>
    <translation>Tracé du contour des divergences</translation>
+  </message>
+  <message>
+   <source>Outside the database’s map.</source>
+   <translation>Hors de la carte de la base de données.</translation>
   </message>
   <message>
    <source>Over ground; gaps are then told in seconds, too.</source>
@@ -2202,6 +2210,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Smallest scale</source>
    <translation>Plus petite échelle</translation>
+  </message>
+  <message>
+   <source>Some fixes would be wrong.</source>
+   <translation>Certaines positions trouvées seraient fausses.</translation>
   </message>
   <message>
    <source>Spacing (map units)</source>
@@ -2800,6 +2812,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Trop peu de repères visuels</translation>
   </message>
   <message>
+   <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
+   <translation>Trop peu de repères visuels : {landmarks:.0f} en vue en moyenne.</translation>
+  </message>
+  <message>
+   <source>Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.</source>
+   <translation>Trop peu d’indices : les repères visuels ({landmarks:.0f} en vue) concordent trop vaguement avec la carte.</translation>
+  </message>
+  <message>
    <source>Too old</source>
    <translation>Trop ancien</translation>
   </message>
@@ -2810,10 +2830,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Vecteur topologique (He &amp; Wu 2025)</translation>
-  </message>
-  <message>
-   <source>Topology vector (published)</source>
-   <translation>Vecteur topologique (publié)</translation>
   </message>
   <message>
    <source>Trials</source>

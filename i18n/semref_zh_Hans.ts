@@ -1268,6 +1268,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>经纬度误差不超过 {error:.4f} m。</translation>
   </message>
   <message>
+   <source>Look-alikes: another place, or the mirrored image, fits almost as well.</source>
+   <translation>相似处：另一处地点或镜像图像的吻合程度几乎相同。</translation>
+  </message>
+  <message>
    <source>Looking at geometries</source>
    <translation>正在检查几何图形</translation>
   </message>
@@ -1682,6 +1686,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Outlining the disagreements</source>
    <translation>正在勾绘不一致之处</translation>
+  </message>
+  <message>
+   <source>Outside the database’s map.</source>
+   <translation>位于数据库地图之外。</translation>
   </message>
   <message>
    <source>Over ground; gaps are then told in seconds, too.</source>
@@ -2202,6 +2210,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Smallest scale</source>
    <translation>最小比例</translation>
+  </message>
+  <message>
+   <source>Some fixes would be wrong.</source>
+   <translation>部分定位结果会是错误的。</translation>
   </message>
   <message>
    <source>Spacing (map units)</source>
@@ -2800,6 +2812,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>地标太少</translation>
   </message>
   <message>
+   <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
+   <translation>地标太少：视野内平均 {landmarks:.0f} 个。</translation>
+  </message>
+  <message>
+   <source>Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.</source>
+   <translation>证据太少：地标（视野内 {landmarks:.0f} 个）与地图的吻合过于粗略。</translation>
+  </message>
+  <message>
    <source>Too old</source>
    <translation>版本过旧</translation>
   </message>
@@ -2810,10 +2830,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>拓扑向量（He &amp; Wu 2025）</translation>
-  </message>
-  <message>
-   <source>Topology vector (published)</source>
-   <translation>拓扑向量（已发表）</translation>
   </message>
   <message>
    <source>Trials</source>

@@ -8,15 +8,11 @@ from typing import Dict, List, NamedTuple, Optional, Tuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, QgsVectorLayer
 
+from ..core.localization import Method, Status
 from ..processing.compat import is_null
-from ..processing.framework.localized_image import label_image_names
+from ..processing.framework.localized_image import ERROR, label_image_names
 from ..processing.translation import tr
-
-FIX = "fix"
-"""The one status with a position."""
-
-TOPOLOGY_VECTOR = "topology vector"
-"""Name of the published method in the column ``method``."""
+from ..processing.wording.sentences import worded
 
 Point = Tuple[float, float]
 
@@ -74,12 +70,12 @@ class Finding:
     @property
     def is_verified(self) -> bool:
         """Whether the method checks its own fix; the published one takes the nearest window, whatever it is."""
-        return self.method != TOPOLOGY_VECTOR
+        return self.method != Method.TOPOLOGY_VECTOR
 
     @property
     def is_by_vector(self) -> bool:
         """Whether it was matched with a window by the published method."""
-        return self.status == FIX and not self.is_verified
+        return self.status == Status.FIX and not self.is_verified
 
     @property
     def corners(self) -> Optional[Tuple[Point, ...]]:
@@ -157,13 +153,9 @@ def _read_matches(layer: Optional[QgsVectorLayer]) -> Dict[str, Matches]:
 
 def status_text(finding: Finding) -> str:
     """An image's status in words; a status this version does not know stands for itself."""
-    if finding.status == FIX and not finding.is_verified:
+    if finding.status == Status.FIX and not finding.is_verified:
         return tr("Unverified match")
-    texts = {
-        FIX: tr("Fix"),
-        "ambiguous": tr("Ambiguous"),
-        "no_match": tr("No match"),
-        "too_few_references": tr("Too few landmarks"),
-        "error": tr("Unreadable"),
-    }
-    return texts.get(finding.status, finding.status)
+    if finding.status == ERROR:
+        return tr("Unreadable")
+    titles = {status.key: worded(status.title) for status in Status}
+    return titles.get(finding.status, finding.status)

@@ -53,8 +53,6 @@ FIELDS = (
     ("reason", "text"),
 )
 
-OUTSIDE = "Outside the database’s map."
-
 
 class RouteParameter(QgsProcessingParameterFeatureSource):
     """Lines of a layer, or the path of a waypoint file, which QGIS itself would not take for a layer."""
@@ -314,7 +312,9 @@ def _inside(extent: Sequence[float], places: np.ndarray) -> np.ndarray:
 def _values(route: AssessedRoute, n: int, gap: Optional[Gap], hint: Optional[ShiftHint]) -> Dict[str, Any]:
     points, estimates = route.points, route.estimates
     success, error = float(estimates.success[n]), float(estimates.error[n])
-    reason = reason_text(estimates.reasons[n], float(estimates.landmarks[n])) if route.inside[n] else OUTSIDE
+    reason = tr("Outside the database’s map.")
+    if route.inside[n]:
+        reason = reason_text(estimates.reasons[n], float(estimates.landmarks[n]))
     return {
         "route": int(points.lines[n]) + 1,
         "along": float(points.along[n]),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple
 from qgis.core import QgsGeometry, QgsPointXY
 
 from ...core.errors import LabelMapError, ParameterError
+from ...core.localization import Method
 from ..compat import POINT
 from ..framework import offers
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
@@ -22,43 +23,11 @@ if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
     from ...core.evaluation.evaluation import Evaluation, TrialRanges, WindowQuery
     from ...core.evaluation.trial import Trial
-    from ...core.localization import Method
     from ...storage.rasters import GdalLabels
     from ..framework.outputs import Outputs
     from ..framework.values import Values
 
     Job = Tuple[WindowQuery, List[Method]]
-
-FIELDS = (
-    ("trial", "integer"),
-    ("kind", "text"),
-    ("method", "text"),
-    ("status", "text"),
-    ("right", "integer"),
-    ("error", "real"),
-    ("heading_error", "real"),
-    ("scale_error", "real"),
-    ("confidence", "real"),
-    ("error_95", "real"),
-    ("true_x", "real"),
-    ("true_y", "real"),
-    ("x", "real"),
-    ("y", "real"),
-    ("window", "text"),
-    ("heading", "real"),
-    ("scale", "real"),
-    ("offset", "real"),
-    ("missed", "real"),
-    ("invented", "real"),
-    ("misnamed", "real"),
-    ("ragged", "real"),
-    ("landmarks", "integer"),
-    ("references", "integer"),
-    ("inliers", "integer"),
-    ("distance", "real"),
-    ("log_odds", "real"),
-    ("reason", "text"),
-)
 
 GRID_CELLS = 16
 MOST_IN_A_CELL = 20
@@ -116,7 +85,7 @@ class EvaluateLocalization(SemRefAlgorithm):
                     "first of automatic, constellation, map correlation, topology vector that is chosen."
                 ),
                 default=[0, 1],
-                options=_method_titles(),
+                options=[worded(method.title) for method in Method],
                 several=True,
             ),
             *self._numbers(),
@@ -266,14 +235,12 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _methods(self, values: Values) -> Dict[Method, str]:
         """Chosen methods with their titles, the one that the outputs are about first."""
-        from ...core.localization import Method
-
         chosen = values.choices(self.METHODS)
         if not chosen:
             raise ParameterError("algorithms.no_methods")
-        titles = _method_titles()
-        # Automatic, constellation, map correlation; the published method is what they are compared with.
-        return {Method.of_number(n): titles[n] for n in (0, 2, 3, 1) if n in chosen}
+        # The published method is what the others are compared with.
+        order = (Method.AUTOMATIC, Method.CONSTELLATION, Method.MAP_CORRELATION, Method.TOPOLOGY_VECTOR)
+        return {method: worded(method.title) for method in order if method.number in chosen}
 
     def _evaluation(
         self, values: Values, feedback: QgsProcessingFeedback
@@ -371,7 +338,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _write_points(self, outputs: Outputs, trials: Sequence[Trial], crs: QgsCoordinateReferenceSystem) -> None:
         from ...core.evaluation.evaluation import MAP, MIRRORED
-        from ..reports.evaluation_json import values_of
+        from ..reports.evaluation_json import FIELDS, values_of
 
         with outputs.layer(self.OUTPUT, FIELDS, POINT, crs) as sink:
             for trial in trials:
@@ -393,11 +360,6 @@ class EvaluateLocalization(SemRefAlgorithm):
                     error=number(summary.median_error, "m"),
                 )
             )
-
-
-def _method_titles() -> List[str]:
-    """In the order of ``Method``."""
-    return [tr("Automatic"), tr("Topology vector"), tr("Constellation"), tr("Map correlation")]
 
 
 def _setting_text(value: Any) -> str:

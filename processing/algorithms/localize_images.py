@@ -4,41 +4,24 @@ from __future__ import annotations
 
 import os
 from dataclasses import replace
-from math import isnan
-from typing import TYPE_CHECKING, Callable, Dict, List, Optional, Sequence, Tuple
-
-from qgis.core import QgsGeometry, QgsPointXY
+from typing import TYPE_CHECKING, Callable, Dict, List, Optional, Tuple
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
-from ...core.localization import Method, Prior
-from ..compat import POINT, POLYGON
-from ..framework import offers
+from ...core.localization import Method
+from ..framework import offers, priors
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..framework.declarations import (
     Choice,
     File,
     Files,
     FolderOutput,
-    MapPoint,
     Number,
     NumberResult,
     PointOutput,
     PolygonOutput,
 )
-from ..framework.localized_image import (
-    ALTERNATIVE_FIELDS,
-    FIELDS,
-    FOOTPRINT_FIELDS,
-    MATCH_FIELDS,
-    LabelImages,
-    LocalizedImage,
-    alternatives,
-    footprint_rows,
-    match_rows,
-    row,
-    say,
-    with_jumps,
-)
+from ..framework.localized_image import LabelImages, LocalizedImage, say, with_jumps
+from ..framework.localized_layers import write_grounds, write_matches, write_positions
 from ..translation import tr
 from ..wording.camera_messages import camera_remark
 from ..wording.sentences import worded
@@ -70,12 +53,6 @@ class LocalizeImages(SemRefAlgorithm):
     MODEL = "MODEL"
     METHOD = "METHOD"
     OUTPUT = "OUTPUT"
-    PRIOR_POINT = "PRIOR_POINT"
-    PRIOR_RADIUS = "PRIOR_RADIUS"
-    SCALE_MINIMUM = "SCALE_MINIMUM"
-    SCALE_MAXIMUM = "SCALE_MAXIMUM"
-    PRIOR_HEADING = "PRIOR_HEADING"
-    PRIOR_HEADING_RANGE = "PRIOR_HEADING_RANGE"
     ATTITUDE = "ATTITUDE"
     MAXIMUM_SPEED = "MAXIMUM_SPEED"
     FOOTPRINTS = "FOOTPRINTS"
@@ -127,59 +104,9 @@ class LocalizeImages(SemRefAlgorithm):
                 default=Method.AUTOMATIC.number,
                 options=[worded(method.title) for method in Method],
             ),
-            *self._prior_parameters(),
+            *priors.parameters(),
             *self._flight_parameters(),
             *self._output_parameters(),
-        )
-
-    def _prior_parameters(self) -> Tuple[Declared, ...]:
-        """What is known beforehand; never needed."""
-        scale = tr(
-            "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. "
-            "If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, "
-            "also when automatic uses them. A narrow range is searched faster."
-        )
-        return (
-            MapPoint(
-                self.PRIOR_POINT,
-                tr("Approximate position"),
-                tr("Where the images are known to be, roughly. It speeds up the search and is never needed."),
-                optional=True,
-                advanced=True,
-            ),
-            Number(
-                self.PRIOR_RADIUS,
-                tr("Radius around it (map units)"),
-                tr("Only with an approximate position: places farther away are not searched."),
-                advanced=True,
-                default=1000.0,
-                minimum=0.01,
-            ),
-            Number(
-                self.PRIOR_HEADING,
-                tr("Approximate heading (°)"),
-                tr("Where the images’ top points to, roughly, in degrees clockwise from grid north."),
-                optional=True,
-                advanced=True,
-                minimum=-360,
-                maximum=360,
-            ),
-            Number(
-                self.PRIOR_HEADING_RANGE,
-                tr("Range around it (± °)"),
-                tr("Only with an approximate heading: other headings are not searched."),
-                advanced=True,
-                default=20.0,
-                minimum=1,
-                maximum=180,
-            ),
-            *(
-                Number(key, title, scale, optional=True, advanced=True, minimum=0.01, maximum=100)
-                for key, title in (
-                    (self.SCALE_MINIMUM, tr("Smallest scale")),
-                    (self.SCALE_MAXIMUM, tr("Largest scale")),
-                )
-            ),
         )
 
     def _flight_parameters(self) -> Tuple[Declared, ...]:
@@ -262,25 +189,16 @@ class LocalizeImages(SemRefAlgorithm):
         )
 
     def check(self, values: Values) -> None:
-        smallest, largest = self._scales(values) or (0.0, 0.0)
-        if smallest > largest:
-            raise ParameterError("algorithms.scales", smallest=smallest, largest=largest)
+        priors.scales(values, self._method(values))
 
-    def _scales(self, values: Values) -> Optional[Tuple[float, float]]:
-        """(smallest, largest) as given, the other one by default; None, each method's own, when neither is given."""
-        from ...core.localizer.localizer import default_scales
-
-        keys = self.SCALE_MINIMUM, self.SCALE_MAXIMUM
-        if not any(values.has(key) for key in keys):
-            return None
-        smallest, largest = default_scales(Method.of_number(values.choice(self.METHOD)))
-        return values.optional_number(keys[0], smallest), values.optional_number(keys[1], largest)
+    def _method(self, values: Values) -> Method:
+        return Method.of_number(values.choice(self.METHOD))
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
         from ...core.localizer.localizer import Localizer
         from ..exchange.reference_systems import database_crs
 
-        method = Method.of_number(values.choice(self.METHOD))
+        method = self._method(values)
         database = self._database(values, method, feedback)
         crs = database_crs(database)
         localize = self._localizing(values, method, Localizer(database), crs)
@@ -302,8 +220,9 @@ class LocalizeImages(SemRefAlgorithm):
                 localized = with_jumps(localized, times_s, database.windows, speed, feedback)
             # Layers are made last: a cancel before leaves nothing behind.
             check_canceled(feedback)
-            self._write_positions(values, outputs, localized, crs)
-            self._write_others(outputs, localized, database, crs)
+            write_positions(outputs, self.OUTPUT, localized, crs, values.transform_context)
+            write_grounds(outputs, (self.FOOTPRINTS, self.ALTERNATIVES), localized, crs)
+            write_matches(outputs, self.MATCHES, localized, database, crs)
         fixes = sum(1 for item in localized if item.result is not None and item.result.is_fix)
         feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
         return {self.FIX_COUNT: fixes}
@@ -342,16 +261,14 @@ class LocalizeImages(SemRefAlgorithm):
 
         localizer.check(method)
         with_matches = values.has(self.MATCHES)
-        scales = self._scales(values)
-        position = values.point(self.PRIOR_POINT, crs)
-        radius = None if position is None else values.number(self.PRIOR_RADIUS)
-        heading, heading_range = values.optional_number(self.PRIOR_HEADING), values.number(self.PRIOR_HEADING_RANGE)
+        scales = priors.scales(values, method)
+        known = priors.prior(values, crs)
 
         def localize(labels_hw: np.ndarray, way: Optional[Leveling]) -> Localization:
             # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
             ground = scales or (way and default_scales(method))
             sizes = ground and localizer.pixel_sizes(labels_hw.shape, ground)
-            prior = Prior(position, radius, heading, heading_range, sizes)
+            prior = replace(known, pixel_size_range=sizes)
             if way is None:
                 return localizer.localize(labels_hw, method, prior, with_matches)
             return localize_leveled(localizer, labels_hw, method, prior, way, with_matches)
@@ -368,50 +285,6 @@ class LocalizeImages(SemRefAlgorithm):
             feedback.setProgressText(tr("Loading the model"))
             return PhotoLabels(model_path, table, feedback)
         return lambda path: read_label_image(path, table)
-
-    def _write_positions(
-        self,
-        values: Values,
-        outputs: Outputs,
-        localized: Sequence[LocalizedImage],
-        crs: QgsCoordinateReferenceSystem,
-    ) -> None:
-        from ..exchange.reference_systems import longitudes_latitudes
-
-        with outputs.layer(self.OUTPUT, FIELDS, POINT, crs) as sink:
-            for item in localized:
-                cells, geometry = row(item), None
-                if item.result and item.result.position:
-                    geometry = QgsGeometry.fromPointXY(QgsPointXY(*item.result.position))
-                    degrees = longitudes_latitudes([item.result.position], crs, values.transform_context)
-                    cells["longitude"], cells["latitude"] = (None if isnan(v[0]) else float(v[0]) for v in degrees)
-                sink.add(geometry, cells)
-
-    def _write_others(
-        self,
-        outputs: Outputs,
-        localized: Sequence[LocalizedImage],
-        database: ReferenceDatabase,
-        crs: QgsCoordinateReferenceSystem,
-    ) -> None:
-        """Writes the layers that are wanted beside the positions."""
-        polygons = (
-            (self.FOOTPRINTS, FOOTPRINT_FIELDS, footprint_rows),
-            (self.ALTERNATIVES, ALTERNATIVE_FIELDS, alternatives),
-        )
-        for key, fields, rows_of in polygons:
-            with outputs.layer(key, fields, POLYGON, crs) as sink:
-                for item in localized:
-                    for ground, cells in rows_of(item):
-                        sink.add(_polygon(ground), cells)
-        with outputs.layer(self.MATCHES, MATCH_FIELDS, POINT, crs) as sink:
-            for item in localized:
-                for position, cells in match_rows(item, database):
-                    sink.add(QgsGeometry.fromPointXY(QgsPointXY(*position)), cells)
-
-
-def _polygon(corners_xy: Sequence[Tuple[float, float]]) -> QgsGeometry:
-    return QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners_xy]])
 
 
 def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessingFeedback) -> ReferenceDatabase:

@@ -8,7 +8,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Dict, List, Sequence, Tuple
 
 from ...core.errors import DatabaseError, ParameterError
+from ...core.localization import Method, Status
 from ..translation import tr
+from ..wording.sentences import worded
 from . import offers
 from .base import SemRefAlgorithm, cancelable, check_canceled
 from .declarations import Number, Parameter, Switch
@@ -167,14 +169,11 @@ class AssessAlgorithm(SemRefAlgorithm):
         return trials, correlated
 
 
-def method_title(correlation: bool) -> str:
-    return tr("Automatic") if correlation else tr("Constellation")
-
-
 def setting_rows(noise: LabelNoise, threshold: float, correlation: bool, seed: int) -> List[Tuple[str, str]]:
     """What both reports list: (what, value)."""
+    method = Method.AUTOMATIC if correlation else Method.CONSTELLATION
     return [
-        (tr("Method"), method_title(correlation)),
+        (tr("Method"), worded(method.title)),
         (tr("Landmarks missed (%)"), f"{100 * noise.missed:g}"),
         (tr("Landmarks invented (%)"), f"{100 * noise.spurious:g}"),
         (tr("Landmarks misnamed (%)"), f"{100 * noise.mislabeled:g}"),
@@ -198,11 +197,16 @@ def footprint_sizes(text: str, default: float) -> List[float]:
     return list(dict.fromkeys(sizes)) or [default]
 
 
-def reason_text(reason: str, objects: float) -> str:
+def reason_text(reason: str, landmarks: float) -> str:
     """A sentence for the reason that keeps most images from a fix, '' for none."""
-    return {
-        "too_few_references": f"Too few landmarks: {objects:.0f} in view on average.",
-        "ambiguous": "Look-alikes: another place, or the mirrored image, fits almost as well.",
-        "no_match": f"Too little evidence: landmarks ({objects:.0f} in view) agree with the map too loosely.",
-        "wrong_fix": "Some fixes would be wrong.",
-    }.get(reason, "")
+    from ...core.assessment.assessment import WRONG
+
+    texts = {
+        Status.TOO_FEW_REFERENCES.key: tr("Too few landmarks: {landmarks:.0f} in view on average."),
+        Status.AMBIGUOUS.key: tr("Look-alikes: another place, or the mirrored image, fits almost as well."),
+        Status.NO_MATCH.key: tr(
+            "Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely."
+        ),
+        WRONG: tr("Some fixes would be wrong."),
+    }
+    return texts.get(reason, "").format(landmarks=landmarks)

@@ -229,7 +229,7 @@ def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
         capped = tr("The search was capped: common patterns were left out, so a better place may not have been tried.")
         feedback.pushWarning(f"{name}: {capped}")
     if result.position is None:
-        feedback.pushInfo(f"{name}: {result.status.key}. {worded(result.reason)}")
+        feedback.pushInfo(f"{name}: {worded(result.status.title)}. {worded(result.reason)}")
         return
     details = (
         (result.window, tr("window {value}")),

@@ -8,13 +8,14 @@ from typing import Dict, List, Sequence, Tuple
 
 import numpy as np
 
-from ...core.assessment.assessment import Estimates
+from ...core.assessment.assessment import WRONG, Estimates
 from ...core.assessment.cells import Cells
 from ...core.assessment.model import SuccessModel
 from ...core.assessment.summary import brier_score, calibration, success_by_landmarks
 from ...core.database.model import ReferenceDatabase
 from ...core.evaluation.rates import rate_of
 from ...core.evaluation.trial import Trial
+from ...core.localization import Status
 from ...core.simulation.noise import LabelNoise
 from ..exchange.assessment_styles import success_classes
 from ..translation import tr
@@ -200,12 +201,12 @@ def assumed(noise: LabelNoise, correlation: bool) -> str:
 
 
 def reason_titles() -> Dict[str, str]:
-    """By status."""
+    """By status, and of wrong fixes."""
     return {
-        "too_few_references": tr("too few landmarks"),
-        "ambiguous": tr("look-alikes"),
-        "no_match": tr("too little evidence"),
-        "wrong_fix": tr("wrong fixes"),
+        Status.TOO_FEW_REFERENCES.key: tr("too few landmarks"),
+        Status.AMBIGUOUS.key: tr("look-alikes"),
+        Status.NO_MATCH.key: tr("too little evidence"),
+        WRONG: tr("wrong fixes"),
     }
 
 

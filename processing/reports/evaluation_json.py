@@ -22,6 +22,38 @@ from ...core.sentences import Sentence, english
 
 FORMAT = "semref evaluation 1"
 
+FIELDS = (
+    ("trial", "integer"),
+    ("kind", "text"),
+    ("method", "text"),
+    ("status", "text"),
+    ("right", "integer"),
+    ("error", "real"),
+    ("heading_error", "real"),
+    ("scale_error", "real"),
+    ("confidence", "real"),
+    ("error_95", "real"),
+    ("true_x", "real"),
+    ("true_y", "real"),
+    ("x", "real"),
+    ("y", "real"),
+    ("window", "text"),
+    ("heading", "real"),
+    ("scale", "real"),
+    ("offset", "real"),
+    ("missed", "real"),
+    ("invented", "real"),
+    ("misnamed", "real"),
+    ("ragged", "real"),
+    ("landmarks", "integer"),
+    ("references", "integer"),
+    ("inliers", "integer"),
+    ("distance", "real"),
+    ("log_odds", "real"),
+    ("reason", "text"),
+)
+"""Columns of the trials as a layer, with their types."""
+
 
 def evaluation_json(trials: Sequence[Trial], methods: Sequence[str], settings: Dict[str, Any]) -> str:
     """settings: as they were given; methods: the most important first, whose grid of noise it is."""

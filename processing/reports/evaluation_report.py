@@ -19,7 +19,9 @@ from ...core.evaluation.summary import (
     summarize,
 )
 from ...core.evaluation.trial import Trial
+from ...core.localization import Status
 from ..translation import tr
+from ..wording.sentences import worded
 from . import charts, page
 from .charts import Series, rate_series
 
@@ -175,8 +177,8 @@ class EvaluationReport:
         return page.figure(chart, caption)
 
     def _statuses(self, summaries: Sequence[MethodSummary]) -> str:
-        names = sorted({status for s in summaries for status in s.statuses})
-        rows = [[name, *(str(s.statuses.get(name, 0)) for s in summaries)] for name in names]
+        found = [status for status in Status if any(status.key in s.statuses for s in summaries)]
+        rows = [[worded(status.title), *(str(s.statuses.get(status.key, 0)) for s in summaries)] for status in found]
         titles = [self.methods[s.method] for s in summaries]
         return page.paragraph(tr("What became of the images of the map:")) + page.table(
             [tr("Status"), *titles], rows, range(1, len(titles) + 1)
@@ -204,7 +206,7 @@ class EvaluationReport:
             found = (
                 page.Marked(f"{'✓' if one.is_right else '✗'} {one.window}", one.is_right)
                 if one.is_fix
-                else result.status
+                else worded(result.status.title)
             )
             distance = [_fixed(result.distance, 3)] if _has_distances(trials) else []
             confidence = _fixed(result.confidence if one.is_fix else None, 2)

@@ -26,8 +26,8 @@ STANDARD = getattr(sys, "stdlib_module_names", None) or {
 }
 """Python 3.9 has no list of them."""
 CORE_MAY_IMPORT = set(STANDARD) | {"numpy", "cv2", "shapely", "onnxruntime", "core"}
-CORE_FOR_UI = ("core.errors", "core.database.model", "core.annotation.findings")
-"""Errors, a type and the severities of issues."""
+CORE_FOR_UI = ("core.errors", "core.database.model", "core.annotation.findings", "core.localization")
+"""Errors, a type, the severities of issues, and what statuses and methods are called."""
 MATHEMATICS = {"cv2", "shapely", "onnxruntime"}
 
 FOR_ALL = {"errors", "sentences", "values"}

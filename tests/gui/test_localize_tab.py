@@ -214,15 +214,13 @@ def test_selected_images_can_be_removed(dock, area, tab):
 
 
 def test_every_status_has_words(qgis_app):
-    from semref.core.localization import Method, Status
+    from semref.core.localization import Status
     from semref.processing.framework.localized_image import ERROR
-    from semref.ui.findings import FIX, TOPOLOGY_VECTOR, status_text
+    from semref.ui.findings import status_text
 
-    assert Status.FIX == FIX
-    assert Method.TOPOLOGY_VECTOR == TOPOLOGY_VECTOR
     for status in (*(status.key for status in Status), ERROR):
         assert status_text(SimpleNamespace(status=status, is_verified=True)) != status
-    assert "nverified" in status_text(SimpleNamespace(status=FIX, is_verified=False))
+    assert "nverified" in status_text(SimpleNamespace(status=Status.FIX, is_verified=False))
 
 
 def test_the_heading_arrow_points_where_the_top_of_the_image_is(dock, iface, area):

@@ -9,6 +9,7 @@ from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QShowEvent
 from qgis.PyQt.QtWidgets import QWidget
 
+from ...core.localization import Method
 from ..project_state import DockState, ProjectState, remembered_database
 from ..running.background import DatabaseShelf
 from ..widgets.messages import Messages
@@ -16,9 +17,6 @@ from ..widgets.messages import Messages
 if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
     from .content import DockContent
-
-AUTOMATIC = 0
-"""METHOD of semref:localizeimages."""
 
 
 class SemRefDock(QgsDockWidget):
@@ -101,7 +99,9 @@ class SemRefDock(QgsDockWidget):
         from .content import LOCALIZE
 
         localize = self.content.localize
-        localize.show_state(DockState(database, model, AUTOMATIC, images, localize.results.image.opacity.value()))
+        localize.show_state(
+            DockState(database, model, Method.AUTOMATIC.number, images, localize.results.image.opacity.value())
+        )
         self.setUserVisible(True)
         self.content.tabs.setCurrentIndex(LOCALIZE)
 

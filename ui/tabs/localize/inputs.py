@@ -19,14 +19,13 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ....core.localization import Method
 from ....processing.translation import tr
+from ....processing.wording.sentences import worded
 from ...layer_files import layer_file, raster_layers
 from ...widgets.buttons import tool_button
 from ...widgets.layouts import narrow, row_of
 from .image_list import ImageList
-
-AUTOMATIC = 0
-"""METHOD of semref:localizeimages."""
 
 _METHOD_SETTING = "semref/dock/method"
 _MODEL_SETTING = "semref/dock/model"
@@ -121,14 +120,9 @@ class MethodRow(QWidget):
         super().__init__(parent)
         self.setObjectName("SemRefMethod")
         self.choice = QComboBox()
-        # The numbers are METHOD of semref:localizeimages, which is public.
-        for number, name in (
-            (AUTOMATIC, tr("Automatic")),
-            (2, tr("Constellation")),
-            (3, tr("Map correlation")),
-            (1, tr("Topology vector (published)")),
-        ):
-            self.choice.addItem(name, number)
+        # The published method last: it is there to be compared with.
+        for method in (Method.AUTOMATIC, Method.CONSTELLATION, Method.MAP_CORRELATION, Method.TOPOLOGY_VECTOR):
+            self.choice.addItem(worded(method.title), method.number)
         label = QLabel(tr("Method"))
         label.setBuddy(self.choice)
         self.setLayout(narrow(row_of(label, (self.choice, 1)), 0))

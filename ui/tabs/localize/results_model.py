@@ -8,8 +8,9 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QObject, Qt
 from qgis.PyQt.QtGui import QStandardItem, QStandardItemModel
 
+from ....core.localization import Status
 from ....processing.translation import tr
-from ...findings import FIX, Finding, status_text
+from ...findings import Finding, status_text
 
 IMAGE, CONFIDENCE, ERROR, HEADING, STATUS, WINDOW, DISTANCE = range(7)
 COLUMN_COUNT = 7
@@ -18,7 +19,7 @@ SORT_ROLE = Qt.ItemDataRole.UserRole
 NUMBER_COLUMNS = (CONFIDENCE, ERROR, HEADING, DISTANCE)
 
 # QGIS draws these for light and dark themes alike.
-_ICONS = {FIX: "/mIconSuccess.svg", "error": "/mIconCritical.svg"}
+_ICONS = {Status.FIX.key: "/mIconSuccess.svg", "error": "/mIconCritical.svg"}
 _OTHER_ICON = "/mIconWarning.svg"
 
 
@@ -66,7 +67,7 @@ def _item(finding: Finding, column: int) -> QStandardItem:
 
 def _icon(finding: Finding) -> str:
     # A check mark is for what was checked.
-    if finding.status == FIX and not finding.is_verified:
+    if finding.status == Status.FIX and not finding.is_verified:
         return _OTHER_ICON
     return _ICONS.get(finding.status, _OTHER_ICON)
 
@@ -108,7 +109,7 @@ def _text(finding: Finding, column: int) -> str:
 def _figure(finding: Finding, column: int) -> Optional[float]:
     """What a number column shows."""
     if column == CONFIDENCE:
-        return finding.confidence if finding.status == FIX else None
+        return finding.confidence if finding.status == Status.FIX else None
     return {ERROR: finding.error_95, HEADING: finding.heading, DISTANCE: finding.distance}[column]
 
 

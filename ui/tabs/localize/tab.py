@@ -11,10 +11,11 @@ from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from ....core.errors import ParameterError
+from ....core.localization import Status
 from ....processing.exchange.results_file import open_results, write_results
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
-from ...findings import FIX, ResultLayers, read_findings
+from ...findings import ResultLayers, read_findings
 from ...project_state import DockState
 from ...running.background import DatabaseShelf
 from ...running.localization_run import LocalizationRun
@@ -185,7 +186,7 @@ class LocalizeTab(QWidget):
         self.hit.use(self._database.path(), model)
         findings = read_findings(layers, labels)
         if findings:
-            fixes = sum(1 for finding in findings if finding.status == FIX)
+            fixes = sum(1 for finding in findings if finding.status == Status.FIX)
             self.state.show_text(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(findings)))
         self.results.show_findings(findings)
 

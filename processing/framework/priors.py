@@ -1,0 +1,102 @@
+"""What is known of images before they are localized: its parameters, and what is searched by their values."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional, Tuple
+
+from ...core.errors import ParameterError
+from ...core.localization import Method, Prior
+from ..translation import tr
+from .declarations import MapPoint, Number, Parameter
+
+if TYPE_CHECKING:
+    from qgis.core import QgsCoordinateReferenceSystem
+
+    from .values import Values
+
+PRIOR_POINT, PRIOR_RADIUS = "PRIOR_POINT", "PRIOR_RADIUS"
+PRIOR_HEADING, PRIOR_HEADING_RANGE = "PRIOR_HEADING", "PRIOR_HEADING_RANGE"
+SCALE_MINIMUM, SCALE_MAXIMUM = "SCALE_MINIMUM", "SCALE_MAXIMUM"
+
+
+def parameters() -> Tuple[Parameter, ...]:
+    """Position, heading and scale; none is ever needed."""
+    scale = tr(
+        "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. "
+        "If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, "
+        "also when automatic uses them. A narrow range is searched faster."
+    )
+    return (
+        MapPoint(
+            PRIOR_POINT,
+            tr("Approximate position"),
+            tr("Where the images are known to be, roughly. It speeds up the search and is never needed."),
+            optional=True,
+            advanced=True,
+        ),
+        Number(
+            PRIOR_RADIUS,
+            tr("Radius around it (map units)"),
+            tr("Only with an approximate position: places farther away are not searched."),
+            advanced=True,
+            default=1000.0,
+            minimum=0.01,
+        ),
+        Number(
+            PRIOR_HEADING,
+            tr("Approximate heading (°)"),
+            tr("Where the images’ top points to, roughly, in degrees clockwise from grid north."),
+            optional=True,
+            advanced=True,
+            minimum=-360,
+            maximum=360,
+        ),
+        Number(
+            PRIOR_HEADING_RANGE,
+            tr("Range around it (± °)"),
+            tr("Only with an approximate heading: other headings are not searched."),
+            advanced=True,
+            default=20.0,
+            minimum=1,
+            maximum=180,
+        ),
+        *(
+            Number(key, title, scale, optional=True, advanced=True, minimum=0.01, maximum=100)
+            for key, title in (
+                (SCALE_MINIMUM, tr("Smallest scale")),
+                (SCALE_MAXIMUM, tr("Largest scale")),
+            )
+        ),
+    )
+
+
+def scales(values: Values, method: Method) -> Optional[Tuple[float, float]]:
+    """What the scales are searched in.
+
+    Args:
+        values: Of an algorithm with these parameters.
+        method: Whose default stands in for the one that is not given.
+
+    Returns:
+        (smallest, largest); None, each method's own, when neither is given.
+
+    Raises:
+        ParameterError: The smallest is larger than the largest.
+    """
+    from ...core.localizer.localizer import default_scales
+
+    if not (values.has(SCALE_MINIMUM) or values.has(SCALE_MAXIMUM)):
+        return None
+    smallest, largest = default_scales(method)
+    smallest = values.optional_number(SCALE_MINIMUM, smallest)
+    largest = values.optional_number(SCALE_MAXIMUM, largest)
+    if smallest > largest:
+        raise ParameterError("algorithms.scales", smallest=smallest, largest=largest)
+    return smallest, largest
+
+
+def prior(values: Values, crs: QgsCoordinateReferenceSystem) -> Prior:
+    """Position and heading in the database's CRS; pixel sizes follow from the scales and each image's shape."""
+    position = values.point(PRIOR_POINT, crs)
+    radius = None if position is None else values.number(PRIOR_RADIUS)
+    return Prior(position, radius, values.optional_number(PRIOR_HEADING), values.number(PRIOR_HEADING_RANGE))
