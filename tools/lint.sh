@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Reads the code without running it: ruff with the import rules of the rooms, mypy over core, then Bandit,
+# Reads the code without running it: ruff (rules, format, import rules of the rooms), mypy over core, then Bandit,
 # detect-secrets and flake8 over the unpacked zip, with the options of the plugin repository (which refuses what they
 # find).
 set -euo pipefail
@@ -7,6 +7,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 python=$PWD/.venv/bin/python
 
 "$python" -m ruff check --quiet .
+"$python" -m ruff format --check --quiet . || {
+    echo "Lint: \`ruff format .\` would write some files otherwise." >&2
+    exit 1
+}
 for room in core processing; do
     if [ -d "$room" ]; then
         "$python" -m ruff check --quiet --config "tools/rooms/$room.toml" "$room"

@@ -4,6 +4,7 @@ import ast
 from pathlib import Path
 
 import pytest
+from source_trees import tree_of
 
 CORE = Path(__file__).resolve().parents[2] / "core"
 FILES = sorted(path for path in CORE.rglob("*.py") if "__pycache__" not in path.parts)
@@ -22,6 +23,6 @@ def public_definitions(module):
 
 @pytest.mark.parametrize("path", FILES, ids=[path.relative_to(CORE).as_posix() for path in FILES])
 def test_every_public_function_and_class_of_core_has_a_docstring(path):
-    module = ast.parse(path.read_text(encoding="utf-8"))
+    module = tree_of(path)
     assert ast.get_docstring(module)
     assert [name for name, node in public_definitions(module) if not ast.get_docstring(node)] == []

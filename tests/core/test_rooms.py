@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import graphlib
 import pkgutil
 import subprocess
@@ -11,6 +12,7 @@ import sysconfig
 from pathlib import Path
 
 import pytest
+from source_trees import nodes_of
 
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ("core", "storage", "processing", "ui")
@@ -90,11 +92,12 @@ def shipped_files() -> list[Path]:
     return sorted(ROOT.glob("*.py")) + [path for room in ROOMS for path in source_files(room)]
 
 
+@functools.lru_cache(maxsize=None)
 def imported_modules(path: Path) -> set[str]:
     """Full names of all modules and names that a file imports; ours begin with the room's name."""
     package = path.relative_to(ROOT).parent.parts
     names = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in nodes_of(path):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -190,15 +193,12 @@ def test_shipped_code_imports_nothing_that_the_plugin_repository_refuses(path):
 
 @each_shipped_file
 def test_shipped_code_has_no_assert(path):
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    assert [node.lineno for node in ast.walk(tree) if isinstance(node, ast.Assert)] == []
+    assert [node.lineno for node in nodes_of(path) if isinstance(node, ast.Assert)] == []
 
 
 @each_shipped_file
 def test_shipped_code_swallows_no_exception(path):
-    handlers = [
-        node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.ExceptHandler)
-    ]
+    handlers = [node for node in nodes_of(path) if isinstance(node, ast.ExceptHandler)]
     silent = [node.lineno for node in handlers if all(isinstance(part, (ast.Pass, ast.Continue)) for part in node.body)]
     bare = [node.lineno for node in handlers if node.type is None]
     assert silent + bare == []

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Iterator
 
 import pytest
+from source_trees import nodes_of
 
 import semref.processing
 import semref.storage  # noqa: F401  Both add their rooms' sentences.
@@ -66,7 +67,7 @@ def placeholders(template) -> set[str]:
 def said_in(path: Path) -> list[tuple[int, str, set[str]]]:
     """(line, code, names of its values) wherever the file says a sentence by its code."""
     found = []
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in nodes_of(path):
         if not isinstance(node, ast.Call) or not node.args or not isinstance(node.args[0], ast.Constant):
             continue
         code, called = node.args[0].value, getattr(node.func, "id", getattr(node.func, "attr", ""))
@@ -91,14 +92,14 @@ def test_a_template_is_one_room_s_and_names_its_values(code):
 @pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
 def test_no_error_is_raised_with_a_text(path):
     """An error in English alone; what is no error of ours is a bug's or stands in brackets of one, as GDAL's reason."""
-    calls = [node.exc for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Raise)]
+    calls = [node.exc for node in nodes_of(path) if isinstance(node, ast.Raise)]
     ours = [call for call in calls if isinstance(call, ast.Call) and name_of(call.func) not in OF_OTHERS]
     assert [(call.lineno, text) for call in ours for text in literals(call.args) if not CODE.fullmatch(text)] == []
 
 
 @pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
 def test_whatever_is_shown_goes_through_tr(path):
-    calls = [node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Call)]
+    calls = [node for node in nodes_of(path) if isinstance(node, ast.Call)]
     shown = [
         call
         for call in calls
@@ -111,8 +112,7 @@ def test_whatever_is_shown_goes_through_tr(path):
 @pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
 def test_a_step_is_named_by_a_text_that_can_be_translated(path):
     """``yield f"…", share`` would be shown as it is; ``yield "…", share`` is found by tools/update_translations.py."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    steps = [node.value.elts[0] for node in ast.walk(tree) if isinstance(node, ast.Yield) and is_pair(node.value)]
+    steps = [node.value.elts[0] for node in nodes_of(path) if isinstance(node, ast.Yield) and is_pair(node.value)]
     assert [step.lineno for step in steps if isinstance(step, ast.JoinedStr)] == []
 
 

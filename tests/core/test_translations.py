@@ -24,6 +24,7 @@ def load_tool():
 
 
 update_translations = load_tool()
+TEXTS = update_translations.all_texts()
 
 
 def placeholders(text: str) -> set[tuple[str, str]]:
@@ -39,12 +40,12 @@ def pairs(path: Path) -> list[tuple[str, str]]:
 
 def test_there_are_translations_and_texts():
     assert FILES
-    assert update_translations.all_texts()
+    assert TEXTS
 
 
 @each_file
 def test_the_file_has_the_texts_of_the_code_once_each_and_no_others(path):
-    assert [source for source, _ in pairs(path)] == update_translations.all_texts()
+    assert [source for source, _ in pairs(path)] == TEXTS
 
 
 @each_file

@@ -127,6 +127,7 @@ def test_map_correlation_is_tried_where_landmarks_fail(run_algorithm, database, 
     assert "simulated in" in feedback.textLog()
 
 
+@pytest.mark.slow
 def test_a_footprint_beyond_what_is_searched_is_warned_of(run_algorithm, database, tmp_path, feedback):
     parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": str(tmp_path / "map.gpkg")}
     run_algorithm(ASSESS, {**parameters, "FOOTPRINT": "700"}, feedback)

@@ -118,6 +118,7 @@ def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, 
     assert importlib.util.find_spec("numpy").origin == numpy_path
 
 
+@pytest.mark.slow
 @needs_pip
 def test_what_cannot_be_imported_is_removed_and_explained_and_what_came_before_stays(root, wheels, installer):
     installer.start([GOOD, BROKEN], str(wheels))
@@ -189,6 +190,7 @@ def test_a_python_of_another_build_or_a_broken_one_is_not_used(root, tmp_path, i
     assert is_tidy(root)
 
 
+@pytest.mark.slow
 @needs_pip
 def test_a_program_that_cannot_be_started_is_passed_over(root, tmp_path, wheels, installer, monkeypatch):
     (tmp_path / "python3").write_text("no program")
@@ -212,6 +214,7 @@ def test_an_older_package_that_comes_first_is_explained(root, wheels, installer,
     assert end_of(installer).startswith("/elsewhere/made.py is an older version")
 
 
+@pytest.mark.slow
 def test_removing_takes_the_folder_and_its_part_of_the_path(root, wheels, installer):
     installer.start([GOOD], str(wheels))
     end_of(installer)

@@ -64,7 +64,7 @@ def test_every_tile_is_the_piece_of_image_and_labels_that_its_name_says(export):
         assert (tile["x"], tile["y"]) == (WEST + tile["column"], NORTH - tile["row"])
 
 
-@pytest.mark.parametrize("stride", [TILE, 12])
+@pytest.mark.parametrize("stride", [TILE, pytest.param(12, marks=pytest.mark.slow)])
 def test_no_pixel_is_in_both_training_and_validation(export, stride):
     _, manifest = export(STRIDE=stride)
     used = {subset: np.zeros((HEIGHT, WIDTH), bool) for subset in ("train", "validation")}

@@ -89,8 +89,14 @@ def test_matches_say_where_image_and_map_have_the_same_landmarks(localize, tmp_p
 
 @pytest.mark.parametrize(
     "labels",
-    [view(500, 450, 30)[:, ::-1], view(300, 300, 10, labels=scattered_objects(900, 1000, 1300, seed=6))],
-    ids=["mirrored", "elsewhere"],
+    [
+        pytest.param(view(500, 450, 30)[:, ::-1], id="mirrored"),
+        pytest.param(
+            view(300, 300, 10, labels=scattered_objects(900, 1000, 1300, seed=6)),
+            id="elsewhere",
+            marks=pytest.mark.slow,
+        ),
+    ],
 )
 def test_what_is_not_on_the_map_gets_a_reason_and_no_position(localize, labels):
     found, footprints = localize(np.ascontiguousarray(labels))

@@ -59,7 +59,9 @@ def localize(run_algorithm, database, tmp_path, feedback):
     return run
 
 
-@pytest.mark.parametrize(("column", "row", "heading"), [(700, 600, 0), (851.5, 733, 140)])
+@pytest.mark.parametrize(
+    ("column", "row", "heading"), [pytest.param(700, 600, 0, marks=pytest.mark.slow), (851.5, 733, 140)]
+)
 def test_an_image_is_found_by_its_areas(localize, column, row, heading):
     labels = view(column, row, heading)
     # A tenth of the pixels wrong: no landmark comes out whole.
@@ -73,6 +75,7 @@ def test_an_image_is_found_by_its_areas(localize, column, row, heading):
     assert found["error_95"] > 0 and found["window"] is None
 
 
+@pytest.mark.slow
 def test_an_image_of_another_place_gets_a_reason(localize):
     found = localize(np.ascontiguousarray(landscape(4)[:SIZE, :SIZE]))
     assert found["status"] in ("no_match", "ambiguous") and found["reason"] and found["x"] is None

@@ -101,6 +101,7 @@ def test_the_published_method_takes_images_as_they_are(localize, feedback):
     assert "Leveled" not in feedback.textLog()
 
 
+@pytest.mark.slow
 def test_map_correlation_levels_too(localize):
     view = ahead(tilt=15)
     (found,), _, _ = localize([view], TABLE.replace(str(TILT), "15"), METHOD=3)

@@ -527,6 +527,7 @@ def test_it_does_not_matter_whether_gdal_raises(labels, tmp_path, exceptions):
 # --- real data ---
 
 
+@pytest.mark.slow
 @pytest.mark.real_data
 def test_lcdb_of_christchurch(rasterize, real_data, feedback):
     layer = real_data("lcdb5_christchurch/lcdb5_christchurch.gpkg")

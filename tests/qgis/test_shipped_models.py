@@ -68,14 +68,20 @@ def test_all_texts_are_in_the_users_language(qgis_app, repository, monkeypatch, 
         assert text.startswith("«") and text.endswith("»"), text
 
 
-@each_id
-def test_the_names_of_parameters_have_translations(create, repository, name):
+@pytest.fixture(scope="module")
+def translated_texts(repository):
+    """All texts that have translations."""
     path = repository / "tools" / "update_translations.py"
     spec = importlib.util.spec_from_file_location("update_translations", path)
     tool = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(tool)
+    return set(tool.all_texts())
+
+
+@each_id
+def test_the_names_of_parameters_have_translations(create, translated_texts, name):
     algorithm = create(name)
-    assert {definition.description() for definition in algorithm.parameterDefinitions()} <= set(tool.all_texts())
+    assert {definition.description() for definition in algorithm.parameterDefinitions()} <= translated_texts
 
 
 @pytest.mark.parametrize("name", FILES)

@@ -75,7 +75,12 @@ def test_an_impossible_range_of_pixel_sizes_is_an_error(pyramid, sizes):
 
 
 @pytest.mark.parametrize(
-    "heading, pixel, size", [(0, 1, (560, 560)), (101.3, 0.83, (640, 560)), (287, 1.2, (480, 600))]
+    "heading, pixel, size",
+    [
+        pytest.param(0, 1, (560, 560), marks=pytest.mark.slow),
+        (101.3, 0.83, (640, 560)),
+        pytest.param(287, 1.2, (480, 600), marks=pytest.mark.slow),
+    ],
 )
 def test_a_clean_image_is_found_finer_than_an_overview_pixel(labels, pyramid, heading, pixel, size):
     center = 1203.7, 905.2

@@ -183,7 +183,7 @@ def test_a_prior_holds_for_both_methods(localizer):
     assert localizer.localize(image, Method.AUTOMATIC, replace(here, position=ORIGIN)).status != Status.FIX
 
 
-@pytest.mark.parametrize("built", [HOUSES, NOTHING_BUILT, MOVED_HOUSES], ids=["houses", "none", "moved"])
+@pytest.mark.parametrize("built", [HOUSES, pytest.param(MOVED_HOUSES, marks=pytest.mark.slow)], ids=["houses", "moved"])
 def test_the_same_image_gives_the_same_result(localizer, built):
     image = view(GROUND, built)
     assert localizer.localize(image, Method.AUTOMATIC) == localizer.localize(image, Method.AUTOMATIC)

@@ -136,6 +136,7 @@ def test_something_that_does_not_belong_there_is_refused(written, tmp_path):
     assert "does not belong" in refusal(path)
 
 
+@pytest.mark.slow
 def test_a_zip_bomb_is_refused_before_it_is_unpacked(written, tmp_path):
     claimed = b"\x93NUMPY\x01\x00\x76\x00" + b"{'descr': '|u1', 'fortran_order': False, 'shape': (400000000,), }"
     files = {**members(written), "references_classes.npy": claimed.ljust(127) + b"\n" + bytes(400_000_000)}

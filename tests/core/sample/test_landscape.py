@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import shapely
+from small_sample import make_small
 
 from semref.core.sample import classes, landscape
 
@@ -11,10 +12,20 @@ SEED = 1671
 
 @pytest.fixture(scope="module")
 def land():
+    """In small."""
+    with pytest.MonkeyPatch.context() as patch:
+        make_small(patch)
+        return landscape.make_landscape(SEED)
+
+
+@pytest.fixture(scope="module")
+def whole_land():
     return landscape.make_landscape(SEED)
 
 
-def test_the_same_seed_gives_the_same_landscape(land):
+@pytest.mark.slow
+def test_the_same_seed_gives_the_same_landscape(land, monkeypatch):
+    make_small(monkeypatch)
     again = landscape.make_landscape(SEED)
     assert [(f.class_value, f.zorder, f.geometry and f.geometry.wkb) for f in again.features] == [
         (f.class_value, f.zorder, f.geometry and f.geometry.wkb) for f in land.features
@@ -30,23 +41,25 @@ def test_oddities_are_few_and_present(land):
     drawn = [f.geometry for f in land.features if f.geometry is not None]
     assert len(land.features) - len(drawn) == 1
     assert sum(not g.is_valid for g in drawn) == landscape.BOW_TIES
-    assert 4 <= sum(g.geom_type == "MultiPolygon" for g in drawn) <= 80
+    assert 1 <= sum(g.geom_type == "MultiPolygon" for g in drawn) <= 80
 
 
 def test_no_house_stands_in_water(land):
     water = [f.geometry for f in land.features if f.class_value == classes.WATER]
     houses = [f.geometry for f in land.features if f.class_value == classes.BUILDING]
-    assert 1000 <= len(houses) <= 1600
+    assert houses
     tree = shapely.STRtree(water)
     assert tree.query(houses, predicate="intersects").size == 0
 
 
-def test_nearly_every_window_holds_ten_landmarks(land):
-    x0, y0, x1, y1 = land.extent
+@pytest.mark.slow
+def test_the_whole_landscape_has_its_houses_and_nearly_every_window_ten_landmarks(whole_land):
+    assert 1000 <= sum(f.class_value == classes.BUILDING for f in whole_land.features) <= 1600
+    x0, y0, x1, y1 = whole_land.extent
     points = np.array(
         [
             f.geometry.representative_point().coords[0]
-            for f in land.features
+            for f in whole_land.features
             if f.class_value in (classes.BUILDING, classes.BARE_LAND, classes.WATER)
         ]
     )

@@ -165,7 +165,7 @@ each_map = pytest.mark.parametrize("make_map", MAPS, ids=[make.__name__ for make
 @each_map
 @pytest.mark.parametrize(("size", "stride"), [(32, 1), (24, 3), (33, 7), (32, 8), (20, 20), (48, 5)])
 def test_windows_are_described_as_the_plain_computation_describes_each_by_itself(make_map, size, stride):
-    side = (50, 58) if stride == 1 else (97, 131)
+    side = (44, 52) if stride == 1 else (79, 101)
     labels = make_map(size + stride, *side)
     expected = plain_windows(labels, size, stride, 4.0, 10)
     found, _ = described_windows(labels, size, stride, 4.0)
@@ -190,12 +190,11 @@ def test_vector_length_and_minimum_area_are_those_of_the_plain_computation(minim
 @pytest.mark.parametrize("strip_pixels", [1, 32 * 32 + 1, 32 * 48, 32 * 70])
 @pytest.mark.parametrize("stride", [5, 32])
 def test_column_blocks_change_nothing(strip_pixels, stride):
-    labels = snakes(11, 100, 140)
+    labels = snakes(11, 80, 110)
     whole, _ = described_windows(labels, 32, stride, 4.0)
     in_blocks, order = described_windows(labels, 32, stride, 4.0, strip_pixels=strip_pixels)
     assert order != sorted(order, key=lambda name: (name[1], name[0])), "the map was not cut into blocks"
     assert_same(in_blocks, whole)
-    assert_same(in_blocks, plain_windows(labels, 32, stride, 4.0, 10))
 
 
 @each_map
