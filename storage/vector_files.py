@@ -49,3 +49,17 @@ def copy_database(path: str, target: str) -> None:
             source.backup(copy)
     except sqlite3.Error as error:
         raise ParameterError("storage.file_unwritable", path=path, reason=str(error)) from None
+
+
+def feature_count(path: str, layer: str = "") -> int:
+    """Reads all features of a layer, the file's only one without a name, and counts them; -1 where it can't be read.
+
+    By GDAL and not by QGIS, which keeps a file open for a minute after it was read: Windows moves no open file.
+    """
+    dataset = None
+    # It may raise or return None, as the user has set it.
+    with gdal_failures() as failures:
+        dataset = gdal.OpenEx(path, gdal.OF_VECTOR | gdal.OF_READONLY)
+        found = None if dataset is None else dataset.GetLayerByName(layer) if layer else dataset.GetLayer(0)
+        count = -1 if found is None else sum(1 for _ in found)
+    return -1 if dataset is None or failures else count

@@ -152,6 +152,16 @@ def test_layers_of_any_format_are_written_whole(run_algorithm, given, suffix):
     assert [path for path in given.iterdir() if path.name.startswith(".")] == []
 
 
+@pytest.mark.parametrize("suffix", ["gpkg", "shp", "geojson"])
+def test_nothing_holds_a_layer_open_that_was_written(run_algorithm, given, suffix):
+    """QGIS keeps what it reads open for a minute; Windows moves no open file, and disks stay full of replaced ones."""
+    parameters = {"INPUT": str(given / "photo.png"), "DATABASE": str(given / "area.gpkg")}
+    for _ in range(2):
+        run_algorithm(DESCRIBE, {**parameters, "REFERENCES": str(given / f"landmarks.{suffix}")})
+        held = [os.readlink(link) for link in Path("/proc/self/fd").iterdir() if link.is_symlink()]
+        assert [path for path in held if path.startswith(str(given)) and "area.gpkg" not in path] == []
+
+
 @pytest.fixture
 def small_disk(tmp_path):
     """`small_disk(kilobytes)`: a folder on a disk of its own of that size."""
