@@ -1,6 +1,6 @@
 """Runs of semref:localizeimages in one QGIS, as a user or a model makes them over a long day.
 
-A small sample area is made once. Each run localizes one image: a label image by one of the methods, or, one of five, a
+A small sample area is made once. Each run localizes one image: a label image by one of the methods, or, one of twenty, a
 photo with the network that ships. Outputs go to memory or, one of two, to the same files again and again; one of
 ``UNREADABLE_EACH`` images is none, one of ``CANCELED_EACH`` runs is canceled on its way, and one of ``REFUSED_EACH`` is
 refused because its database is missing.
@@ -15,7 +15,7 @@ from typing import Any
 
 from .held import Held, held, line
 
-UNREADABLE_EACH, CANCELED_EACH, REFUSED_EACH, PHOTO_EACH = 50, 40, 100, 5
+UNREADABLE_EACH, CANCELED_EACH, REFUSED_EACH, PHOTO_EACH = 50, 40, 100, 20
 SIZE_XY = (1500.0, 1300.0)
 """Meters of the made-up land, as tests/data/small_sample.py has it: hardly less holds a photo turned by any angle."""
 METHODS = (0, 1, 2, 3)
