@@ -17,9 +17,10 @@ repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 data=${SEMREF_DATA:-$repository/../shared/data}
 roots=${SEMREF_ROOTS:-$HOME/.cache/semref/roots}
 name=${1:-}
+# Displays are numbered apart: roots have lock files of their own, but share sockets with the machine.
 case $name in
-    trixie) script=trixie ;;
-    forky) script=sid ;; # an older debootstrap does not know forky; sid's script makes it
+    trixie) script=trixie display=120 ;;
+    forky) script=sid display=140 ;; # an older debootstrap does not know forky; sid's script makes it
     *) echo "Usage: $0 trixie|forky [pytest arguments | -- COMMAND]" >&2; exit 2 ;;
 esac
 shift
@@ -32,7 +33,8 @@ skip() {
 
 if [ "$(id -u)" != 0 ]; then
     sudo -n true 2>/dev/null || skip "making and entering a Debian root needs root or password-less sudo."
-    exec sudo SEMREF_ROOTS="$roots" SEMREF_DATA="$data" CI="${CI:-}" "$0" "$name" "$@"
+    exec sudo SEMREF_ROOTS="$roots" SEMREF_DATA="$data" CI="${CI:-}" SEMREF_ONE_AT_A_TIME="${SEMREF_ONE_AT_A_TIME:-}" \
+        "$0" "$name" "$@"
 fi
 
 # Own mount and process namespaces: mounts vanish and stray processes end with the command, however it ends.
@@ -115,10 +117,12 @@ if [ -d "$data" ]; then
 fi
 
 inside=${work#"$root"}
+# The command is not the first process of its namespace: the shell is, because Xvfb tells nothing to a first process.
 run() {
     in_root "$root" env -i PATH=/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin LANG=C.UTF-8 CI="${CI:-}" \
         HOME="$inside/home" TMPDIR="$inside/tmp" SEMREF_DATA="$inside/shared/data" PYTHONDONTWRITEBYTECODE=1 \
-        sh -ec 'cd "$1"; shift; exec "$@"' sh "$inside/semref" "$@"
+        SEMREF_DISPLAY="$display" SEMREF_ONE_AT_A_TIME="${SEMREF_ONE_AT_A_TIME:-}" \
+        sh -ec 'cd "$1"; shift; "$@"; exit 0' sh "$inside/semref" "$@"
 }
 
 if [ "${1:-}" = -- ]; then

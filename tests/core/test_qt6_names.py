@@ -9,7 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
+from qt6_here import needs_pyqt6
 
 ROOT = Path(__file__).resolve().parents[2]
 FILES = [ROOT / "plugin.py", *(path for room in ("processing", "ui") for path in sorted((ROOT / room).rglob("*.py")))]
@@ -93,12 +93,6 @@ def missing_in_qt6(names) -> list[str]:
     command = [sys.executable, "-c", LOOK_UP]
     done = subprocess.run(command, input=asked, capture_output=True, text=True, check=True, env=surroundings)
     return [".".join(found) for found in json.loads(done.stdout)]
-
-
-needs_pyqt6 = pytest.mark.skipif(
-    not any((Path(entry or ".") / "PyQt6" / "QtCore.pyi").exists() for entry in sys.path),
-    reason="PyQt6 is not installed (tools/test_newest.sh installs it)",
-)
 
 
 def test_members_are_found_in_the_source():

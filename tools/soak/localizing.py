@@ -1,6 +1,6 @@
 """Runs of semref:localizeimages in one QGIS, as a user or a model makes them over a long day.
 
-A small sample area is made once. Each run localizes one image: a label image by one of the methods, or, one of twenty, a
+A small sample area is made once. Each run localizes one image: a label image by one of the methods, or, one of 20, a
 photo with the network that ships. Outputs go to memory or, one of two, to the same files again and again; one of
 ``UNREADABLE_EACH`` images is none, one of ``CANCELED_EACH`` runs is canceled on its way, and one of ``REFUSED_EACH`` is
 refused because its database is missing.
@@ -27,6 +27,7 @@ class Area:
     def __init__(self, folder: Path) -> None:
         from bench.plugin import run_algorithm
         from qgis_session import ROOT
+
         from semref.core.sample import landscape
 
         landscape.SIZE_XY = SIZE_XY
@@ -42,9 +43,7 @@ class Area:
         self.photos = sorted(str(path) for path in (sample / "photos").glob("*.jpg"))
         images = folder / "images"
         kept = {"OUTPUT": "TEMPORARY_OUTPUT", "LABELS": str(images)}
-        run_algorithm(
-            "localizeimages", {"DATABASE": self.database, "IMAGES": self.photos, "MODEL": self.model, **kept}
-        )
+        run_algorithm("localizeimages", {"DATABASE": self.database, "IMAGES": self.photos, "MODEL": self.model, **kept})
         self.images = sorted(str(path) for path in images.glob("*.tif")) or sorted(map(str, images.glob("*.png")))
         self.unreadable = str(folder / "unreadable.tif")
         Path(self.unreadable).write_text("no image", encoding="utf-8")

@@ -1,0 +1,13 @@
+"""Whether the running Python has PyQt6, for tests that start it in a process of its own."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+needs_pyqt6 = pytest.mark.skipif(
+    not any((Path(entry or ".") / "PyQt6" / "QtCore.pyi").exists() for entry in sys.path),
+    reason="PyQt6 is not installed (tools/test_newest.sh installs it)",
+)

@@ -1,0 +1,88 @@
+"""What shipped code imports of QGIS, made of PyQt6 alone: so that parts of ui/ run where QGIS is not.
+
+``qgis.PyQt`` is PyQt6 with the classes at the places where QGIS has them. Of ``qgis.core`` and ``qgis.gui`` the few
+classes that painting needs are Qt's; every other name is a ``StandIn``, good for nothing but being imported.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+import types
+
+ACTIONS = ("QAction", "QActionGroup", "QShortcut")
+"""Qt 6 moved them to QtGui; QGIS has them in QtWidgets still."""
+
+
+class StandInType(type):
+    """Any name of a class that isn't here may be asked for when a module is read."""
+
+    def __getattr__(cls, name: str) -> object:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return StandIn
+
+    def __or__(cls, other: object) -> type:
+        return cls
+
+
+class StandIn(metaclass=StandInType):
+    """For what is imported, and inherited from or named in annotations, but not used."""
+
+
+def install(profile: str) -> None:
+    """Puts the modules into ``sys.modules``; ``profile`` is the folder that QGIS's settings would lie in."""
+    qt = {name: importlib.import_module(f"PyQt6.{name}") for name in ("QtCore", "QtGui", "QtWidgets", "QtNetwork")}
+    for name in ACTIONS:
+        setattr(qt["QtWidgets"], name, getattr(qt["QtGui"], name))
+    pyqt = types.ModuleType("qgis.PyQt")
+    sys.modules["qgis.PyQt"] = pyqt
+    for name, module in qt.items():
+        setattr(pyqt, name, module)
+        sys.modules[f"qgis.PyQt.{name}"] = module
+    sys.modules["qgis"] = module_of("qgis", {"PyQt": pyqt})
+    sys.modules["qgis.core"] = module_of("qgis.core", core_classes(qt, profile))
+    sys.modules["qgis.gui"] = module_of("qgis.gui", {"QgsOptionsPageWidget": qt["QtWidgets"].QWidget})
+    for name in ("osgeo", "osgeo.gdal", "osgeo.ogr", "osgeo.osr", "processing"):
+        sys.modules[name] = module_of(name, {})
+
+
+def module_of(name: str, classes: dict[str, object]) -> types.ModuleType:
+    """A module with these names, and stand-ins for all others."""
+
+    def __getattr__(asked: str) -> object:
+        if asked.startswith("__"):
+            raise AttributeError(asked)
+        return StandIn
+
+    module = types.ModuleType(name)
+    module.__dict__.update(classes, __getattr__=__getattr__, __path__=[])
+    return module
+
+
+def core_classes(qt: dict[str, types.ModuleType], profile: str) -> dict[str, object]:
+    """What painting needs of ``qgis.core``."""
+    style = qt["QtWidgets"].QStyle.StandardPixmap.SP_MessageBoxInformation
+
+    class QgsSettings:
+        kept: dict[str, object] = {}
+
+        def value(self, key: str, default: object = None, type: object = None) -> object:
+            return self.kept.get(key, default)
+
+        def setValue(self, key: str, value: object) -> None:
+            self.kept[key] = value
+
+    class QgsApplication:
+        @staticmethod
+        def getThemeIcon(name: str) -> object:
+            return qt["QtWidgets"].QApplication.style().standardIcon(style)
+
+        @staticmethod
+        def qgisSettingsDirPath() -> str:
+            return profile
+
+    class Qgis(StandIn):
+        QGIS_VERSION_INT = 40000
+
+    return {"Qgis": Qgis, "QgsSettings": QgsSettings, "QgsApplication": QgsApplication}

@@ -1,0 +1,67 @@
+"""What .ci/run runs its parts with: two at a time, told in order, failing loudly."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPT = str(ROOT / "tools" / "side_by_side.sh")
+WITHIN_S = 60
+
+
+def run(*arguments: str) -> subprocess.CompletedProcess:
+    command = ["bash", SCRIPT, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, timeout=WITHIN_S, check=False)
+
+
+def test_lanes_run_at_the_same_time_and_are_told_in_order(tmp_path):
+    """Each waits for the other: run one after the other they would never end."""
+    first = f"first: until [ -e {tmp_path}/b ]; do sleep 0.1; done; echo one; touch {tmp_path}/a"
+    second = f"second: echo two; touch {tmp_path}/b; until [ -e {tmp_path}/a ]; do sleep 0.1; done; echo three >&2"
+    done = run(first, "last: echo four", "--", second)
+    told = [line for line in done.stdout.splitlines() if " s  " not in line]
+    assert told == ["=== first", "one", "=== last", "four", "=== second", "two", "three", "=== All"]
+    assert done.returncode == 0 and done.stdout.count("passed") == 3
+
+
+def test_one_that_fails_is_named_and_the_others_run_all_the_same():
+    done = run("bad: echo begun; exit 3", "next: echo next", "--", "other: echo other")
+    assert done.returncode == 1
+    assert "FAILED: bad" in done.stderr and "FAILED (3)" in done.stdout
+    assert {"begun", "next", "other"} <= set(done.stdout.splitlines())
+
+
+def test_a_lane_that_is_killed_is_a_failure():
+    done = run("killed: kill -9 $PPID", "never: echo never", "--", "other: echo other")
+    assert done.returncode == 1
+    assert "FAILED: killed\nFAILED: never" in done.stderr
+
+
+def test_an_end_ends_what_runs(tmp_path):
+    program = f"long: echo $$ >{tmp_path}/pid; sleep 1000; true"
+    running = subprocess.Popen(["bash", SCRIPT, program], stdout=subprocess.DEVNULL, start_new_session=True)
+    deadline = time.monotonic() + WITHIN_S
+    while not (tmp_path / "pid").exists() or not (tmp_path / "pid").read_text():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    running.send_signal(signal.SIGTERM)
+    assert running.wait(WITHIN_S) != 0
+    started = int((tmp_path / "pid").read_text())
+    while time.monotonic() < deadline:
+        try:
+            os.kill(started, 0)
+        except ProcessLookupError:
+            return
+        time.sleep(0.05)
+    pytest.fail("what was started still runs")
+
+
+def test_ci_runs_the_command_of_the_readme():
+    assert "bash tools/test.sh" in (ROOT / "README.md").read_text(encoding="utf-8")
+    assert ': bash tools/test.sh"' in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
