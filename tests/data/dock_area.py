@@ -15,7 +15,7 @@ ORIGIN = (400_000.0, 5_400_000.0)
 CRS = "EPSG:25832"
 CUT = (150, 250)
 """First column and row of the window that the query image shows."""
-DEADLINE_S = 20
+DEADLINE_S = 120
 
 
 def label_map() -> np.ndarray:

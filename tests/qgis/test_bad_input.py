@@ -825,6 +825,6 @@ def test_provider_and_dock_can_be_made_without_opencv_shapely_and_onnxruntime(re
         "import os\n"
         "os._exit(0)\n"
     )
-    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=False)
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=600, check=False)
     assert answer.returncode == 0, answer.stderr
     assert "'builddatabase', 'checkannotation', 'comparelabels', 'decodecolorlabels', 'describeimage'" in answer.stdout

@@ -156,7 +156,7 @@ def test_the_plain_ogrinfo_program_reads_it(database):
     program = shutil.which("ogrinfo")
     if program is None:
         pytest.skip("ogrinfo is not installed")
-    answer = subprocess.run([program, "-ro", "-al", "-so", database], capture_output=True, text=True, timeout=60)
+    answer = subprocess.run([program, "-ro", "-al", "-so", database], capture_output=True, text=True, timeout=600)
     assert answer.returncode == 0
     assert "ERROR" not in answer.stderr and "Warning" not in answer.stderr
     for name in LAYERS:
@@ -168,7 +168,7 @@ def test_the_plain_sqlite3_program_reads_it(database):
     if program is None:
         pytest.skip("sqlite3 is not installed")
     question = "SELECT count(*), count(vector) FROM windows;"
-    answer = subprocess.run([program, "-readonly", database, question], capture_output=True, text=True, timeout=60)
+    answer = subprocess.run([program, "-readonly", database, question], capture_output=True, text=True, timeout=600)
     assert answer.returncode == 0, answer.stderr
     windows, vectors = map(int, answer.stdout.split("|"))
     assert windows > vectors > 0

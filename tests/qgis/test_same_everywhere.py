@@ -26,7 +26,7 @@ from qgis.core import (
 
 pytestmark = pytest.mark.slow
 
-TIMEOUT_S = 120
+TIMEOUT_S = 600
 MOMENTS = {"last_change", "update_time", "timestamp"}
 """Columns that hold the time of writing."""
 

@@ -1,0 +1,52 @@
+"""A project that an earlier version saved opens for ever: what tests/data/kept holds is never made anew."""
+
+from __future__ import annotations
+
+import gzip
+import zipfile
+from pathlib import Path
+
+import pytest
+from dock_area import messages, settle, shown_outline, table, wait_until
+
+KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
+
+
+@pytest.fixture
+def kept(tmp_path):
+    """The project's folder, moved to another place and perhaps another machine."""
+    with zipfile.ZipFile(KEPT / "project.zip") as packed:
+        packed.extractall(tmp_path)
+    (tmp_path / "database.gpkg").write_bytes(gzip.decompress((KEPT / "database.gpkg.gz").read_bytes()))
+    return tmp_path
+
+
+def test_a_project_of_version_1_brings_dock_layers_and_results_back(dock, iface, tab, kept):
+    from qgis.core import QgsProject
+
+    project = QgsProject.instance()
+    assert project.read(str(kept / "project.qgs"))
+    settle()
+    state = tab.state_now()
+    assert (Path(state.database), state.model, state.method) == (kept / "database.gpkg", "", 0)
+    assert [Path(path) for path in state.images] == [kept / "here.png", kept / "nothing.png"]
+    assert (Path(state.results), state.opacity) == (kept / "results.gpkg", 35)
+    assert state.prior == (600200.0, 5199600.0, 600700.0, 5199600.0, "EPSG:25832")
+    assert [row[0] for row in table(dock)] == ["here.png", "nothing.png"]
+    assert table(dock)[0][4] == "Fix" and float(table(dock)[0][1]) > 0.9 and table(dock)[1][4] != "Fix"
+    assert shown_outline(iface) is not None
+    layers = {layer.name(): layer for layer in project.mapLayers().values()}
+    assert set(layers) == {"Landmarks", "Windows", "Overview", "results"}
+    assert all(layer.isValid() for layer in layers.values())
+    assert not project.isDirty() and [text for text in messages(iface) if "SemRef" in text] == []
+
+
+def test_a_project_of_version_1_can_be_worked_with(dock, tab, kept):
+    from qgis.core import QgsProject
+
+    QgsProject.instance().read(str(kept / "project.qgs"))
+    settle()
+    tab.localize_button.click()
+    wait_until(lambda: not tab.run.running, "the end of the run")
+    assert tab.state.text_shown == "1 of 2 images have a fix."
+    assert dock.content.database.path() == str(kept / "database.gpkg")
