@@ -4,4 +4,4 @@
 set -euo pipefail
 tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 "$tools/setup.sh"
-"$tools/../.venv/bin/python" "$tools/demo.py" "$@"
+"$tools/../.venv/bin/python" "$tools/demo/demo.py" "$@"

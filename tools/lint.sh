@@ -20,7 +20,7 @@ done
 
 unpacked=$(mktemp -d)
 trap 'rm -rf "$unpacked"' EXIT
-"$python" tools/package.py --output "$unpacked/semref.zip" >/dev/null
+"$python" tools/release/package.py --output "$unpacked/semref.zip" >/dev/null
 "$python" -m zipfile -e "$unpacked/semref.zip" "$unpacked/plugin"
 cd "$unpacked/plugin"
 "$python" -m bandit --quiet --recursive .

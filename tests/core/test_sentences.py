@@ -111,7 +111,7 @@ def test_whatever_is_shown_goes_through_tr(path):
 
 @pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
 def test_a_step_is_named_by_a_text_that_can_be_translated(path):
-    """``yield f"…", share`` would be shown as it is; ``yield "…", share`` is found by tools/update_translations.py."""
+    """``yield f"…", share`` would be shown as it is; ``yield "…", share`` is found by update_translations.py."""
     steps = [node.value.elts[0] for node in nodes_of(path) if isinstance(node, ast.Yield) and is_pair(node.value)]
     assert [step.lineno for step in steps if isinstance(step, ast.JoinedStr)] == []
 

@@ -53,7 +53,7 @@ def desktop(repository, display, tmp_path_factory) -> dict:
 def install_package(repository: Path, plugins: Path) -> None:
     plugins.mkdir(parents=True)
     package = plugins.parent / "semref.zip"
-    command = [sys.executable, str(repository / "tools" / "package.py"), "--output", str(package)]
+    command = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(package)]
     subprocess.run(command, check=True, timeout=TIMEOUT_S)
     with zipfile.ZipFile(package) as archive:
         archive.extractall(plugins)

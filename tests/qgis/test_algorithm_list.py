@@ -15,7 +15,9 @@ def provider(qgis_app):
 
 @pytest.fixture
 def tool(repository):
-    spec = importlib.util.spec_from_file_location("list_algorithms", repository / "tools" / "list_algorithms.py")
+    spec = importlib.util.spec_from_file_location(
+        "list_algorithms", repository / "tools" / "docs" / "list_algorithms.py"
+    )
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -23,7 +25,7 @@ def tool(repository):
 
 def test_the_list_of_algorithms_in_the_guide_is_up_to_date(provider, tool):
     page = tool.PAGE.read_text(encoding="utf-8")
-    assert page == tool.with_listing(page, tool.listing(provider)), "run tools/list_algorithms.py"
+    assert page == tool.with_listing(page, tool.listing(provider)), "run tools/docs/list_algorithms.py"
 
 
 def test_the_help_of_every_algorithm_leads_to_its_heading_in_the_guide(provider, tool):
@@ -35,4 +37,4 @@ def test_the_help_of_every_algorithm_leads_to_its_heading_in_the_guide(provider,
     for algorithm in provider.algorithms():
         address, _, anchor = algorithm.helpUrl().partition("#")
         assert address == guide_url("guide/toolbox.md")
-        assert anchor in anchors, f"{algorithm.id()}: run tools/list_algorithms.py"
+        assert anchor in anchors, f"{algorithm.id()}: run tools/docs/list_algorithms.py"

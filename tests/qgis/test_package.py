@@ -25,7 +25,7 @@ def package(repository, tmp_path_factory) -> Path:
 
 
 def make_package(repository: Path, target: Path) -> None:
-    command = [sys.executable, str(repository / "tools" / "package.py"), "--output", str(target)]
+    command = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(target)]
     subprocess.run(command, check=True, timeout=TIMEOUT_S)
 
 

@@ -25,7 +25,7 @@ def maker(qgis_app, repository):
     tools = str(repository / "tools")
     sys.path.append(tools)
     try:
-        spec = importlib.util.spec_from_file_location("make_model", repository / "tools" / "make_model.py")
+        spec = importlib.util.spec_from_file_location("make_model", repository / "tools" / "release" / "make_model.py")
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
     finally:
@@ -71,7 +71,7 @@ def test_all_texts_are_in_the_users_language(qgis_app, repository, monkeypatch, 
 @pytest.fixture(scope="module")
 def translated_texts(repository):
     """All texts that have translations."""
-    path = repository / "tools" / "update_translations.py"
+    path = repository / "tools" / "release" / "update_translations.py"
     spec = importlib.util.spec_from_file_location("update_translations", path)
     tool = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(tool)

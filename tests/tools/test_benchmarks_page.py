@@ -65,7 +65,9 @@ def test_the_page_begins_with_the_summary_of_its_sections(summary):
 
 def test_each_line_of_the_summary_is_of_a_bench_and_its_section(summary):
     names = {path.stem for path in BENCH.glob("*.py")}
-    assert {line.section for line in summary.LINES} <= written() and {line.bench for line in summary.LINES} <= names
+    assert {line.section for line in summary.LINES} <= written() and {
+        line.command.split()[-1] for line in summary.LINES
+    } <= names
 
 
 def test_the_summary_reads_the_cell_it_means(summary):
@@ -73,3 +75,8 @@ def test_the_summary_reads_the_cell_it_means(summary):
     line = summary.Line("", "", "x", "a|poor", "right", "x")
     assert summary.measured(section, line) == "2"
     assert summary.measured("", line) == "–"
+
+
+def test_the_longest_is_that_of_all_rows_and_columns(summary):
+    section = "| step | first (ms) | work | again (ms) |\n|---|---|---|---|\n| a | 7 | 200 | 90 |\n| b | 21 | 3 | |\n"
+    assert summary.measured(section, summary.Line("", "", "x", "", "(ms)", largest=True)) == "90"

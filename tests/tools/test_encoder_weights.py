@@ -1,6 +1,6 @@
 """Weights from a file for the encoder: all of it or none, and the same features as the network they were trained in.
 
-torch lives in an environment of its own (tools/setup_training.sh), so a program run there gives the answers.
+torch lives in an environment of its own (tools/training/setup_training.sh), so a program run there gives the answers.
 """
 
 import json
@@ -12,7 +12,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 PYTHON = ROOT / ".venv-train" / "bin" / "python"
 
-pytestmark = pytest.mark.skipif(not PYTHON.exists(), reason="no .venv-train: run bash tools/setup_training.sh")
+pytestmark = pytest.mark.skipif(not PYTHON.exists(), reason="no .venv-train: run bash tools/training/setup_training.sh")
 
 # EfficientNet-Lite0 as its paper and TensorFlow's code describe it, with efficientnet_lite_pytorch's names of tensors:
 # kernel, stride, widening, channels, blocks of each stage.

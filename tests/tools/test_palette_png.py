@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
-TOOL = Path(__file__).resolve().parents[2] / "tools" / "palette_png.py"
+TOOL = Path(__file__).resolve().parents[2] / "tools" / "docs" / "palette_png.py"
 spec = importlib.util.spec_from_file_location("palette_png", TOOL)
 palette_png = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(palette_png)

@@ -56,7 +56,8 @@ def measure(run: inputs.Run) -> dict[str, str]:
 
 
 _SAMPLE = """\
-The same on the sample area of `tools/make_sample.py`, a made-up landscape with other classes, images of {size:g} px:"""
+The same on the sample area of `tools/demo/make_sample.py`, a made-up landscape with other classes, images of {size:g}
+px:"""
 
 
 def _about(run: inputs.Run) -> str:

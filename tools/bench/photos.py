@@ -112,10 +112,10 @@ def _tile(run: inputs.Run, path: object) -> str:
 
 
 _TILE = """\
-`{model}` on tile {tile} of dubai_aerial, which it was not trained on (`tools/train_dubai.py`): off-grid, turned crops
-at 0.9–1.1 of the tile's pixels, pixel size searched over 0.7–1.4; database of the annotated labels, all classes as
-landmarks; errors in pixels. Right: within 2 % of the edge. “{true}”: what no network could improve. Goal: ≥ 90 % right
-and ≤ 0.5 % wrong at ≥ 512 px.""".replace("{true}", TRUE_LABELS)
+`{model}` on tile {tile} of dubai_aerial, which it was not trained on (`tools/training/train_dubai.py`): off-grid,
+turned crops at 0.9–1.1 of the tile's pixels, pixel size searched over 0.7–1.4; database of the annotated labels, all
+classes as landmarks; errors in pixels. Right: within 2 % of the edge. “{true}”: what no network could improve. Goal:
+≥ 90 % right and ≤ 0.5 % wrong at ≥ 512 px.""".replace("{true}", TRUE_LABELS)
 
 
 def seen(ground: Ground, photo_hw3: np.ndarray, view: View) -> np.ndarray:

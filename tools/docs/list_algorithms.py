@@ -1,12 +1,13 @@
-"""Writes the list of algorithms with their keys into docs/guide/toolbox.md: python tools/list_algorithms.py."""
+"""Writes the list of algorithms with their keys into docs/guide/toolbox.md: python tools/docs/list_algorithms.py."""
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import List
 
-PAGE = Path(__file__).resolve().parent.parent / "docs" / "guide" / "toolbox.md"
-BEGIN, END = "<!-- algorithms: tools/list_algorithms.py -->", "<!-- /algorithms -->"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "guide" / "toolbox.md"
+BEGIN, END = "<!-- algorithms: tools/docs/list_algorithms.py -->", "<!-- /algorithms -->"
 GROUPS = ("annotation", "referencedatabase", "localization")
 
 
@@ -62,6 +63,7 @@ def sections(page: str) -> List[str]:
 
 
 def main() -> None:
+    sys.path.append(str(Path(__file__).resolve().parents[1]))
     from qgis_session import qgis_session
 
     with qgis_session() as provider:

@@ -1,4 +1,4 @@
-"""Makes dist/semref-VERSION.zip, the file that users install: python tools/package.py [--output FILE]."""
+"""Makes dist/semref-VERSION.zip, the file that users install: python tools/release/package.py [--output FILE]."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 SHIPPED_FILES = ("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "__init__.py", "plugin.py")
 SHIPPED_FOLDERS = ("core", "storage", "processing", "ui", "resources", "models")
 DATA_SUFFIXES = (".onnx",)  # the demonstration model: data, no program; all else that ships is text

@@ -1,10 +1,10 @@
 """Train a Pyramid Attention Network on tiles from semref:exporttrainingtiles and write it as an ONNX model.
 
-    python tools/train_pan.py TILES [TILES …] --output MODEL.onnx [--epochs 60] [--test TILES] [--resume]
+    python tools/training/train_pan.py TILES [TILES …] --output MODEL.onnx [--epochs 60] [--test TILES] [--resume]
 
 TILES are folders of exported tiles with the same classes. Beside the model a folder MODEL.training holds the curves
 (curves.csv), the best weights and what --resume needs. --test tells how good the model is on tiles of another place,
-in torch and in onnxruntime. Set-up: bash tools/setup_training.sh; docs/training.md explains.
+in torch and in onnxruntime. Set-up: bash tools/training/setup_training.sh; docs/training.md explains.
 """
 
 from __future__ import annotations
@@ -20,7 +20,10 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         from training.tiles import TrainingError
     except ImportError as error:
-        print(f"train_pan: {error}. Run it with the Python that tools/setup_training.sh sets up.", file=sys.stderr)
+        print(
+            f"train_pan: {error}. Run it with the Python that tools/training/setup_training.sh sets up.",
+            file=sys.stderr,
+        )
         return 1
     try:
         train(options)
@@ -65,6 +68,7 @@ def train(options: argparse.Namespace) -> None:
     """Trains, exports and checks. Raises TrainingError."""
     import numpy as np
     import torch
+
     from training import encoder_weights, export, loop, metrics, network, tiles
 
     folders = tiles.open_folders(options.tiles)

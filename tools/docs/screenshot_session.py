@@ -1,6 +1,6 @@
 """Runs inside desktop QGIS (--code): brings the window into each scene of a job as a user would, and takes its picture.
 
-SEMREF_SCREENSHOTS names the job, a JSON file that tools/make_screenshots.py writes: ``sample`` (folder of the sample
+SEMREF_SCREENSHOTS names the job, a JSON file that make_screenshots.py writes: ``sample`` (folder of the sample
 project, made here when it is missing), ``pictures`` (folder), ``scenes`` (names of functions of this file, each with
 the pictures' suffix) and ``result`` (JSON, written at the end).
 """

@@ -1,4 +1,4 @@
-"""Brings i18n/*.ts up to date with the texts in the code: ``python tools/update_translations.py``.
+"""Brings i18n/*.ts up to date with the texts in the code: ``python tools/release/update_translations.py``.
 
 Qt's pylupdate gives each text the context of its class; SemRef has one context for all. Translations are kept,
 texts that are gone are dropped, new ones are marked unfinished. Compiled to .qm when packaging.
@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Dict, List
 from xml.etree import ElementTree
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 CONTEXT = "SemRef"
 ROOMS = ("core", "storage", "processing", "ui")
 

@@ -1,8 +1,8 @@
 """Makes the pictures of the docs: SemRef on its sample project, in desktop QGIS on a virtual screen.
 
-    .venv/bin/python tools/make_screenshots.py                       # all of them, into docs/images
-    .venv/bin/python tools/make_screenshots.py dark first_fix        # only these
-    .venv/bin/python tools/make_screenshots.py --language fr --output DIR   # all tabs in a language, to look at
+    .venv/bin/python tools/docs/make_screenshots.py                       # all of them, into docs/images
+    .venv/bin/python tools/docs/make_screenshots.py dark first_fix        # only these
+    .venv/bin/python tools/docs/make_screenshots.py --language fr --output DIR   # all tabs in a language, to look at
 
 Each session starts QGIS with a fresh profile and the packaged plugin. Needs what tools/setup.sh installs and, for
 Chinese, a font with its characters.
@@ -27,7 +27,7 @@ from typing import Dict, List, Tuple
 
 from palette_png import shrink
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 SESSION = Path(__file__).with_name("screenshot_session.py")
 IMAGES = ROOT / "docs" / "images"
 SCREEN_PX = 2800, 2600
@@ -81,7 +81,9 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="semref-screenshots-") as folder:
         work = Path(folder)
         package = work / "semref.zip"
-        subprocess.run([sys.executable, str(ROOT / "tools" / "package.py"), "--output", str(package)], check=True)
+        subprocess.run(
+            [sys.executable, str(ROOT / "tools" / "release" / "package.py"), "--output", str(package)], check=True
+        )
         for number, variant in enumerate(variants):
             sample = sample_folder(arguments.samples or work / "samples", variant.language)
             for picture in take(variant, package, sample, work / str(number)):

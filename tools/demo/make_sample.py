@@ -1,6 +1,6 @@
 """Make the sample area: a made-up landscape as a shapefile, its class table, and pictures of it with known truth.
 
-    python tools/make_sample.py OUTPUT_FOLDER [--seed 1671] [--pixel-size 1.0]
+    python tools/demo/make_sample.py OUTPUT_FOLDER [--seed 1671] [--pixel-size 1.0]
 
 OUTPUT_FOLDER then holds landcover.shp, classes.csv, images/*.png, truth.csv, orthophoto.tif (a rendered photo of the
 whole area), photos/*.jpg, photos.csv and sample.json.
@@ -18,6 +18,8 @@ from collections import Counter
 from pathlib import Path
 
 import numpy as np
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 from qgis_session import load_plugin_package
 
 load_plugin_package()

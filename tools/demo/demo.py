@@ -13,6 +13,7 @@ from math import hypot
 from pathlib import Path
 from typing import Dict, List, Optional
 
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 from qgis_session import ROOT, qgis_session
 
 OUTPUT = ROOT / "demo"
@@ -34,7 +35,7 @@ def main() -> None:
     OUTPUT.mkdir(exist_ok=True)
     sample = OUTPUT / "sample"
     print("1. Making the sample area")
-    subprocess.run([sys.executable, str(ROOT / "tools" / "make_sample.py"), str(sample)], check=True)
+    subprocess.run([sys.executable, str(ROOT / "tools" / "demo" / "make_sample.py"), str(sample)], check=True)
     with qgis_session():
         paths = run_algorithms(sample)
         found = {name: read_positions(paths[name]) for name, _, _ in (*METHODS, *PHOTO_METHODS)}

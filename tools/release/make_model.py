@@ -1,7 +1,7 @@
 """Writes the models that ship, models/*.model3.
 
-Run with QGIS's Python (``.venv/bin/python tools/make_model.py``) after a change of the algorithms' parameters. Their
-titles and helps come from processing/framework/shipped_models.py.
+Run with QGIS's Python (``.venv/bin/python tools/release/make_model.py``) after a change of the algorithms' parameters.
+Their titles and helps come from processing/framework/shipped_models.py.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import re
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 from qgis_session import ROOT, qgis_session
 
 TARGET = ROOT / "models"

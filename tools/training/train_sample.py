@@ -1,9 +1,9 @@
 """Train the demonstration model: photos of made-up areas that are not the one it is shown on.
 
-    .venv/bin/python tools/train_sample.py OUTPUT_FOLDER [--seeds 11 12 13 14 15] [-- options of train_pan.py]
+    .venv/bin/python tools/training/train_sample.py OUTPUT_FOLDER [--seeds 11 12 13 14 15] [-- options of train_pan.py]
 
-Makes an area a seed (tools/make_sample.py), its label map (semref:rasterizeannotation) and training tiles
-(semref:exporttrainingtiles), then trains in .venv-train (tools/setup_training.sh). What is there already is kept.
+Makes an area a seed (tools/demo/make_sample.py), its label map (semref:rasterizeannotation) and training tiles
+(semref:exporttrainingtiles), then trains in .venv-train (setup_training.sh). What is there already is kept.
 OUTPUT_FOLDER/sample_area.onnx is the model.
 """
 
@@ -14,6 +14,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 from qgis_session import ROOT, load_plugin_package, qgis_session
 
 load_plugin_package()
@@ -49,12 +50,19 @@ def main() -> None:
     if DEFAULT_SEED in options.seeds:
         parser.error(f"{DEFAULT_SEED} is the area that the model is shown on; train on others")
     if not options.python.exists():
-        parser.error(f"{options.python} is missing; run bash tools/setup_training.sh first")
+        parser.error(f"{options.python} is missing; run bash tools/training/setup_training.sh first")
     folder = options.output_folder.absolute()
     folder.mkdir(parents=True, exist_ok=True)
     with qgis_session():
         tiles = [tiles_of(folder / f"area{seed}", seed) for seed in options.seeds]
-    command = [options.python, ROOT / "tools" / "train_pan.py", *tiles, "--output", folder / MODEL, *TRAINING]
+    command = [
+        options.python,
+        ROOT / "tools" / "training" / "train_pan.py",
+        *tiles,
+        "--output",
+        folder / MODEL,
+        *TRAINING,
+    ]
     sys.exit(subprocess.run([str(part) for part in [*command, *training]]).returncode)
 
 
@@ -66,7 +74,7 @@ def tiles_of(area: Path, seed: int) -> Path:
     if tiles.exists():
         return tiles
     if not area.exists():
-        command = [sys.executable, str(ROOT / "tools" / "make_sample.py"), str(area), "--seed", str(seed)]
+        command = [sys.executable, str(ROOT / "tools" / "demo" / "make_sample.py"), str(area), "--seed", str(seed)]
         subprocess.run(command, check=True)
     annotation = {"INPUT": str(area / "landcover.shp"), "CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder"}
     burning = {"CLASS_TABLE": str(area / "classes.csv"), "PIXEL_SIZE": 1.0, "OUTPUT": str(labels)}

