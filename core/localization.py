@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING
@@ -12,6 +13,23 @@ if TYPE_CHECKING:  # The toolbox lists methods before NumPy is loaded.
     import numpy as np
 
     from .geometry.pose import PoseCovariance
+
+
+RISK = 1e-4
+"""Probability of being wrong below which a place is a fix, unless told otherwise: once in 10,000 fixes at most."""
+
+LEAST_RISK = 1e-12
+"""No probability of being wrong is told to be smaller: beyond, a confidence could not be told from 1."""
+
+
+def risk_of(log_odds: float) -> float:
+    """Probability that a place is wrong, from ln of the odds that it is right; ``LEAST_RISK`` at least."""
+    return max(LEAST_RISK, 1 / (1 + math.exp(min(log_odds, 700.0))))
+
+
+def log_odds_of(risk: float) -> float:
+    """Logarithm of the odds that a place is right, from its risk: the inverse of ``risk_of``."""
+    return math.log1p(-risk) - math.log(risk) if 0 < risk < 1 else math.copysign(math.inf, 0.5 - risk)
 
 
 class Status(str, Enum):
@@ -180,7 +198,11 @@ class Localization:
         references: Landmarks described.
         reason: Why there is no fix; None with one.
         best: The best place, also where it is not good enough for a fix.
-        confidence: Probability that the best place is the right one, calibrated on trials; 1 − d/T of topology vectors.
+        confidence: Of a fix: probability that it is right, 1 − ``risk``; 1 − d/T of topology vectors, as published,
+            which is no probability.
+        risk: Probability that the best place is wrong, from all evidence, calibrated on trials; told without a fix,
+            too. None of topology vectors.
+        is_doubted: There is no fix only because of the risk: more evidence would make it one.
         alternatives: Without a fix, the places that it may be, most likely first (``best`` among them).
         error_95_m: Radius around ``best`` that holds the true position in 95 % of fixes, or the longer semi-axis.
         covariance: Of the best place's position, heading and pixel size.
@@ -202,7 +224,9 @@ class Localization:
     references: int = 0
     reason: Sentence | None = None
     best: Place | None = None
-    confidence: float = 0.0
+    confidence: float | None = None
+    risk: float | None = None
+    is_doubted: bool = False
     alternatives: tuple[Place, ...] = ()
     error_95_m: float | None = None
     covariance: PoseCovariance | None = None

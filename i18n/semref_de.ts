@@ -12,6 +12,10 @@
    <translation>--near ist {near}; es müssen drei Zahlen bis {most:g} sein.</translation>
   </message>
   <message>
+   <source>--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.</source>
+   <translation>--risk ist {risk:g}; es muss eine Wahrscheinlichkeit von {least:g} bis {most:g} sein.</translation>
+  </message>
+  <message>
    <source>--threads is {threads}; it must be from 1 to {most}.</source>
    <translation>--threads ist {threads}; es muss von 1 bis {most} sein.</translation>
   </message>
@@ -70,6 +74,10 @@
   <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
    <translation>Eine Seite mit der Konfusionsmatrix als Bild und den Zahlen jeder Klasse.</translation>
+  </message>
+  <message>
+   <source>A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such probability.</source>
+   <translation>Ein Ort gilt als gefunden, wenn er höchstens mit dieser Wahrscheinlichkeit falsch ist: 0,0001 ist einmal in 10.000 Fällen. Bei kleinerem Risiko werden weniger Standorte gefunden. Der Topologievektor, wie veröffentlicht, kennt keine solche Wahrscheinlichkeit.</translation>
   </message>
   <message>
    <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
@@ -150,6 +158,10 @@
   <message>
    <source>All that the report shows, for scripts.</source>
    <translation>Alles, was der Bericht zeigt, für Skripte.</translation>
+  </message>
+  <message>
+   <source>Allowed risk of a wrong fix</source>
+   <translation>Erlaubtes Risiko eines falschen Standorts</translation>
   </message>
   <message>
    <source>Ambiguous</source>
@@ -1140,8 +1152,12 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Landmarken</translation>
   </message>
   <message>
-   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed.</source>
-   <translation>Die Landmarken stimmen mit einem Ort überein, die Klassenflächen dort aber nur mit {agreement:.2f}; nötig sind mindestens {least:.2f}.</translation>
+   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there: together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Die Landmarken stimmen mit einem Ort überein, die Klassenflächen dort aber nur mit {agreement:.2f}: Zusammen ist er mit einer Wahrscheinlichkeit von {risk:.2g} falsch; erlaubt sind höchstens {allowed:.2g}.</translation>
+  </message>
+  <message>
+   <source>Landmarks agree with the map on one side of the image only: it may show two places.</source>
+   <translation>Nur auf einer Seite des Bildes stimmen Landmarken mit der Karte überein: Es zeigt vielleicht zwei Orte.</translation>
   </message>
   <message>
    <source>Landmarks in the window</source>
@@ -2308,16 +2324,16 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Gebiet von CLIP ist leer oder liegt außerhalb der Karte der Datenbank; ein anderes wählen oder bei Linien und Punkten eine größere DISTANCE als {distance:g}.</translation>
   </message>
   <message>
-   <source>The best place ({score:.2f}) agrees hardly better than the mirrored image does by chance ({mirror:.2f}).</source>
-   <translation>Der beste Ort ({score:.2f}) stimmt kaum besser überein, als es das gespiegelte Bild durch Zufall tut ({mirror:.2f}).</translation>
+   <source>The best place (log odds {log_odds:.1f}) is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Der beste Ort (logarithmische Chancen {log_odds:.1f}) ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; erlaubt sind höchstens {allowed:.2g}.</translation>
   </message>
   <message>
-   <source>The best place agrees with the image only by {score:.2f}; at least {least:.2f} is needed.</source>
-   <translation>Der beste Ort stimmt mit dem Bild nur mit {score:.2f} überein; nötig sind mindestens {least:.2f}.</translation>
+   <source>The best place ({score:.2f}) agrees too little better than the mirrored image does by chance ({mirror:.2f}): it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Der beste Ort ({score:.2f}) stimmt zu wenig besser überein, als es das gespiegelte Bild durch Zufall tut ({mirror:.2f}): Er ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; erlaubt sind höchstens {allowed:.2g}.</translation>
   </message>
   <message>
-   <source>The best place has log odds of {log_odds:.1f}; {needed} are needed.</source>
-   <translation>Der beste Ort hat logarithmische Chancen von {log_odds:.1f}; nötig sind {needed}.</translation>
+   <source>The best place agrees with the image only by {score:.2f}: it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Der beste Ort stimmt mit dem Bild nur mit {score:.2f} überein: Er ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; erlaubt sind höchstens {allowed:.2g}.</translation>
   </message>
   <message>
    <source>The camera table {path} can't be read: {reason}.</source>
@@ -2868,8 +2884,8 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
 Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegenden Farbe bleibt Schwarz ohne Klasse, außer eine Klasse ist schwarz.</translation>
   </message>
   <message>
-   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}); a prior position could tell them apart.</source>
-   <translation>Zwei Orte stimmen fast gleich gut überein ({score:.2f} und {runner_up:.2f}); eine ungefähre Position könnte sie unterscheiden.</translation>
+   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
+   <translation>Zwei Orte stimmen fast gleich gut überein ({score:.2f} und {runner_up:.2f}): Der bessere ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; eine ungefähre Position könnte sie unterscheiden.</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -3470,6 +3486,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>wrong fixes simulated</source>
    <translation>falsche Fixe simuliert</translation>
+  </message>
+  <message>
+   <source>wrong once in {value:,.0f}</source>
+   <translation>falsch einmal in {value:,.0f}</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>

@@ -12,6 +12,10 @@
    <translation>--near es {near}; deben ser tres números de hasta {most:g}.</translation>
   </message>
   <message>
+   <source>--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.</source>
+   <translation>--risk es {risk:g}; debe ser una probabilidad de {least:g} a {most:g}.</translation>
+  </message>
+  <message>
    <source>--threads is {threads}; it must be from 1 to {most}.</source>
    <translation>--threads es {threads}; debe ir de 1 a {most}.</translation>
   </message>
@@ -70,6 +74,10 @@
   <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
    <translation>Una página con la matriz de confusión como imagen y las cifras de cada clase.</translation>
+  </message>
+  <message>
+   <source>A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such probability.</source>
+   <translation>Un lugar es una posición fijada si la probabilidad de que sea erróneo es como mucho esta: 0,0001 es una vez en 10 000 posiciones. Con un riesgo menor hay menos posiciones. El vector topológico, tal como se publicó, no conoce esa probabilidad.</translation>
   </message>
   <message>
    <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
@@ -150,6 +158,10 @@
   <message>
    <source>All that the report shows, for scripts.</source>
    <translation>Todo lo que muestra el informe, para scripts.</translation>
+  </message>
+  <message>
+   <source>Allowed risk of a wrong fix</source>
+   <translation>Riesgo permitido de una posición errónea</translation>
   </message>
   <message>
    <source>Ambiguous</source>
@@ -1140,8 +1152,12 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Hitos</translation>
   </message>
   <message>
-   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed.</source>
-   <translation>Los hitos coinciden con un lugar, pero las áreas de las clases solo coinciden allí en {agreement:.2f}; hace falta al menos {least:.2f}.</translation>
+   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there: together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Los hitos coinciden con un lugar, pero las áreas de clases solo en {agreement:.2f} allí: en conjunto es erróneo con una probabilidad de {risk:.2g}; se permite como mucho {allowed:.2g}.</translation>
+  </message>
+  <message>
+   <source>Landmarks agree with the map on one side of the image only: it may show two places.</source>
+   <translation>Los hitos coinciden con el mapa solo en un lado de la imagen: puede mostrar dos lugares.</translation>
   </message>
   <message>
    <source>Landmarks in the window</source>
@@ -2308,16 +2324,16 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El área de CLIP está vacía o fuera del mapa de la base de datos; elija otra o, para líneas y puntos, una DISTANCE mayor que {distance:g}.</translation>
   </message>
   <message>
-   <source>The best place ({score:.2f}) agrees hardly better than the mirrored image does by chance ({mirror:.2f}).</source>
-   <translation>El mejor lugar ({score:.2f}) apenas coincide mejor que la imagen reflejada por azar ({mirror:.2f}).</translation>
+   <source>The best place (log odds {log_odds:.1f}) is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>El mejor lugar (logaritmo de las probabilidades {log_odds:.1f}) es erróneo con una probabilidad de {risk:.2g}; se permite como mucho {allowed:.2g}.</translation>
   </message>
   <message>
-   <source>The best place agrees with the image only by {score:.2f}; at least {least:.2f} is needed.</source>
-   <translation>El mejor lugar solo coincide con la imagen en {score:.2f}; hace falta al menos {least:.2f}.</translation>
+   <source>The best place ({score:.2f}) agrees too little better than the mirrored image does by chance ({mirror:.2f}): it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>El mejor lugar ({score:.2f}) coincide demasiado poco mejor que la imagen reflejada por azar ({mirror:.2f}): es erróneo con una probabilidad de {risk:.2g}; se permite como mucho {allowed:.2g}.</translation>
   </message>
   <message>
-   <source>The best place has log odds of {log_odds:.1f}; {needed} are needed.</source>
-   <translation>El mejor lugar tiene un logaritmo de probabilidades de {log_odds:.1f}; hace falta {needed}.</translation>
+   <source>The best place agrees with the image only by {score:.2f}: it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>El mejor lugar coincide con la imagen solo en {score:.2f}: es erróneo con una probabilidad de {risk:.2g}; se permite como mucho {allowed:.2g}.</translation>
   </message>
   <message>
    <source>The camera table {path} can't be read: {reason}.</source>
@@ -2868,8 +2884,8 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
 Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más cercano, el negro queda sin etiqueta, salvo que una clase sea negra.</translation>
   </message>
   <message>
-   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}); a prior position could tell them apart.</source>
-   <translation>Dos lugares coinciden casi igual de bien ({score:.2f} y {runner_up:.2f}); una posición aproximada podría distinguirlos.</translation>
+   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
+   <translation>Dos lugares coinciden casi igual de bien ({score:.2f} y {runner_up:.2f}): el mejor es erróneo con una probabilidad de {risk:.2g}; una posición aproximada podría distinguirlos.</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -3470,6 +3486,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>wrong fixes simulated</source>
    <translation>posiciones erróneas simuladas</translation>
+  </message>
+  <message>
+   <source>wrong once in {value:,.0f}</source>
+   <translation>errónea una vez en {value:,.0f}</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>

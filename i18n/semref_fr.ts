@@ -12,6 +12,10 @@
    <translation>--near vaut {near} ; il faut trois nombres d’au plus {most:g}.</translation>
   </message>
   <message>
+   <source>--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.</source>
+   <translation>--risk vaut {risk:g} ; ce doit être une probabilité de {least:g} à {most:g}.</translation>
+  </message>
+  <message>
    <source>--threads is {threads}; it must be from 1 to {most}.</source>
    <translation>--threads vaut {threads} ; il doit aller de 1 à {most}.</translation>
   </message>
@@ -70,6 +74,10 @@
   <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
    <translation>Une page avec la matrice de confusion en image et les chiffres de chaque classe.</translation>
+  </message>
+  <message>
+   <source>A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such probability.</source>
+   <translation>Un lieu est retenu si la probabilité qu’il soit faux ne dépasse pas cette valeur : 0,0001 est une fois sur 10 000. Un risque plus petit donne moins de positions. Le vecteur topologique, tel que publié, ne connaît pas cette probabilité.</translation>
   </message>
   <message>
    <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
@@ -150,6 +158,10 @@
   <message>
    <source>All that the report shows, for scripts.</source>
    <translation>Tout ce que montre le rapport, pour les scripts.</translation>
+  </message>
+  <message>
+   <source>Allowed risk of a wrong fix</source>
+   <translation>Risque admis d’une position fausse</translation>
   </message>
   <message>
    <source>Ambiguous</source>
@@ -1140,8 +1152,12 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Repères visuels</translation>
   </message>
   <message>
-   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed.</source>
-   <translation>Les repères visuels concordent avec un lieu, mais les surfaces des classes n’y concordent qu’à {agreement:.2f} ; il faut au moins {least:.2f}.</translation>
+   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there: together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Les repères visuels concordent avec un lieu, mais les surfaces des classes n’y concordent qu’à {agreement:.2f} : au total, il est faux avec une probabilité de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
+  </message>
+  <message>
+   <source>Landmarks agree with the map on one side of the image only: it may show two places.</source>
+   <translation>Les repères ne concordent avec la carte que d’un côté de l’image : elle montre peut-être deux lieux.</translation>
   </message>
   <message>
    <source>Landmarks in the window</source>
@@ -2308,16 +2324,16 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La zone de CLIP est vide ou se trouve hors de la carte de la base de données ; choisissez-en une autre ou, pour des lignes et des points, une DISTANCE plus grande que {distance:g}.</translation>
   </message>
   <message>
-   <source>The best place ({score:.2f}) agrees hardly better than the mirrored image does by chance ({mirror:.2f}).</source>
-   <translation>Le meilleur lieu ({score:.2f}) ne concorde guère mieux que l’image en miroir par hasard ({mirror:.2f}).</translation>
+   <source>The best place (log odds {log_odds:.1f}) is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Le meilleur lieu (logarithme des chances {log_odds:.1f}) est faux avec une probabilité de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
   </message>
   <message>
-   <source>The best place agrees with the image only by {score:.2f}; at least {least:.2f} is needed.</source>
-   <translation>Le meilleur lieu ne concorde avec l’image qu’à {score:.2f} ; il faut au moins {least:.2f}.</translation>
+   <source>The best place ({score:.2f}) agrees too little better than the mirrored image does by chance ({mirror:.2f}): it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Le meilleur lieu ({score:.2f}) concorde trop peu mieux que l’image en miroir par hasard ({mirror:.2f}) : il est faux avec une probabilité de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
   </message>
   <message>
-   <source>The best place has log odds of {log_odds:.1f}; {needed} are needed.</source>
-   <translation>Le meilleur lieu a un logarithme des chances de {log_odds:.1f} ; il faut {needed}.</translation>
+   <source>The best place agrees with the image only by {score:.2f}: it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Le meilleur lieu ne concorde avec l’image qu’à {score:.2f} : il est faux avec une probabilité de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
   </message>
   <message>
    <source>The camera table {path} can't be read: {reason}.</source>
@@ -2868,8 +2884,8 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
 Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur la plus proche, le noir est non étiqueté, sauf si une classe est noire.</translation>
   </message>
   <message>
-   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}); a prior position could tell them apart.</source>
-   <translation>Deux lieux concordent presque aussi bien ({score:.2f} et {runner_up:.2f}) ; une position approximative pourrait les départager.</translation>
+   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
+   <translation>Deux lieux concordent presque aussi bien ({score:.2f} et {runner_up:.2f}) : le meilleur est faux avec une probabilité de {risk:.2g} ; une position approximative pourrait les départager.</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -3470,6 +3486,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>wrong fixes simulated</source>
    <translation>fausses positions simulées</translation>
+  </message>
+  <message>
+   <source>wrong once in {value:,.0f}</source>
+   <translation>fausse une fois sur {value:,.0f}</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>

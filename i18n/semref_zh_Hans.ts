@@ -12,6 +12,10 @@
    <translation>--near 为 {near}；必须是三个绝对值不超过 {most:g} 的数。</translation>
   </message>
   <message>
+   <source>--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.</source>
+   <translation>--risk 为 {risk:g}；它必须是 {least:g} 到 {most:g} 之间的概率。</translation>
+  </message>
+  <message>
    <source>--threads is {threads}; it must be from 1 to {most}.</source>
    <translation>--threads 为 {threads}；必须在 1 到 {most} 之间。</translation>
   </message>
@@ -70,6 +74,10 @@
   <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
    <translation>包含混淆矩阵图和各类别数值的页面。</translation>
+  </message>
+  <message>
+   <source>A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such probability.</source>
+   <translation>一个地点出错的概率不超过此值时才算定位成功：0.0001 即一万次中错一次。风险越小，定位成功越少。按论文发表的拓扑向量没有这种概率。</translation>
   </message>
   <message>
    <source>A point for each trial and method at the true position, with what was found and how far off it is.</source>
@@ -150,6 +158,10 @@
   <message>
    <source>All that the report shows, for scripts.</source>
    <translation>报告所示的全部内容，供脚本使用。</translation>
+  </message>
+  <message>
+   <source>Allowed risk of a wrong fix</source>
+   <translation>允许的错误定位风险</translation>
   </message>
   <message>
    <source>Ambiguous</source>
@@ -1140,8 +1152,12 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>地标</translation>
   </message>
   <message>
-   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed.</source>
-   <translation>地标与某一地点相符，但该处的类别面积仅符合 {agreement:.2f}；至少需要 {least:.2f}。</translation>
+   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there: together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>地标与某一地点相符，但那里的类别面积只有 {agreement:.2f} 的一致度：综合起来它出错的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
+  </message>
+  <message>
+   <source>Landmarks agree with the map on one side of the image only: it may show two places.</source>
+   <translation>只有影像的一侧有地标与地图相符：它可能显示了两个地点。</translation>
   </message>
   <message>
    <source>Landmarks in the window</source>
@@ -2308,16 +2324,16 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>CLIP 的区域为空或位于数据库的地图之外；请选择其他区域；对于线和点，请选择大于 {distance:g} 的 DISTANCE。</translation>
   </message>
   <message>
-   <source>The best place ({score:.2f}) agrees hardly better than the mirrored image does by chance ({mirror:.2f}).</source>
-   <translation>最佳地点（{score:.2f}）的符合程度几乎不高于镜像影像的偶然符合（{mirror:.2f}）。</translation>
+   <source>The best place (log odds {log_odds:.1f}) is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>最佳地点（对数几率 {log_odds:.1f}）出错的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
   </message>
   <message>
-   <source>The best place agrees with the image only by {score:.2f}; at least {least:.2f} is needed.</source>
-   <translation>最佳地点与影像的符合程度仅为 {score:.2f}；至少需要 {least:.2f}。</translation>
+   <source>The best place ({score:.2f}) agrees too little better than the mirrored image does by chance ({mirror:.2f}): it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>最佳地点（{score:.2f}）的一致度比镜像影像的偶然一致度（{mirror:.2f}）高得不够：它出错的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
   </message>
   <message>
-   <source>The best place has log odds of {log_odds:.1f}; {needed} are needed.</source>
-   <translation>最佳地点的对数几率为 {log_odds:.1f}；需要 {needed}。</translation>
+   <source>The best place agrees with the image only by {score:.2f}: it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>最佳地点与影像的一致度只有 {score:.2f}：它出错的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
   </message>
   <message>
    <source>The camera table {path} can't be read: {reason}.</source>
@@ -2868,8 +2884,8 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
 不在任何范围内的像元无标签（0）。使用最近颜色时，除非某个类别为黑色，否则黑色无标签。</translation>
   </message>
   <message>
-   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}); a prior position could tell them apart.</source>
-   <translation>有两个地点的符合程度几乎相同（{score:.2f} 和 {runner_up:.2f}）；先验位置或可区分它们。</translation>
+   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
+   <translation>两个地点几乎同样相符（{score:.2f} 和 {runner_up:.2f}）：较好的那个出错的概率为 {risk:.2g}；给出大致位置可以区分它们。</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -3470,6 +3486,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>wrong fixes simulated</source>
    <translation>模拟的错误定位</translation>
+  </message>
+  <message>
+   <source>wrong once in {value:,.0f}</source>
+   <translation>每 {value:,.0f} 次错一次</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>

@@ -10,7 +10,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, Qgs
 
 from ..core.localization import Method, Status
 from ..processing.compat import is_null
-from ..processing.framework.localized_image import ERROR, label_image_names
+from ..processing.framework.localized_image import ERROR, fixes_per_error, label_image_names
 from ..processing.translation import tr
 from ..processing.wording.sentences import worded
 
@@ -76,6 +76,13 @@ class Finding:
     def is_by_vector(self) -> bool:
         """Whether it was matched with a window by the published method."""
         return self.status == Status.FIX and not self.is_verified
+
+    @property
+    def fixes_per_error(self) -> Optional[float]:
+        """In how many fixes as sure as this one is wrong, to two digits; None without a fix that was verified."""
+        if self.confidence is None or self.status != Status.FIX or not self.is_verified:
+            return None
+        return fixes_per_error(self.confidence)
 
     @property
     def corners(self) -> Optional[Tuple[Point, ...]]:

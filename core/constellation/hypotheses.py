@@ -5,6 +5,7 @@ Told in docs/method.md#constellation.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,9 @@ from ..localization import Prior
 from .index import ConstellationIndex, expand_ranges, key_ranges, like_triangles
 from .settings import ConstellationSettings
 from .triangles import ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
+
+PORTION = 400_000
+"""Triangles of the index looked at together; bounds the memory of a search without a cap."""
 
 
 @dataclass(frozen=True)
@@ -125,7 +129,7 @@ def query_triangles(query: SeenLandmarks, settings: ConstellationSettings) -> Qu
 
 
 def find_seeds(
-    index: ConstellationIndex, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int
+    index: ConstellationIndex, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int | None
 ) -> Seeds:
     """The most voted poses of an image.
 
@@ -135,31 +139,68 @@ def find_seeds(
         triangles: All or some of its triangles.
         prior: What is known beforehand.
         cap: Triangles of the index looked at, at most, those of the rarest first; where they are more, only those where
-            the prior has the image are counted.
+            the prior has the image are counted. Without a cap all are, a portion at a time, and in every region of the
+            map as many poses are kept as else of the whole map.
     """
     triple, numbers, place = triangles.members, triangles.numbers, triangles.tolerances
     settings = index.settings
     reach = np.column_stack([place, place, *[np.full(len(place), settings.area_tolerance)] * 3])
     which, first, last = key_ranges(index, numbers, query.ranks[triple], reach)
-    near = None
-    if (last - first).sum() > cap:
-        near = _triangles_near(index, query, prior)
-        if near is not None:
-            # From here on stretches of ``near`` instead of stretches of the index.
-            first, last = np.searchsorted(near, first), np.searchsorted(near, last)
-    which, first, last, capped = _rarest(which, first, last, len(triple), cap)
-    stretch, hits = expand_ranges(first, last)
-    source, hits = which[stretch], hits if near is None else near[hits]
-    agree = like_triangles(index, hits, source, numbers, reach)
-    source, hits = source[agree], hits[agree]
-    members = index.members(hits)
-    same = (index.ranks[members] == query.ranks[triple[source]]).all(axis=1)
-    members, source = members[same], source[same]
-    image = query.points[triple[source]]
-    centers, turns = fit_similarity(image, index.points[members], np.ones(image.shape))
+    near, capped = None, False
+    if cap is not None:
+        if (last - first).sum() > cap:
+            near = _triangles_near(index, query, prior)
+            if near is not None:
+                # From here on stretches of ``near`` instead of stretches of the index.
+                first, last = np.searchsorted(near, first), np.searchsorted(near, last)
+        which, first, last, capped = _rarest(which, first, last, len(triple), cap)
+    found = []
+    for portion in _portions(last - first, PORTION):
+        stretch, hits = expand_ranges(first[portion], last[portion])
+        source, hits = which[portion][stretch], hits if near is None else near[hits]
+        agree = like_triangles(index, hits, source, numbers, reach)
+        found.append(_poses(index, query, triple[source[agree]], hits[agree]))
+    centers, turns, focuses = (np.concatenate(parts) for parts in zip(*found)) if found else [np.empty(0, complex)] * 3
     kept = _allowed(index, centers, turns, prior)
-    poses = centers[kept], turns[kept], image[kept].mean(axis=1)
-    return _clusters(poses, query.diagonal, settings, capped)
+    poses = centers[kept], turns[kept], focuses[kept]
+    return _clusters(poses, query.diagonal, settings, capped, None if cap is not None else region_edge(index))
+
+
+def region_edge(index: ConstellationIndex) -> float | None:
+    """Edge of a square that holds ``landmarks_of_a_region`` on average, map units; None where the map has no more."""
+    most = index.settings.landmarks_of_a_region
+    if len(index) <= most:
+        return None
+    return float(np.sqrt(np.ptp(index.points.real) * np.ptp(index.points.imag) * most / len(index)))
+
+
+def _portions(spans: np.ndarray, most: int) -> Iterator[slice]:
+    """Stretches in portions of about ``most`` triangles, so that memory is bounded."""
+    ends = np.cumsum(spans)
+    first = 0
+    while first < len(spans):
+        looked = ends[first - 1] if first else 0
+        last = max(int(np.searchsorted(ends, looked + most, side="right")), first + 1)
+        yield slice(first, last)
+        first = last
+
+
+def _poses(
+    index: ConstellationIndex, query: SeenLandmarks, triple: np.ndarray, hits: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Centers, turns and the triangles' middles in the image of like triangles whose classes agree.
+
+    Args:
+        index: The map's catalogue.
+        query: The image's objects.
+        triple: (H, 3) corners in the image.
+        hits: (H,) the triangles of the index that are like them.
+    """
+    members = index.members(hits)
+    same = (index.ranks[members] == query.ranks[triple]).all(axis=1)
+    members, image = members[same], query.points[triple[same]]
+    centers, turns = fit_similarity(image, index.points[members], np.ones(image.shape))
+    return centers, turns, image.mean(axis=1)
 
 
 def _triangles_near(index: ConstellationIndex, query: SeenLandmarks, prior: Prior | None) -> np.ndarray | None:
@@ -203,7 +244,11 @@ def _allowed(index: ConstellationIndex, centers: np.ndarray, turns: np.ndarray, 
 
 
 def _clusters(
-    poses: tuple[np.ndarray, np.ndarray, np.ndarray], diagonal: float, settings: ConstellationSettings, capped: bool
+    poses: tuple[np.ndarray, np.ndarray, np.ndarray],
+    diagonal: float,
+    settings: ConstellationSettings,
+    capped: bool,
+    region: float | None,
 ) -> Seeds:
     """Means of the poses in the fullest cells; two lattices of cells, so that no cluster is cut by both.
 
@@ -212,6 +257,7 @@ def _clusters(
         diagonal: Of the image, pixels.
         settings: Of the constellation.
         capped: Goes into the seeds.
+        region: Edge of the squares of the map of which each has its own fullest cells; None for the map as one.
     """
     centers, turns, _ = poses
     log_size = np.log(np.abs(turns))
@@ -230,14 +276,24 @@ def _clusters(
                 np.floor((angle + np.pi) / (2 * np.pi) * around + shift) % around,
             ]
         ).astype(np.int64)
-        found.append(_cell_means(cells, poses, settings.seeds))
+        found.append(_cell_means(cells, poses, settings.seeds, _regions(centers, region)))
     centers, turns, focuses, votes = (np.concatenate(parts) for parts in zip(*found))
     order = np.argsort(-votes, kind="stable")
     return Seeds(centers[order], turns[order], focuses[order], votes[order], capped)
 
 
-def _cell_means(cells: np.ndarray, values: tuple[np.ndarray, ...], seed_count: int) -> tuple[np.ndarray, ...]:
-    """Means of each of the complex values (H,) in the fullest cells (H, D), and their counts."""
+def _regions(centers: np.ndarray, edge: float | None) -> np.ndarray:
+    """(H,) number of the square that each center lies in."""
+    if edge is None or not len(centers):
+        return np.zeros(len(centers), np.int64)
+    column, row = np.floor(centers.real / edge).astype(np.int64), np.floor(centers.imag / edge).astype(np.int64)
+    return (column - column.min()) * (np.ptp(row) + 1) + row - row.min()
+
+
+def _cell_means(
+    cells: np.ndarray, values: tuple[np.ndarray, ...], seed_count: int, regions: np.ndarray
+) -> tuple[np.ndarray, ...]:
+    """Means of each of the complex values (H,) in the fullest cells (H, D) of every region (H,), and their counts."""
     if not len(cells):
         return (*(np.empty(0, complex) for _ in values), np.empty(0, np.int64))
     low = cells.min(axis=0)
@@ -248,5 +304,16 @@ def _cell_means(cells: np.ndarray, values: tuple[np.ndarray, ...], seed_count: i
     order = np.argsort(key, kind="stable")
     starts = np.flatnonzero(np.concatenate([[True], np.diff(key[order]) != 0]))
     votes = np.diff(np.append(starts, len(order)))
-    best = np.argsort(-votes, kind="stable")[:seed_count]
+    best = _fullest(votes, regions[order[starts]], seed_count)
     return (*(np.add.reduceat(value[order], starts)[best] / votes[best] for value in values), votes[best])
+
+
+def _fullest(votes: np.ndarray, regions: np.ndarray, count: int) -> np.ndarray:
+    """The ``count`` fullest cells of each region, fullest first."""
+    order = np.argsort(-votes, kind="stable")
+    by_region = order[np.argsort(regions[order], kind="stable")]
+    starts = np.flatnonzero(np.concatenate([[True], np.diff(regions[by_region]) != 0]))
+    place = np.arange(len(by_region)) - np.repeat(starts, np.diff(np.append(starts, len(by_region))))
+    kept = np.zeros(len(votes), bool)
+    kept[by_region[place < count]] = True
+    return order[kept[order]]

@@ -79,10 +79,12 @@ class ConstellationSettings:
             [by hand; tilted trials].
         growing_reach: For tilted cameras: how far from where the pose holds matches are taken, round by round, share of
             the diagonal [by hand; tilted trials].
-        distractors: Share of an image's objects expected to have nothing to do with the map, at the right place [by
-            hand; constellation trials, north].
-        visibility: Share of the map's objects in view that is expected to be found in the image [by hand; constellation
-            trials, north].
+        rough_distractors: Share of an image's objects expected to have nothing to do with the map, in rough fits and in
+            what an assessment expects of a place [by hand; constellation trials, north].
+        distractors: Shares of an image's objects that may have nothing to do with the map at the right place; the
+            evidence is the average over them … [by hand, a grid; probability]
+        visibility: … and over these shares of the map's objects in view that may be found in the image [by hand, a
+            grid; probability].
         area_deviation: ln area in the image against the map: σ of a normal distribution [by hand; constellation trials,
             north].
         area_outliers: Share of objects that are merged or split, whose ln area follows a wide distribution instead [by
@@ -101,12 +103,8 @@ class ConstellationSettings:
         tilted_margin: Log odds by which a tilted pose must win [by hand; tilted trials].
         same_tilted_place: A level and a tilted pose whose objects lie nearer than this share of the diagonal are the
             same place [by hand; tilted trials].
-        minimum_log_odds: ln 10⁹: the odds that a fix must have against chance, as astrometry.net asks of stars [Lang et
-            al. 2010; images from elsewhere].
-        margin: Log odds by which a fix must beat every other place and its own mirror, at least [Liechtenstein, north;
-            constellation trials, north].
-        margin_share: The same as a share of its own log odds, if that is more [Liechtenstein, north; constellation
-            trials, north].
+        minimum_log_odds: ln 10⁹: log odds at which nothing more is tried for the image, and that an image's landmarks
+            should be able to reach, as astrometry.net asks of stars [Lang et al. 2010; constellation trials, north].
         same_place_in_noise: Poses whose objects lie nearer to each other than this many σ are the same place
             [reasoning].
         repeated: A step is tried as a repeat of the map when it leads this share of the objects to another of their
@@ -115,9 +113,25 @@ class ConstellationSettings:
         largest_error: A fix must have a 95 % ellipse within this share of the image's diagonal. Of 218 fixes with 8–12
             objects in view the larger ones are two right ones and two that are 13 and 18 m off [Liechtenstein, north,
             few objects; constellation trials, north].
-        even_log_odds: Confidence is a logistic function of the smallest margin: one half at these log odds
-            [Liechtenstein, north; constellation trials, north].
-        log_odds_unit: Log odds in which that function grows by e [Liechtenstein, north; constellation trials, north].
+        landmarks_of_a_region: Of a search without a cap, in every region of so many landmarks as many poses are kept as
+            of a whole map otherwise: the size of the map that the constellation was made on [reasoning; catalogue
+            sizes].
+        confidence_offset: ln of the odds that a place is right whose lead in log odds is 0 [Liechtenstein, north;
+            probability].
+        confidence_slope: How much they grow with the lead: by chance log odds have an exponential tail, of 268 wrong
+            places the highest are 8.9, 8.0 and 7.7 [Liechtenstein, north; probability].
+        confidence_scale: Lead beyond which they grow slower, like its logarithm, because there are mistakes that no
+            chance explains [reasoning; probability].
+        rival_weight: The lead is the log odds less this many times those of the strongest opponent, another place or
+            the mirrored image [Liechtenstein, north; probability].
+        capped_log_odds: Log odds that a place has to have more where the search left something out, so that it need not
+            look everywhere where the place is evident [reasoning; catalogue sizes].
+        empty_side_landmarks: Landmarks without which one side of an image tells nothing about whether it shows the same
+            place [reasoning; probability].
+        empty_side_share: On that side this share of the other's, at most, agrees [Liechtenstein, north; probability].
+        empty_side_log_odds: How much more likely, ln, two shares have to be than one: of the image's landmarks and of
+            the map's each, and of both together. Of 57 whole images the highest were 1.3 and 15, 5.6 and 11.6; of 13
+            put together 11 have more [Liechtenstein, north; probability].
     """
 
     scales: tuple[float, float] = (0.4, 2.5)
@@ -154,8 +168,9 @@ class ConstellationSettings:
     largest_objects: int = 250
     growing_gate: float = 0.006
     growing_reach: tuple[float, ...] = (0.15, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0, 1.0)
-    distractors: float = 0.4
-    visibility: float = 0.5
+    rough_distractors: float = 0.4
+    distractors: tuple[float, ...] = (0.2, 0.4, 0.6, 0.8, 0.9)
+    visibility: tuple[float, ...] = (0.2, 0.5, 0.8)
     area_deviation: float = 0.2
     area_outliers: float = 0.15
     area_outlier_deviation: float = 1.0
@@ -168,14 +183,19 @@ class ConstellationSettings:
     tilted_margin: float = 6.0
     same_tilted_place: float = 0.04
     minimum_log_odds: float = 20.7
-    margin: float = 8.0
-    margin_share: float = 0.2
     same_place_in_noise: float = 5.0
     repeated: float = 0.15
     repeat_reach: float = 0.5
     largest_error: float = 0.01
-    even_log_odds: float = 4.0
-    log_odds_unit: float = 3.0
+    landmarks_of_a_region: int = 10_000
+    confidence_offset: float = -2.7
+    confidence_slope: float = 0.53
+    confidence_scale: float = 60.0
+    rival_weight: float = 1.2
+    capped_log_odds: float = 10.0
+    empty_side_landmarks: int = 5
+    empty_side_share: float = 0.45
+    empty_side_log_odds: tuple[float, float] = (3.0, 14.0)
 
 
 CONSTELLATION = ConstellationSettings()

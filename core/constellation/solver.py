@@ -19,10 +19,12 @@ from ..geometry.pose import (
     turn_of,
 )
 from ..landmarks.landmarks import Landmarks
-from ..localization import Localization, Matches, Method, Place, Prior, Status
+from ..localization import RISK, Localization, Matches, Method, Place, Prior, Status
 from ..sentences import Sentence
+from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
 from .hypotheses import QueryTriangles, SeenLandmarks, find_seeds, query_triangles
 from .index import ConstellationIndex, full_area
+from .parts import Agreement, empty_side
 from .settings import ConstellationSettings
 from .verification import (
     PoseEvidence,
@@ -34,12 +36,13 @@ from .verification import (
 )
 
 
-def localize(
+def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     objects: Landmarks,
     size_wh: tuple[float, float],
     index: ConstellationIndex,
     prior: Prior | None = None,
     minimum_area_px: float | None = None,
+    allowed_risk: float = RISK,
 ) -> Localization:
     """Position, heading and pixel size of an image from its landmarks, or why there is no fix. Deterministic.
 
@@ -49,6 +52,7 @@ def localize(
         index: The map's catalogue.
         prior: What is known beforehand.
         minimum_area_px: Contour area below which landmarks were not extracted; by default the smallest one's.
+        allowed_risk: Probability of being wrong up to which the best place is a fix.
     """
     settings = index.settings
     query = make_query(objects, index, size_wh)
@@ -57,15 +61,25 @@ def localize(
         return _too_few(count, index, False)
     smallest = minimum_area_px if minimum_area_px is not None else float(objects.areas_px.min())
     verifier = Verifier(index, *size_wh, float(full_area(smallest, 1.0)))
-    for triangles, cap in _rounds(query_triangles(query, settings), settings):
-        found, capped = _solve(verifier, query, triangles, prior, cap)
-        if found and found[0].log_odds >= settings.minimum_log_odds:
-            found = _with_repeats(verifier, query, found)
-            # A mirrored image has no heading that could be known.
-            blind = None if prior is None else replace(prior, heading_deg=None)
-            decoys, _ = _solve(verifier, query.mirrored(), triangles.mirrored(), blind, cap)
-            return _decide(objects, query, index, _Searched(found, decoys, capped))
-    return _decide(objects, query, index, _Searched(found, [], capped))
+    # A mirrored image has no heading that could be known.
+    blind = None if prior is None else replace(prior, heading_deg=None)
+    searched = _Searched([], [], False)
+    triangles = query_triangles(query, settings)
+    for some, cap in _rounds(triangles, settings):
+        if cap is None and not searched.capped:
+            break
+        found, capped = _solve(verifier, query, some, prior, cap)
+        searched = _Searched(found, [], capped)
+        if not found or found[0].log_odds <= 0:
+            continue
+        searched = replace(searched, found=_with_repeats(verifier, query, found))
+        is_last = cap is None or some is triangles and not capped
+        if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings):
+            decoys, _ = _solve(verifier, query.mirrored(), some.mirrored(), blind, cap)
+            searched = replace(searched, decoys=decoys)
+            if risk_of_best(searched.opponents(index), settings) <= allowed_risk:
+                break
+    return _decide(objects, query, verifier, searched, allowed_risk)
 
 
 def matches_at(
@@ -105,14 +119,15 @@ def make_query(objects: Landmarks, index: ConstellationIndex, size_wh: tuple[flo
     return SeenLandmarks(points, index.rank_of(objects.classes), log_areas, whole, float(np.hypot(*size_wh)))
 
 
-def _rounds(triangles: QueryTriangles, settings: ConstellationSettings) -> list[tuple[QueryTriangles, int]]:
-    """The triangles in two portions with their caps: a few from all over the image, then all."""
+def _rounds(triangles: QueryTriangles, settings: ConstellationSettings) -> list[tuple[QueryTriangles, int | None]]:
+    """The triangles in three rounds with their caps: a few from all over the image, then all, then without a cap."""
     step = max(-(-len(triangles) // settings.first_triangles), 1)
-    return [(triangles.every(step), settings.maximum_hits[0]), (triangles, settings.maximum_hits[1])]
+    caps = settings.maximum_hits
+    return [(triangles.every(step), caps[0]), (triangles, caps[1]), (triangles, None)]
 
 
 def _solve(
-    verifier: Verifier, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int
+    verifier: Verifier, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int | None
 ) -> tuple[list[PoseEvidence], bool]:
     """The best few poses at different places, best first; and whether the search was capped."""
     settings = verifier.index.settings
@@ -220,63 +235,66 @@ class _Searched:
     decoys: list[PoseEvidence]
     capped: bool
 
+    def opponents(self, index: ConstellationIndex) -> Opponents:
+        """The best place, and what it is compared with."""
+        runner_up = max((other.log_odds for other in self.found[1:]), default=-np.inf)
+        mirror = float(max(self.decoys[0].log_odds, 0.0)) if self.decoys else 0.0
+        return Opponents(self.found[0].log_odds, float(runner_up), mirror, len(index), self.capped)
 
-def _decide(objects: Landmarks, query: SeenLandmarks, index: ConstellationIndex, searched: _Searched) -> Localization:
+
+def _decide(
+    objects: Landmarks, query: SeenLandmarks, verifier: Verifier, searched: _Searched, allowed_risk: float
+) -> Localization:
     """The verdict on the poses found."""
-    found, decoys, capped = searched.found, searched.decoys, searched.capped
+    index, found, capped = verifier.index, searched.found, searched.capped
     count, settings = query.usable_count, index.settings
     if not found:
         nothing = Sentence("localization.no_triangles")
         return Localization(Status.NO_MATCH, Method.CONSTELLATION, count, nothing, search_capped=capped)
     best, covariance = found[0], _covariance(index, query, found[0])
-    mirror = float(max(decoys[0].log_odds, 0.0)) if decoys else 0.0
-    needed = best.log_odds - max(settings.margin, settings.margin_share * best.log_odds)
-    rivals = [other for other in found[1:] if other.log_odds > needed]
-    error_95 = covariance.ellipse_95.semi_major if covariance and covariance.ellipse_95 else None
-    exact = error_95 is not None and error_95 <= settings.largest_error * query.diagonal * abs(best.pose.turn)
-    status, reason = _verdict(best.log_odds, len(rivals), mirror > needed, exact, settings)
+    opponents = searched.opponents(index)
+    rivals = [other for other in found[1:] if risk_against(opponents, other.log_odds, settings) > allowed_risk]
+    status, reason = verdict(opponents, len(rivals), allowed_risk, settings)
     if status is Status.NO_MATCH and count < objects_needed(index):
-        return _too_few(count, index, capped)
-    runner_up = max((other.log_odds for other in found[1:]), default=-np.inf)
+        status, reason = Status.TOO_FEW_REFERENCES, _too_few(count, index, capped).reason
+    error_95 = covariance.ellipse_95.semi_major if covariance and covariance.ellipse_95 else None
+    flaw = _flaw(verifier, query, best, error_95)
+    if status is Status.FIX and flaw is not None:
+        status, reason = flaw
     places = tuple(_place(index, evidence) for evidence in (best, *rivals))
+    risk = risk_of_best(opponents, settings)
     return Localization(
         status,
         Method.CONSTELLATION,
         count,
         reason,
         best=places[0],
-        confidence=confidence(best.log_odds, max(mirror, runner_up), settings),
+        confidence=1 - risk if status is Status.FIX else None,
+        risk=risk,
+        is_doubted=status is not Status.FIX and flaw is None,
         alternatives=places if status is Status.AMBIGUOUS else (),
         error_95_m=error_95,
         covariance=covariance,
         matches=_matches(objects, query, index, best),
         search_capped=capped,
-        mirror_log_odds=mirror,
-        runner_up_log_odds=float(runner_up),
+        mirror_log_odds=opponents.mirror,
+        runner_up_log_odds=opponents.runner_up,
     )
 
 
-def _verdict(
-    log_odds: float, rivals: int, mirror_fits: bool, exact: bool, settings: ConstellationSettings
-) -> tuple[Status, Sentence | None]:
-    """Whether the best pose is a fix, and why not."""
-    if log_odds < settings.minimum_log_odds:
-        reason = Sentence("localization.log_odds_too_low", log_odds=log_odds, needed=settings.minimum_log_odds)
-        return Status.NO_MATCH, reason
-    if rivals:
-        return Status.AMBIGUOUS, Sentence("localization.rivals", count=rivals)
-    if mirror_fits:
-        return Status.AMBIGUOUS, Sentence("localization.mirror_fits")
-    if not exact:
+def _flaw(
+    verifier: Verifier, query: SeenLandmarks, best: PoseEvidence, error_95: float | None
+) -> tuple[Status, Sentence] | None:
+    """Status and reason of a place that is no fix however sure it is: of two places, or too loose."""
+    index, settings = verifier.index, verifier.index.settings
+    telling = query.select(telling_objects(query, settings.largest_objects))
+    of_image = Agreement(telling.points[best.possible], np.isin(best.possible, best.matched))
+    of_map = Agreement(best.pose.in_image(index.points[best.expected]), np.isin(best.expected, best.objects))
+    if empty_side(of_image, of_map, query.diagonal, settings) is not None:
+        return Status.AMBIGUOUS, Sentence("localization.one_side_elsewhere")
+    if error_95 is None or error_95 > settings.largest_error * query.diagonal * abs(best.pose.turn):
         return Status.NO_MATCH, Sentence("localization.position_too_loose")
-    return Status.FIX, None
-
-
-def confidence(log_odds: float, rival_log_odds: float, settings: ConstellationSettings) -> float:
-    """Probability that the best place is the right one, from its log odds and those of its strongest rival."""
-    even = settings.even_log_odds
-    margin = min(log_odds, log_odds - rival_log_odds + even)
-    return float(1 / (1 + np.exp(-np.clip((margin - even) / settings.log_odds_unit, -50, 50))))
+    return None
 
 
 def _place(index: ConstellationIndex, evidence: PoseEvidence) -> Place:

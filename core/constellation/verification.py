@@ -30,8 +30,8 @@ class PoseEvidence:
         objects: (m,) int64, those of the map.
         deviations: (m,) σ of each match, map units.
         noise_factor: How much of the assumed noise there is.
-        missing: Objects of the map that should be seen and aren't.
-        considered: Objects of the image that could be on the map.
+        expected: (M,) int64, objects of the map that should be seen.
+        possible: (k,) int64, objects of the image that could be on the map.
     """
 
     pose: Pose
@@ -40,8 +40,18 @@ class PoseEvidence:
     objects: np.ndarray
     deviations: np.ndarray
     noise_factor: float
-    missing: int
-    considered: int
+    expected: np.ndarray
+    possible: np.ndarray
+
+    @property
+    def missing(self) -> int:
+        """How many objects of the map should be seen and aren't."""
+        return len(np.setdiff1d(self.expected, self.objects))
+
+    @property
+    def considered(self) -> int:
+        """How many objects of the image could be on the map."""
+        return len(self.possible)
 
 
 @dataclass(frozen=True)
@@ -89,10 +99,12 @@ def center_noise(
     return pixel_size * np.hypot(settings.center_noise_px, settings.center_noise_in_sizes * np.exp(log_areas_px / 2))
 
 
-def match_terms(index: ConstellationIndex, query: SeenLandmarks, nearest: Nearest, log_scale: np.ndarray) -> np.ndarray:
-    """(…, n) ln likelihood ratio of every object's nearest match against a random hit at the local density.
+def match_ratios(
+    index: ConstellationIndex, query: SeenLandmarks, nearest: Nearest, log_scale: np.ndarray
+) -> np.ndarray:
+    """(…, n) likelihood ratio of every object's nearest match against a random hit at the local density.
 
-    Without a match it is ln of the distractors' share.
+    Without a match it is 0.
 
     Args:
         index: The map's catalogue.
@@ -105,13 +117,40 @@ def match_terms(index: ConstellationIndex, query: SeenLandmarks, nearest: Neares
     position = -0.5 * (nearest.distances / deviations) ** 2 - np.log(2 * np.pi * deviations**2 * index.densities[found])
     area = query.log_areas + 2 * log_scale
     off = area - index.log_areas[found]
-    outliers, distractors = settings.area_outliers, settings.distractors
+    outliers = settings.area_outliers
     seen = (1 - outliers) * _normal(off, settings.area_deviation)
     seen += outliers * _normal(off, settings.area_outlier_deviation)
     bins = np.clip(((area - AREA_BINS[0]) / AREA_BIN).astype(np.int64), 0, len(AREA_BINS) - 1)
     ratio = np.exp(np.clip(position, -50, 30)) * seen / index.area_densities[query.ranks, bins]
-    ratio = np.where((nearest.objects >= 0) & (nearest.distances <= settings.gate_in_noise * deviations), ratio, 0)
-    return np.log(distractors + (1 - distractors) * ratio)
+    return np.where((nearest.objects >= 0) & (nearest.distances <= settings.gate_in_noise * deviations), ratio, 0)
+
+
+def gains(ratios: np.ndarray, distractors: float) -> np.ndarray:
+    """Logarithm of every object's likelihood ratio, if a share of them has nothing to do with the map."""
+    return np.log(distractors + (1 - distractors) * ratios)
+
+
+def averaged_log_odds(
+    ratios: np.ndarray, matched: np.ndarray, missing: int, assumed: int, settings: ConstellationSettings
+) -> float:
+    """Logarithm of the likelihood ratio of all objects, averaged over shares of distractors and visibilities.
+
+    How poor an image's labels are is not known beforehand. At the shares that suit it, a poor image keeps evidence that
+    one fixed share would take from it, and a good one loses no more than ln of their number.
+
+    Args:
+        ratios: (n,) of the objects that could be on the map.
+        matched: (n,) bool, those with a match.
+        missing: Objects of the map that should be seen and aren't.
+        assumed: Matches that may have made the hypothesis; so many times their mean gain is taken off.
+        settings: The shares.
+    """
+    terms = []
+    for distractors in settings.distractors:
+        gained = gains(ratios, distractors)
+        mean = max(float(gained[matched].mean()), 0.0) if matched.any() else 0.0
+        terms += [gained.sum() - assumed * mean + missing * np.log(1 - seen) for seen in settings.visibility]
+    return float(np.logaddexp.reduce(terms) - np.log(len(terms)))
 
 
 def _normal(x: np.ndarray, deviation: float) -> np.ndarray:
@@ -148,8 +187,8 @@ def rough_scores(
     size = np.abs(turns)[:, None]
     distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
     deviations = 1.5 * center_noise(query.log_areas, size, settings)
-    scores = match_terms(index, query, Nearest(distances, objects, deviations), np.log(size)).sum(axis=1)
-    return centers, turns, scores
+    ratios = match_ratios(index, query, Nearest(distances, objects, deviations), np.log(size))
+    return centers, turns, gains(ratios, settings.rough_distractors).sum(axis=1)
 
 
 def telling_objects(query: SeenLandmarks, count: int) -> np.ndarray:
@@ -255,19 +294,17 @@ def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -
     nearest = _nearest(index, query, pose)
     distances, deviations = nearest.distances, factor * nearest.deviations
     objects = np.where(_one_to_one(distances, nearest.objects), nearest.objects, -1)
-    terms = match_terms(index, query, Nearest(distances, objects, deviations), log_sizes)
+    ratios = match_ratios(index, query, Nearest(distances, objects, deviations), log_sizes)
     # Smaller than anything on the map, more than area noise explains: neither for nor against. Were those that match
     # for it, a pose at which hardly anything is large enough would have nothing against it.
     smallest = np.log(max(index.minimum_area_m2, 1e-12)) - settings.smaller_in_noise * settings.area_deviation
-    possible = query.log_areas + 2 * log_sizes >= smallest
-    matched = np.flatnonzero(possible & (objects >= 0) & (distances <= settings.gate_in_noise * deviations))
-    terms = np.where(possible, terms, 0)
-    missing = len(np.setdiff1d(expected_objects(verifier, query, pose), objects[matched]))
+    could_be = query.log_areas + 2 * log_sizes >= smallest
+    matched = np.flatnonzero(could_be & (objects >= 0) & (distances <= settings.gate_in_noise * deviations))
+    expected, possible = expected_objects(verifier, query, pose), np.flatnonzero(could_be)
+    missing = len(np.setdiff1d(expected, objects[matched]))
     makers = settings.assumed_objects if pose.is_level else settings.assumed_objects_tilted
-    assumed = makers * max(float(terms[matched].mean()), 0) if len(matched) else 0
-    log_odds = float(terms.sum() - assumed + missing * np.log(1 - settings.visibility))
-    considered = int(possible.sum())
-    return PoseEvidence(pose, log_odds, matched, objects[matched], deviations[matched], factor, missing, considered)
+    log_odds = averaged_log_odds(ratios[possible], np.isin(possible, matched), missing, makers, settings)
+    return PoseEvidence(pose, log_odds, matched, objects[matched], deviations[matched], factor, expected, possible)
 
 
 def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np.ndarray:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..localization import CorrelationPeaks, Status
+from ..localization import RISK, CorrelationPeaks, Status, risk_of
 from ..sentences import Sentence
 from .settings import CORRELATION, CorrelationSettings
 
@@ -35,16 +35,30 @@ def fisher_z(correlation: float) -> float:
     return float(np.arctanh(np.clip(correlation, 0.0, 0.999)))
 
 
-def decide(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> tuple[Status, Sentence | None]:
-    """Status, and the reason unless that is a fix."""
+def decide(
+    peaks: CorrelationPeaks, allowed_risk: float = RISK, settings: CorrelationSettings = CORRELATION
+) -> tuple[Status, Sentence | None]:
+    """Status, and the reason unless that is a fix.
+
+    Args:
+        peaks: How well the best places agree.
+        allowed_risk: Probability of being wrong up to which the best place is a fix.
+        settings: The curve.
+    """
     score = peaks.score
-    if score < settings.least_score:
-        return Status.NO_MATCH, Sentence("localization.agreement_too_low", score=score, least=settings.least_score)
-    if over_mirror(peaks) < settings.least_margin:
-        return Status.NO_MATCH, Sentence("localization.mirror_agrees", score=score, mirror=peaks.mirror)
-    if over_runner_up(peaks) < settings.least_margin:
-        return Status.AMBIGUOUS, Sentence("localization.two_places_agree", score=score, runner_up=peaks.runner_up)
-    return Status.FIX, None
+    risk = risk_of_peaks(peaks, settings)
+    if risk <= allowed_risk:
+        return Status.FIX, None
+    alone = CorrelationPeaks(score, 0.0, 0.0)
+    if risk_of_peaks(alone, settings) > allowed_risk:
+        reason = Sentence("localization.agreement_too_low", score=score, risk=risk, allowed=allowed_risk)
+        return Status.NO_MATCH, reason
+    if peaks.mirror >= peaks.runner_up:
+        mirror = peaks.mirror
+        reason = Sentence("localization.mirror_agrees", score=score, mirror=mirror, risk=risk, allowed=allowed_risk)
+        return Status.NO_MATCH, reason
+    runner_up = peaks.runner_up
+    return Status.AMBIGUOUS, Sentence("localization.two_places_agree", score=score, runner_up=runner_up, risk=risk)
 
 
 def exact_enough(
@@ -59,11 +73,10 @@ def exact_enough(
     return Status.AMBIGUOUS, Sentence("localization.error_too_large", error_95_m=error_95_m, needed_m=needed_m)
 
 
-def confidence_of(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
-    """Chance, 0–1, that the best place is the right one, from the margin."""
-    offset, slope = settings.confidence_curve
-    chance = 1 / (1 + np.exp(-np.clip(offset + slope * smaller_lead(peaks), -30, 30)))
-    return float(chance * min(1.0, max(0.0, peaks.score / settings.least_score)))
+def risk_of_peaks(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
+    """Probability that the best place is wrong, from its lead and from how well it agrees at all."""
+    offset, slope, own = settings.confidence_curve
+    return risk_of(offset + slope * smaller_lead(peaks) + own * fisher_z(peaks.score))
 
 
 def position_error_95(

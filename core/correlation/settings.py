@@ -52,13 +52,9 @@ class CorrelationSettings:
             by it: the place along a straight shore that crosses it [reasoning; a shore, tests].
         blocks: Blocks along each edge of the image that are taken to err independently (covariance) [Liechtenstein,
             north; aerial; radius].
-        least_score: Correlation below which nothing is accepted, however lonely the peak [Liechtenstein, north;
-            correlation trials, north, and fit].
-        least_margin: How far the best place has to be above both opponents, in Fisher's z = artanh(correlation). Of 129
-            wrong places the highest leads were 0.09, 0.08 and 0.08, of 136 right ones the lowest 0.02 to 0.13
-            [Liechtenstein, north; correlation trials, north, and fit].
-        confidence_curve: Logistic curve of the margin: offset, slope a unit of z [Liechtenstein, north; correlation
-            trials, north, and fit].
+        confidence_curve: ln of the odds that the best place is right: offset, slope a unit of its lead over the
+            stronger opponent in Fisher's z = artanh(correlation), slope a unit of its own z [Liechtenstein, north;
+            probability].
         alternative_band: Other places are told when their score is at most this much below the best one's [reasoning].
         error_factor: 95 % radius in units of the larger axis' standard deviation, as the refinement gives it, times the
             ratio of noise to signal that a correlation s tells, 1/s² − 1: the worse the labels, the farther their
@@ -96,9 +92,7 @@ class CorrelationSettings:
     converged: float = 0.02
     damping: float = 1e-4
     blocks: int = 10
-    least_score: float = 0.25
-    least_margin: float = 0.13
-    confidence_curve: tuple[float, float] = (-4.3, 46.0)
+    confidence_curve: tuple[float, float, float] = (-4.3, 46.0, 0.0)
     alternative_band: float = 0.1
     error_factor: float = 4.0
     least_noise: float = 0.4

@@ -15,10 +15,10 @@ import numpy as np
 
 from ..errors import LabelMapError
 from ..geometry.pose import PoseCovariance, as_pairs
-from ..localization import CorrelationPeaks, Localization, Method, Place, Prior, Status
+from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .class_pyramid import MapPyramid, evidence_level, mirrored_level
-from .decision import confidence_of, decide, exact_enough, position_error_95
+from .decision import decide, exact_enough, position_error_95, risk_of_peaks
 from .places import (
     apart_m,
     best_places,
@@ -33,13 +33,14 @@ from .places import (
 from .refine import NOT_COMPARABLE, ScoredPose, axes, score_at
 
 
-def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior) -> Localization:
+def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior, allowed_risk: float = RISK) -> Localization:
     """Finds a label image on a map. Same input, same result.
 
     Args:
         labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
         pyramid: The map's overview, prepared once.
         prior: What is known beforehand, the range of pixel sizes at least.
+        allowed_risk: Probability of being wrong up to which the best place is a fix.
 
     Returns:
         The best place is told also where it is no fix, if there is any.
@@ -70,7 +71,7 @@ def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior) -> Locali
     pose, covariance = finest_pose(image, pyramid, poses[0])
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
-    return _result(pyramid, [pose, *poses[1:]], covariance, peaks, diagonal_m)
+    return _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk))
 
 
 def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> float | None:
@@ -115,17 +116,26 @@ def _no_match(reason: Sentence) -> Localization:
 
 
 def _result(
-    pyramid: MapPyramid, poses: list[ScoredPose], covariance: np.ndarray, peaks: CorrelationPeaks, diagonal_m: float
+    pyramid: MapPyramid,
+    poses: list[ScoredPose],
+    covariance: np.ndarray,
+    peaks: CorrelationPeaks,
+    asked: tuple[float, float],
 ) -> Localization:
-    """The verdict in map coordinates on poses, best first, of which the first has a ``pose_covariance``."""
+    """The verdict in map coordinates on poses, best first, of which the first has a ``pose_covariance``.
+
+    ``asked``: diagonal of the image on the ground, meters, and the risk that is allowed.
+    """
+    diagonal_m, allowed_risk = asked
     pose, *others = poses
     settings = pyramid.settings
     known = _map_covariance(pose, covariance)
     error_95 = position_error_95(np.array(known.position), peaks.score, pyramid.frame.pixel_size, settings)
-    status, reason = decide(peaks, settings)
+    status, reason = decide(peaks, allowed_risk, settings)
+    exactness, looseness = exact_enough(error_95, diagonal_m, settings)
     if status is Status.FIX:
-        status, reason = exact_enough(error_95, diagonal_m, settings)
-    best = _place(pyramid, pose)
+        status, reason = exactness, looseness
+    best, risk = _place(pyramid, pose), risk_of_peaks(peaks, settings)
     least = peaks.score - settings.alternative_band
     alternatives = (best, *(_place(pyramid, other) for other in others if other.score >= least))
     return Localization(
@@ -133,7 +143,9 @@ def _result(
         Method.MAP_CORRELATION,
         reason=reason,
         best=best,
-        confidence=confidence_of(peaks, settings) if status is Status.FIX else 0.0,
+        confidence=1 - risk if status is Status.FIX else None,
+        risk=risk,
+        is_doubted=status is not Status.FIX and exactness is Status.FIX,
         alternatives=alternatives if status is Status.AMBIGUOUS else (),
         error_95_m=error_95,
         covariance=known,

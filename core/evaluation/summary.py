@@ -97,7 +97,7 @@ def success_by_landmarks(trials: Sequence[Trial], method: str) -> list[RateAt]:
 def reliability(trials: Sequence[Trial], method: str) -> list[RateAt]:
     """Share of right ones among the fixes of a confidence, mirrored images among them."""
     fixes = [t for t in of_method(trials, method, MAP, MIRRORED) if t.is_fix]
-    return _right_by([t.result.confidence for t in fixes], fixes, CONFIDENCE_BINS)
+    return _right_by([t.result.confidence or 0.0 for t in fixes], fixes, CONFIDENCE_BINS)
 
 
 def error_curve(trials: Sequence[Trial], method: str) -> tuple[np.ndarray, np.ndarray]:

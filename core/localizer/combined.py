@@ -13,31 +13,92 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..localization import Localization, Place, Prior, Status
+from ..localization import Localization, Place, Prior, Status, log_odds_of, risk_of
 from ..sentences import Sentence
 from .settings import LOCALIZER, LocalizerSettings
 
 
 def checked_by_areas(
-    fix: Localization, agreement: float | None, settings: LocalizerSettings = LOCALIZER
+    found: Localization, agreement: float | None, settings: LocalizerSettings = LOCALIZER
 ) -> Localization:
-    """A constellation's fix, or why it is none; a fix that class areas speak against is an alternative.
+    """The constellation's place, judged by class areas there as well: they may speak against a fix, or make one.
+
+    Where landmarks are, the constellation searched; how well class areas agree there, nobody searched for, so that it
+    is evidence of its own (``agreement_curve``).
 
     Args:
-        fix: Of the constellation.
-        agreement: Correlation of class areas there; None where they can't tell.
-        settings: The least agreement.
+        found: Of the constellation.
+        agreement: Correlation of class areas at its best place; None where they can't tell.
+        settings: What agreement is worth, and the risk that is allowed.
     """
-    if agreement is None or agreement >= settings.least_agreement:
-        return fix
-    return Localization(
-        Status.AMBIGUOUS,
-        fix.method,
-        fix.references,
-        Sentence("localization.areas_speak_against", agreement=agreement, least=settings.least_agreement),
-        alternatives=() if fix.best is None else (fix.best,),
-        search_capped=fix.search_capped,
+    if agreement is None or found.risk is None:
+        return found
+    risk = risk_of(log_odds_of(found.risk) + worth_of(agreement, settings))
+    found = replace(found, risk=risk)
+    if found.is_fix and risk > settings.allowed_risk:
+        reason = Sentence(
+            "localization.areas_speak_against", agreement=agreement, risk=risk, allowed=settings.allowed_risk
+        )
+        places = () if found.best is None else (found.best,)
+        return replace(
+            found, status=Status.AMBIGUOUS, reason=reason, confidence=None, is_doubted=True, alternatives=places
+        )
+    return _as_fix(found, risk) if found.is_fix or found.is_doubted and risk <= settings.allowed_risk else found
+
+
+def worth_of(agreement: float, settings: LocalizerSettings = LOCALIZER) -> float:
+    """What a correlation of class areas is worth: logarithm of the likelihood ratio of right places against wrong ones.
+
+    Args:
+        agreement: Correlation, −1 to 1.
+        settings: Offset and slope a unit of Fisher's z, least and most.
+    """
+    offset, slope, least, most = settings.agreement_curve
+    return float(np.clip(offset + slope * np.arctanh(np.clip(agreement, -0.999, 0.999)), least, most))
+
+
+def agreed(
+    objects: Localization, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER
+) -> Localization | None:
+    """The fix of two roads that searched the whole map on their own and found the same place; else None.
+
+    Args:
+        objects: Of the constellation, without class areas.
+        areas: Of map correlation.
+        shorter_edge_px: Of the image.
+        settings: How near is the same place, and the risk that is allowed.
+    """
+    if objects.best is None or areas.best is None or objects.risk is None or areas.risk is None:
+        return None
+    if not (objects.is_doubted or areas.is_doubted or areas.is_fix) or not _same(
+        objects.best, areas, shorter_edge_px, settings
+    ):
+        return None
+    risk = risk_of(log_odds_of(objects.risk) + log_odds_of(areas.risk))
+    if risk > settings.allowed_risk:
+        return None
+    exact = objects if objects.is_doubted else replace(areas, references=objects.references)
+    return replace(_as_fix(exact, risk), peaks=areas.peaks)
+
+
+def _as_fix(found: Localization, risk: float) -> Localization:
+    """A place as a fix with the risk that all evidence together leaves."""
+    return replace(
+        found, status=Status.FIX, reason=None, confidence=1 - risk, risk=risk, is_doubted=False, alternatives=()
     )
+
+
+def _same(place: Place, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings) -> bool:
+    """Whether a place is that of map correlation, as exactly as that is known."""
+    if areas.best is None:
+        return False
+    heading_deg, pixel_size = place.oriented
+    other_deg, other_size = areas.best.oriented
+    reach = max(settings.near_errors * (areas.error_95_m or 0.0), settings.near_share * shorter_edge_px * other_size)
+    turned = abs((heading_deg - other_deg + 180) % 360 - 180)
+    ratio = max(pixel_size / other_size, other_size / pixel_size)
+    apart = float(np.hypot(*np.subtract(place.position, areas.best.position)))
+    return apart <= reach and turned <= settings.near_heading_deg and ratio <= settings.near_ratio
 
 
 def near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER) -> Prior:
@@ -81,18 +142,12 @@ def confirmed(areas: Localization, objects: Localization, closer: Prior) -> Loca
     here = [_within(place, closer) for place in places]
     if not any(here[:1]) or any(here[1:]) or not objects.is_fix and len(here) < 2:
         return None
+    if areas.risk is None:
+        return None
     exactness = objects if objects.is_fix else areas
-    return replace(
-        objects,
-        status=Status.FIX,
-        reason=None,
-        # Both would have to be wrong.
-        confidence=1 - (1 - areas.confidence) * (1 - objects.confidence),
-        error_95_m=exactness.error_95_m,
-        covariance=exactness.covariance,
-        alternatives=(),
-        peaks=areas.peaks,
-    )
+    # Searched for at that place alone, landmarks are no evidence of their own: the risk stays map correlation's.
+    fix = _as_fix(objects, areas.risk)
+    return replace(fix, error_95_m=exactness.error_95_m, covariance=exactness.covariance, peaks=areas.peaks)
 
 
 def neither(

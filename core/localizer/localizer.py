@@ -21,7 +21,7 @@ from ..sentences import Sentence
 from ..windows.grid import centered_square
 from ..windows.matching import DISTANCE_THRESHOLD, vector_confidence, vector_distances
 from ..windows.topology_vector import MINIMUM_REFERENCES, topology_vector
-from .combined import checked_by_areas, confirmed, near, neither
+from .combined import agreed, checked_by_areas, confirmed, near, neither
 from .settings import LOCALIZER, LocalizerSettings
 
 
@@ -185,7 +185,7 @@ class Localizer:
         sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.constellation.scales)
         prior = replace(prior, pixel_size_range=sizes)
         objects, smallest = self._objects(labels_hw, sizes[1])
-        return solve(objects, (width, height), self.index, prior, smallest)
+        return solve(objects, (width, height), self.index, prior, smallest, self.settings.allowed_risk)
 
     def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> tuple[Landmarks, float]:
         """The image's landmarks, and the smallest contour area, px², that the map's may have in it."""
@@ -223,7 +223,8 @@ class Localizer:
         shape_hw = _shape(labels_hw)
         prior = prior or Prior()
         sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.correlation.scales)
-        return correlate(labels_hw, self.pyramid, replace(prior, pixel_size_range=sizes))
+        prior = replace(prior, pixel_size_range=sizes)
+        return correlate(labels_hw, self.pyramid, prior, self.settings.allowed_risk)
 
     @property
     def has_overview(self) -> bool:
@@ -246,9 +247,15 @@ class Localizer:
         objects = self.localize_by_constellation(labels_hw, prior)
         if not self.has_overview:
             return objects
-        if objects.place is not None:
-            return checked_by_areas(objects, agreement_at(labels_hw, self.pyramid, objects.place), self.settings)
+        if objects.best is not None:
+            agreement = agreement_at(labels_hw, self.pyramid, objects.best)
+            checked = checked_by_areas(objects, agreement, self.settings)
+            if objects.is_fix or checked.is_fix:
+                return checked
         areas = self.localize_by_map_correlation(labels_hw, prior)
+        both = agreed(objects, areas, min(labels_hw.shape), self.settings)
+        if both is not None:
+            return both
         if not areas.is_fix:
             return neither(objects, areas, min(labels_hw.shape), self.settings)
         areas = replace(areas, references=objects.references)

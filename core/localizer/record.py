@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Any, Callable
 
-from ..localization import Localization
+from ..localization import LEAST_RISK, Localization
 from ..sentences import Sentence, english
 
 ESTIMATED, INVALID = 6, 0
@@ -41,6 +41,12 @@ def record(result: Localization, wording: Callable[[Sentence], str] = english) -
         "reason": "" if result.reason is None else wording(result.reason),
         **_deviations(result),
     }
+
+
+def fixes_per_error(confidence: float) -> float:
+    """In how many fixes with this probability of being right one is wrong, to two digits: 12,000 for 0.999917."""
+    times = 1 / max(1 - confidence, LEAST_RISK)
+    return float(f"{times:.1e}")
 
 
 def _deviations(result: Localization) -> dict[str, Any]:

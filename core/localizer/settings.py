@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from ..constellation.settings import ConstellationSettings
 from ..correlation.settings import CorrelationSettings
+from ..localization import RISK
 
 
 @dataclass(frozen=True)
@@ -19,8 +20,11 @@ class LocalizerSettings:
     Attributes:
         constellation: Of the constellation [the table above].
         correlation: Of map correlation [the table above].
-        least_agreement: Correlation of class areas at a constellation's fix below which they speak against it. Right
-            fixes had 0.60 at least, wrong places 0.20 at most [Liechtenstein, north; automatic, north, with evidence].
+        allowed_risk: Probability of being wrong up to which a place is a fix: RISK of *Localize images* [what a
+            navigator asks].
+        agreement_curve: What the correlation of class areas at the constellation's place is worth, ln of the
+            likelihood ratio of right against wrong places: offset, slope a unit of Fisher's z, least, most
+            [Liechtenstein, north; probability].
         near_errors: Poses of both roads are the same when they differ in position by at most this many times map
             correlation's 95 % radius … [Liechtenstein, north; automatic, north, with evidence]
         near_share: … or this share of the image's ground, if that is more [what counts as right; automatic, north, with
@@ -31,7 +35,8 @@ class LocalizerSettings:
 
     constellation: ConstellationSettings = ConstellationSettings()
     correlation: CorrelationSettings = CorrelationSettings()
-    least_agreement: float = 0.25
+    allowed_risk: float = RISK
+    agreement_curve: tuple[float, float, float, float] = (-25.0, 50.0, -30.0, 4.0)
     near_errors: float = 1.25
     near_share: float = 0.02
     near_heading_deg: float = 5.0

@@ -9,6 +9,7 @@ import math
 import os
 import sys
 import time
+from dataclasses import replace
 from datetime import datetime, timezone
 from typing import Any, Callable
 
@@ -18,9 +19,10 @@ import numpy as np
 from ..errors import DatabaseError, ParameterError, SemRefError
 from ..labels.class_table import ClassTable
 from ..labels.image_files import image_files, read_label_image, read_photo
-from ..localization import Method, Prior, Status
+from ..localization import LEAST_RISK, RISK, Method, Prior, Status
 from ..localizer.localizer import Localizer
-from ..localizer.record import record
+from ..localizer.record import fixes_per_error, record
+from ..localizer.settings import LOCALIZER
 from ..sentences import english
 from .format import OnboardDatabase
 from .log import json_line, say, start_log
@@ -39,6 +41,9 @@ ERROR = "error"
 
 MOST_THREADS = 256
 """More than any computer on board has; each costs memory before it does anything."""
+
+MOST_RISK = 0.5
+"""A place that is more likely wrong than right is no fix."""
 
 FARTHEST = 1e9
 """Map coordinates and radii beyond are no place on Earth, in any unit of a map."""
@@ -94,6 +99,9 @@ def _check_values(options: argparse.Namespace) -> None:
         raise ParameterError("onboard.threads", threads=threads, most=MOST_THREADS)
     if near and not all(math.isfinite(value) and abs(value) <= FARTHEST for value in near):
         raise ParameterError("onboard.near", near=" ".join(f"{value:g}" for value in near), most=FARTHEST)
+    risk = getattr(options, "risk", RISK)
+    if not LEAST_RISK <= risk <= MOST_RISK:
+        raise ParameterError("onboard.risk", risk=risk, least=LEAST_RISK, most=MOST_RISK)
     if near and not near[2] > 0:
         raise ParameterError("onboard.near_radius", radius=near[2])
     for where in (getattr(options, "fixes", None), getattr(options, "gga", None)):
@@ -143,6 +151,8 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--method", choices=names, default=names[0], help=f"default: {names[0]}")
         near = ("X", "Y", "RADIUS")
         command.add_argument("--near", nargs=3, type=float, metavar=near, help="search there only, map units")
+        risk = f"probability of being wrong up to which a place is a fix (default: {RISK:g}, once in {1 / RISK:,.0f})"
+        command.add_argument("--risk", type=float, default=RISK, help=risk)
         command.add_argument("--threads", type=int, default=1, help="for OpenCV and the network (default: 1)")
     for command in (info, localize, watch):
         text = "take DATABASE only if it was signed with this key when it was exported"
@@ -221,7 +231,7 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
     """The function path → record that the options ask for; everything that can be refused is refused here."""
     cv2.setNumThreads(options.threads)
     method = next(method for method in Method if _option(method) == options.method)
-    localizer = Localizer(onboard.database)
+    localizer = Localizer(onboard.database, replace(LOCALIZER, allowed_risk=options.risk))
     localizer.check(method)
     if method == Method.MAP_CORRELATION and not localizer.has_overview:
         raise DatabaseError("onboard.no_overview", database=options.database)
@@ -295,9 +305,12 @@ def _line(found: dict[str, Any]) -> str:
         ("error_95", "within {:.2f} m (95 %)"),
         ("window", "window {}"),
         ("distance", "distance {:.4f}"),
-        ("confidence", "confidence {:.2f}"),
     )
     texts = [text.format(found[name]) for name, text in units if found.get(name) is not None]
+    if found["distance"] is not None:
+        texts.append(f"confidence {found['confidence']:.2f}")
+    else:
+        texts.append(f"wrong once in {fixes_per_error(found['confidence']):,.0f}")
     return f"{found['image']}: {found['status']}, {found['x']:.2f} {found['y']:.2f}, {', '.join(texts)}"
 
 

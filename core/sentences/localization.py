@@ -22,7 +22,13 @@ SENTENCES = {
     "localization.vector_too_far": "The nearest window has distance {distance:.3f}, more than {threshold:g}.",
     # Constellation
     "localization.no_triangles": "No place on the map has triangles like the image's.",
-    "localization.log_odds_too_low": "The best place has log odds of {log_odds:.1f}; {needed} are needed.",
+    "localization.risk_too_high": (
+        "The best place (log odds {log_odds:.1f}) is wrong with a probability of {risk:.2g}; "
+        "at most {allowed:.2g} is allowed."
+    ),
+    "localization.one_side_elsewhere": (
+        "Landmarks agree with the map on one side of the image only: it may show two places."
+    ),
     "localization.rivals": Plural(
         "{count} other place fits almost as well as the best one.",
         "{count} other places fit almost as well as the best one.",
@@ -42,14 +48,16 @@ SENTENCES = {
     ),
     "localization.nothing_under_image": "No place of the map has labels under at least half of the image.",
     "localization.agreement_too_low": (
-        "The best place agrees with the image only by {score:.2f}; at least {least:.2f} is needed."
+        "The best place agrees with the image only by {score:.2f}: "
+        "it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed."
     ),
     "localization.mirror_agrees": (
-        "The best place ({score:.2f}) agrees hardly better than the mirrored image does by chance ({mirror:.2f})."
+        "The best place ({score:.2f}) agrees too little better than the mirrored image does by chance ({mirror:.2f}): "
+        "it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed."
     ),
     "localization.two_places_agree": (
-        "Two places agree almost equally well ({score:.2f} and {runner_up:.2f}); "
-        "a prior position could tell them apart."
+        "Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a "
+        "probability of {risk:.2g}; a prior position could tell them apart."
     ),
     "localization.direction_unknown": ("One place agrees, but the image doesn't tell its position in all directions."),
     "localization.error_too_large": (
@@ -58,7 +66,8 @@ SENTENCES = {
     ),
     # Both roads
     "localization.areas_speak_against": (
-        "Landmarks agree with one place, but class areas only by {agreement:.2f} there; at least {least:.2f} is needed."
+        "Landmarks agree with one place, but class areas only by {agreement:.2f} there: "
+        "together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed."
     ),
     "localization.neither_road": "{constellation} Map correlation has no fix either: {correlation:clause}",
     # Flights

@@ -31,8 +31,8 @@ Template = Union[str, Plural]
 class Sentence:
     """One sentence for the user: what is said, and with which values.
 
-    >>> str(Sentence("localization.log_odds_too_low", log_odds=1.25, needed=4.0))
-    'The best place has log odds of 1.2; 4.0 are needed.'
+    >>> str(Sentence("localization.vector_too_far", distance=2.25, threshold=2))
+    'The nearest window has distance 2.250, more than 2.'
 
     Attributes:
         code: Key of the template, ``room.what_is_wrong``.

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Callable, Dict, List, Optional, Tuple
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
-from ...core.localization import Method
+from ...core.localization import LEAST_RISK, RISK, Method
 from ..framework import offers, priors
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..framework.declarations import (
@@ -59,6 +59,7 @@ class LocalizeImages(SemRefAlgorithm):
     ALTERNATIVES = "ALTERNATIVES"
     MATCHES = "MATCHES"
     LABELS = "LABELS"
+    RISK = "RISK"
     FIX_COUNT = "FIX_COUNT"
 
     def title(self) -> str:
@@ -107,6 +108,20 @@ class LocalizeImages(SemRefAlgorithm):
             *priors.parameters(),
             *self._flight_parameters(),
             *self._output_parameters(),
+            Number(
+                self.RISK,
+                tr("Allowed risk of a wrong fix"),
+                tr(
+                    "A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 "
+                    "fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such "
+                    "probability."
+                ),
+                advanced=True,
+                default=RISK,
+                minimum=LEAST_RISK,
+                maximum=0.5,
+                decimals=12,
+            ),
         )
 
     def _flight_parameters(self) -> Tuple[Declared, ...]:
@@ -196,12 +211,14 @@ class LocalizeImages(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
         from ...core.localizer.localizer import Localizer
+        from ...core.localizer.settings import LOCALIZER
         from ..exchange.reference_systems import database_crs
 
         method = self._method(values)
         database = self._database(values, method, feedback)
         crs = database_crs(database)
-        localize = self._localizing(values, method, Localizer(database), crs)
+        settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
+        localize = self._localizing(values, method, Localizer(database, settings), crs)
         read_labels = self._label_reader(values, database.class_table, feedback)
         paths, cameras = self._images(values, method, feedback)
         with outputs.folder(self.LABELS) as folder:

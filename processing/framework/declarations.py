@@ -67,11 +67,12 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Number(Parameter):
-    """A number, or with ``is_integer`` a whole one, from minimum to maximum."""
+    """A number, or with ``is_integer`` a whole one, from minimum to maximum; ``decimals`` if its box needs more."""
 
     minimum: Optional[float] = None
     maximum: Optional[float] = None
     is_integer: bool = False
+    decimals: Optional[int] = None
 
     def made(self) -> QgsProcessingParameterNumber:
         """QGIS's own parameter without its help."""
@@ -81,6 +82,8 @@ class Number(Parameter):
             made.setMinimum(self.minimum)
         if self.maximum is not None:
             made.setMaximum(self.maximum)
+        if self.decimals is not None:
+            made.setMetadata({"widget_wrapper": {"decimals": self.decimals}})
         return made
 
 

@@ -146,7 +146,7 @@ def with_jumps(
         np.array([times_s[n] for n in timed]),
         np.array([localized[n].result.nadir or localized[n].result.position for n in timed]),
         np.array(errors),
-        np.array([result.confidence for result in results]),
+        np.array([result.confidence or 0.0 for result in results]),
         speed,
     )
     reason = Sentence("localization.jump", speed=speed)
@@ -217,6 +217,13 @@ def alternatives(item: LocalizedImage) -> List[PlacedRow]:
     ]
 
 
+def fixes_per_error(confidence: float) -> float:
+    """In how many fixes with this probability of being right one is wrong, to two digits."""
+    from ...core.localizer import record
+
+    return record.fixes_per_error(confidence)
+
+
 def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
     name = os.path.basename(item.path)
     if item.result is None:
@@ -237,7 +244,8 @@ def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
         (result.heading_deg, tr("heading {value:.1f}°")),
         (result.pixel_size_m, tr("pixel size {value:.3g} m")),
         (result.error_95_m, tr("within {value:.2f} m (95 %)")),
-        (result.confidence, tr("confidence {value:.2f}")),
+        (result.confidence if result.risk is None else None, tr("confidence {value:.2f}")),
+        (result.confidence and result.risk and fixes_per_error(result.confidence), tr("wrong once in {value:,.0f}")),
     )
     texts = [text.format(value=value) for value, text in details if value is not None]
     x, y = result.position

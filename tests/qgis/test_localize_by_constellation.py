@@ -62,6 +62,17 @@ def test_an_image_between_windows_is_found_with_heading_and_pixel_size(localize,
     assert (center.GetX(), center.GetY()) == pytest.approx((found["x"], found["y"]), abs=0.1)
 
 
+def test_the_risk_that_is_allowed_decides_and_the_confidence_has_all_its_digits(localize):
+    image = view(400, 400, 0)
+    found, _ = localize(image)
+    risk = 1 - found["confidence"]
+    assert 0 < risk < 1e-4
+    refused, _ = localize(image, RISK=max(risk / 2, 1e-12))
+    if risk > 2e-12:
+        assert refused["status"] != "fix" and refused["confidence"] is None
+    assert localize(image, RISK=0.5)[0]["confidence"] == found["confidence"]
+
+
 def test_the_footprint_lies_where_the_image_was_taken(localize):
     _, (footprint,) = localize(view(500, 450, 90))
     left, right, bottom, top = footprint.GetEnvelope()

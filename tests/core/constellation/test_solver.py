@@ -14,7 +14,7 @@ from semref.core.database.model import MapLandmarks
 from semref.core.geometry.pose import Pose, fit_similarity, level_covariance, tilted_covariance
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
-from semref.core.localization import Place, Prior, Status
+from semref.core.localization import RISK, Place, Prior, Status
 from semref.core.simulation.landmark_errors import spoil_landmarks
 from semref.core.simulation.noise import LabelNoise
 from semref.core.simulation.views import PIXELS, View, cut
@@ -326,3 +326,56 @@ def test_a_cap_does_not_count_triangles_that_a_prior_excludes(ground, place):
     assert len(there.votes)
     for name in ("centers", "turns", "focuses", "votes"):
         np.testing.assert_allclose(getattr(there, name), getattr(everything, name), rtol=1e-12)
+
+
+def test_without_a_cap_every_like_triangle_is_looked_at_and_every_region_keeps_its_own_poses(ground):
+    view = seen_from(700, 2200, 70.0, 1.1)
+    query = make_query(ground.see(view, NOISE, 5), ground.index, (SIZE, SIZE))
+    triangles = query_triangles(query, CONSTELLATION)
+    whole = find_seeds(ground.index, query, triangles, PRIOR, 10**9)
+    everywhere = find_seeds(ground.index, query, triangles, PRIOR, None)
+    assert (whole.capped, everywhere.capped) == (False, False)
+    # A town of fewer landmarks than a region has one.
+    np.testing.assert_allclose(np.sort_complex(everywhere.centers), np.sort_complex(whole.centers))
+    fine = dataclasses.replace(CONSTELLATION, landmarks_of_a_region=100)
+    parts = find_seeds(dataclasses.replace(ground.index, settings=fine), query, triangles, PRIOR, None)
+    assert len(parts.centers) > 4 * len(whole.centers)
+    assert (np.diff(parts.votes) <= 0).all()
+
+
+def test_a_place_that_a_capped_search_leaves_out_is_found_by_one_without_a_cap(ground):
+    view = seen_from(1400, 1600, 77.0)
+    narrow = dataclasses.replace(CONSTELLATION, maximum_hits=(0, 0))
+    capped = dataclasses.replace(ground.index, settings=narrow)
+    objects = ground.see(view)
+    found = localize(objects, (SIZE, SIZE), capped, PRIOR)
+    assert found.status == Status.FIX and error(found, view) < 0.5
+    assert not found.search_capped
+    assert (found.risk, found.confidence) == (pytest.approx(1e-12, abs=1e-6), 1 - found.risk)
+
+
+def test_an_image_of_two_places_is_told_as_such(ground):
+    left, right = (ground.see(seen_from(*center, 20.0)) for center in ((1400, 1600), (900, 900)))
+    kept = left.centers_xy[:, 0] < SIZE / 2, right.centers_xy[:, 0] >= SIZE / 2
+    both = Landmarks(
+        *(
+            np.concatenate([getattr(one, field.name)[part] for one, part in zip((left, right), kept)])
+            for field in dataclasses.fields(Landmarks)
+        )
+    )
+    found = solve(ground, both)
+    assert (found.status, found.reason.code) == (Status.AMBIGUOUS, "localization.one_side_elsewhere")
+    assert found.confidence is None and len(found.alternatives) == 1 and not found.is_doubted
+
+
+def test_without_a_fix_there_is_a_risk_and_no_confidence(ground):
+    found = solve(ground, mirrored(ground.see(seen_from(1400, 1600, 77.0))))
+    assert found.confidence is None and found.risk > RISK
+
+
+def test_a_smaller_risk_that_is_allowed_refuses_more(ground):
+    objects = ground.see(seen_from(1400, 1600, 77.0)).select(np.arange(9))
+    asked = {risk: localize(objects, (SIZE, SIZE), ground.index, PRIOR, None, risk) for risk in (0.4, 1e-11)}
+    assert [found.status for found in asked.values()] == [Status.FIX, Status.NO_MATCH]
+    assert "is wrong with a probability of" in str(asked[1e-11].reason)
+    assert asked[1e-11].is_doubted

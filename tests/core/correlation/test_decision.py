@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from semref.core.correlation.decision import confidence_of, decide, exact_enough, position_error_95, smaller_lead
+from semref.core.correlation.decision import decide, exact_enough, position_error_95, risk_of_peaks, smaller_lead
 from semref.core.correlation.settings import CORRELATION
 from semref.core.localization import CorrelationPeaks, Status
 
@@ -12,7 +12,7 @@ from semref.core.localization import CorrelationPeaks, Status
     "score, runner_up, mirror, status, code",
     [
         (0.7, 0.3, 0.3, Status.FIX, None),
-        (0.24, 0.0, 0.0, Status.NO_MATCH, "localization.agreement_too_low"),
+        (0.1, 0.0, 0.0, Status.NO_MATCH, "localization.agreement_too_low"),
         (0.7, 0.3, 0.65, Status.NO_MATCH, "localization.mirror_agrees"),
         (0.7, 0.65, 0.3, Status.AMBIGUOUS, "localization.two_places_agree"),
     ],
@@ -22,10 +22,17 @@ def test_a_fix_needs_a_score_and_a_lead_over_both_opponents(score, runner_up, mi
     assert (found, reason and reason.code) == (status, code)
 
 
-def test_confidence_grows_with_the_lead_over_the_stronger_opponent():
+def test_a_larger_risk_that_is_allowed_makes_a_fix_of_a_smaller_lead():
+    peaks = CorrelationPeaks(0.45, 0.3, 0.3)
+    risk = risk_of_peaks(peaks)
+    assert 1e-9 < risk < 0.5
+    assert decide(peaks, 1.01 * risk)[0] == Status.FIX != decide(peaks, 0.99 * risk)[0]
+
+
+def test_the_risk_falls_with_the_lead_over_the_stronger_opponent():
     peaks = [CorrelationPeaks(0.7, 0.1, mirror) for mirror in (0.69, 0.6, 0.3)]
-    chances = [confidence_of(one) for one in peaks]
-    assert chances == sorted(chances) and chances[0] < 0.1 and chances[-1] > 0.99
+    risks = [risk_of_peaks(one) for one in peaks]
+    assert risks == sorted(risks, reverse=True) and risks[0] > 0.9 and risks[-1] < 1e-4
     assert smaller_lead(peaks[2]) == pytest.approx(np.arctanh(0.7) - np.arctanh(0.3))
 
 

@@ -12,7 +12,7 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import Localization, Method, Place, Prior, Status
-from semref.core.localizer.combined import checked_by_areas, confirmed, near, neither
+from semref.core.localizer.combined import agreed, checked_by_areas, confirmed, near, neither, worth_of
 from semref.core.localizer.localizer import Localizer
 from semref.core.localizer.settings import LOCALIZER
 from semref.core.sentences import Sentence
@@ -83,7 +83,8 @@ def test_a_fix_of_the_constellation_is_taken_as_it_is(localizer):
     image = view(GROUND, HOUSES)
     found = localizer.localize(image, Method.AUTOMATIC)
     assert found.status == Status.FIX and found.method == Method.CONSTELLATION
-    assert found == localizer.localize_by_constellation(image)
+    alone = localizer.localize_by_constellation(image)
+    assert found == replace(alone, risk=found.risk, confidence=found.confidence)
 
 
 def test_without_landmarks_the_class_areas_find_the_image(localizer):
@@ -147,7 +148,7 @@ def test_without_an_overview_it_is_the_constellation_alone():
 def test_without_any_fix_the_reasons_of_both_are_told(localizer):
     found = localizer.localize(view(patches(8), houses(4)), Method.AUTOMATIC)
     assert found.status == Status.NO_MATCH and found.position is None
-    assert str(found.reason).startswith("The best place has log odds of")
+    assert str(found.reason).startswith("The best place (log odds")
     assert "Map correlation has no fix either: the best place" in str(found.reason)
     assert str(found.reason).endswith(".")
 
@@ -198,7 +199,8 @@ STARS = Localization(
     Method.CONSTELLATION,
     30,
     best=PLACE,
-    confidence=0.9,
+    confidence=1 - 1e-6,
+    risk=1e-6,
     error_95_m=1.0,
 )
 AREAS = replace(
@@ -206,16 +208,43 @@ AREAS = replace(
     method=Method.MAP_CORRELATION,
     best=replace(PLACE, position=(103.0, 204.0)),
     error_95_m=8.0,
-    confidence=0.8,
+    confidence=1 - 1e-5,
+    risk=1e-5,
 )
 
 
 @pytest.mark.parametrize(
     ("agreement", "status"),
-    [(None, Status.FIX), (0.9, Status.FIX), (LOCALIZER.least_agreement, Status.FIX), (-0.1, Status.AMBIGUOUS)],
+    [(None, Status.FIX), (0.9, Status.FIX), (0.6, Status.FIX), (-0.1, Status.AMBIGUOUS)],
 )
 def test_a_fix_stands_where_class_areas_agree_or_cannot_tell(agreement, status):
     assert checked_by_areas(STARS, agreement).status == status
+
+
+def test_class_areas_that_agree_make_a_fix_of_a_place_that_was_doubted_for_its_risk_alone():
+    doubted = replace(STARS, status=Status.NO_MATCH, reason=SAID, confidence=None, risk=3e-4, is_doubted=True)
+    found = checked_by_areas(doubted, 0.9)
+    assert (found.status, found.reason) == (Status.FIX, None)
+    assert found.confidence == 1 - found.risk > 1 - LOCALIZER.allowed_risk
+    assert checked_by_areas(doubted, None) == doubted
+    assert checked_by_areas(replace(doubted, is_doubted=False), 0.9).status == Status.NO_MATCH
+    assert checked_by_areas(doubted, 0.2).status == Status.NO_MATCH
+
+
+def test_agreement_is_worth_more_the_closer_it_is():
+    values = [worth_of(agreement) for agreement in (-1.0, 0.0, 0.3, 0.5, 0.7, 1.0)]
+    assert values == sorted(values) and values[0] < -10 and 0 < values[-1] < 10
+
+
+def test_two_roads_that_searched_alone_and_found_one_place_are_surer_than_each():
+    doubted = {"status": Status.NO_MATCH, "reason": SAID, "confidence": None, "is_doubted": True}
+    stars, areas = replace(STARS, risk=0.01, **doubted), replace(AREAS, risk=0.003, **doubted)
+    found = agreed(stars, areas, 1000)
+    assert (found.status, found.position, found.reason) == (Status.FIX, STARS.position, None)
+    assert found.risk == pytest.approx(3e-5, rel=0.05)
+    assert agreed(stars, replace(areas, risk=0.1), 1000) is None
+    assert agreed(replace(stars, best=replace(PLACE, position=(900.0, 200.0))), areas, 1000) is None
+    assert agreed(replace(stars, best=replace(PLACE, heading_deg=60.0)), areas, 1000) is None
 
 
 def test_the_constellation_looks_again_where_map_correlation_found_the_image():
@@ -229,10 +258,10 @@ def around(radius):
     return Prior(AREAS.position, radius)
 
 
-def test_two_methods_at_one_place_are_surer_than_each():
+def test_landmarks_that_were_sought_at_one_place_alone_make_it_finer_but_not_surer():
     found = confirmed(AREAS, STARS, around(20.0))
     assert (found.position, found.error_95_m, found.method) == (STARS.position, 1.0, Method.CONSTELLATION)
-    assert found.confidence == pytest.approx(0.98)
+    assert (found.risk, found.confidence) == (AREAS.risk, 1 - AREAS.risk)
 
 
 def test_a_place_of_the_constellation_farther_off_confirms_nothing():
@@ -242,7 +271,7 @@ def test_a_place_of_the_constellation_farther_off_confirms_nothing():
 
 def test_of_places_alike_the_one_where_class_areas_agree_is_taken_if_it_is_the_only_one():
     far, close = replace(PLACE, position=(900.0, 200.0)), replace(PLACE, position=(101.0, 203.0))
-    unsure = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, best=PLACE, confidence=0.5)
+    unsure = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, best=PLACE, risk=0.5)
     assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, far)), around(20.0)).position == PLACE.position
     assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, close)), around(20.0)) is None
     # Only the mirrored image rivals it: nothing that a place could tell.

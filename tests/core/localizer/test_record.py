@@ -7,7 +7,7 @@ from datetime import datetime, timezone
 
 from semref.core.geometry.pose import Ellipse, PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
-from semref.core.localizer.record import gga_sentence, record
+from semref.core.localizer.record import fixes_per_error, gga_sentence, record
 from semref.core.sentences import Sentence
 
 PLACE = Place((600250.0, 5199600.0), heading_deg=90.0, pixel_size_m=0.5, log_odds=12.5, inliers=7)
@@ -45,6 +45,11 @@ def test_without_a_fix_the_evidence_stays_and_no_place_nor_accuracy_is_told():
     assert [found[name] for name in ("x", "y", "heading", "pixel_size", "error_95")] == [None] * 5
     assert (found["inliers"], found["log_odds"], found["reason"]) == (7, 12.5, "labels.no_pixels")
     assert not {"error_95_minor", "error_95_direction", "heading_deviation", "pixel_size_deviation"} & set(found)
+
+
+def test_a_probability_is_told_as_one_wrong_fix_in_so_many():
+    assert [fixes_per_error(value) for value in (0.5, 0.9, 1 - 8.3e-5, 1 - 1e-9)] == [2, 10, 12_000, 1e9]
+    assert fixes_per_error(1.0) == 1e12
 
 
 def test_deviations_that_no_trials_confirm_are_not_told():

@@ -52,7 +52,8 @@ class Details(QTextEdit):
 def _lines(finding: Finding) -> List[str]:
     """Lines of HTML."""
     how_sure = _joined(
-        (finding.confidence if finding.center is not None else None, tr("confidence {value:.2f}")),
+        (finding.confidence if finding.is_by_vector else None, tr("confidence {value:.2f}")),
+        (finding.fixes_per_error, tr("wrong once in {value:,.0f}")),
         (finding.error_95, tr("within {value:.2f} m (95 %)")),
     )
     head = f"<b>{escape(finding.name)}</b>: {escape(status_text(finding))}"

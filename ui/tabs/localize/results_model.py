@@ -103,6 +103,8 @@ def _text(finding: Finding, column: int) -> str:
         return status_text(finding)
     if column == WINDOW:
         return finding.window or ""
+    if column == CONFIDENCE and finding.fixes_per_error is not None:
+        return f"{finding.fixes_per_error:,.0f} : 1"
     return _number(_figure(finding, column), _DECIMALS[column])
 
 
