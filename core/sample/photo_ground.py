@@ -1,0 +1,166 @@
+"""The ground of a photo: what lies where, and the color of everything flat, from fields with their rows to asphalt."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+from shapely.geometry.base import BaseGeometry
+
+from . import shapes
+from .classes import BARE_LAND, BUILDING, CULTIVATED, FOREST, GRASS, WATER
+from .landscape import ZORDER, Feature, Landscape
+
+Frame = tuple[float, float, int, int]
+"""West and north edge in map units, width and height in pixels."""
+
+SUBPIXEL_BITS = 4  # of OpenCV's polygon corners
+
+# sRGB 0…255 as one sees them in summer photos of Central Europe
+CROPS = ((104, 118, 62), (150, 138, 82), (176, 158, 104), (74, 98, 48), (122, 96, 70), (92, 112, 58), (138, 112, 84))
+MEADOWS = ((106, 124, 66), (120, 130, 74), (92, 112, 60), (132, 134, 84))
+GARDEN = (98, 112, 66)
+BARE = ((190, 174, 148), (172, 160, 140), (200, 186, 164), (160, 146, 124))
+STILL_WATERS = ((42, 62, 58), (50, 70, 52), (34, 52, 58), (58, 74, 62))
+RIVER = (58, 76, 64)
+ASPHALT, VERGE = (124, 122, 120), (122, 120, 84)
+UNDER_ROOFS = (150, 84, 62)  # until a roof is drawn
+LEAVES = (72, 94, 48)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What stands where.
+
+    Attributes:
+        owner: (H, W) int32 index of the uppermost feature, −1 for none.
+        kind: (H, W) uint8 class value, 0 for none.
+        road: (H, W) uint8, 1 on roads.
+        pixel_m: Edge of a pixel, meters.
+    """
+
+    owner: np.ndarray
+    kind: np.ndarray
+    road: np.ndarray
+    pixel_m: float
+
+
+def draw_scene(features: Sequence[Feature], landscape: Landscape, frame: Frame, pixel_m: float) -> Scene:
+    """Features burnt in their order; roads over water (bridges), under houses."""
+    _, _, width, height = frame
+    owner = np.full((height, width), -1, np.int32)
+    for index, feature in enumerate(features):
+        for ring_set in outlines(feature.geometry, frame, pixel_m):
+            cv2.fillPoly(owner, ring_set, index, cv2.LINE_8, SUBPIXEL_BITS)
+    kinds = np.array([f.class_value for f in features] + [0], np.uint8)  # −1 picks the last
+    kind = kinds[owner]
+    road = np.zeros((height, width), np.uint8)
+    for ring_set in outlines(landscape.road_surface, frame, pixel_m):
+        cv2.fillPoly(road, ring_set, 1, cv2.LINE_8, SUBPIXEL_BITS)
+    road[kind == BUILDING] = 0
+    kind[road > 0] = 0
+    return Scene(owner, kind, road, pixel_m)
+
+
+def outlines(geometry: BaseGeometry | None, frame: Frame, pixel_m: float) -> Iterator[list[np.ndarray]]:
+    """For each polygon its rings, holes included, as OpenCV's corners: pixel centers, with SUBPIXEL_BITS."""
+    west, north, _, _ = frame
+    for polygon in shapes.polygons_of(geometry):
+        rings = []
+        for ring in (polygon.exterior, *polygon.interiors):
+            corners = (shapes.corners_xy(ring) - (west, north)) / (pixel_m, -pixel_m) - 0.5
+            rings.append(np.round(corners * 2**SUBPIXEL_BITS).astype(np.int32))
+        yield rings
+
+
+def linear(rgb: npt.ArrayLike) -> np.ndarray:
+    """Linear light of sRGB 0…255."""
+    return (np.asarray(rgb, np.float32) / 255) ** np.float32(2.2)
+
+
+def tinted(rng: np.random.Generator, rgb: npt.ArrayLike, strength: float) -> np.ndarray:
+    """A color of the same kind: a little lighter or darker, warmer or cooler; linear."""
+    return linear(rgb) * np.exp(rng.normal(0, strength) + rng.normal(0, 0.35 * strength, 3)).astype(np.float32)
+
+
+def ground_color(rng: np.random.Generator, scene: Scene, features: Sequence[Feature]) -> np.ndarray:
+    """(H, W, 3) color of everything that lies flat: fields with rows and tramlines, grass, water, gravel, roads."""
+    shape, px = scene.owner.shape, scene.pixel_m
+    base = np.array([feature_color(rng, f) for f in features] + [linear(VERGE)], np.float32)
+    color = base[scene.owner]
+    fine = shapes.noise(rng, shape, 3 / px, 2)
+    middle = shapes.noise(rng, shape, 24 / px, 4)
+    coarse = shapes.noise(rng, shape, 260 / px, 3)
+    grain = {0: (0.06, 0.07), BARE_LAND: (0.09, 0.12), WATER: (0.015, 0.03), CULTIVATED: (0.045, 0.07)}
+    grain |= {GRASS: (0.06, 0.12), FOREST: (0.05, 0.10), BUILDING: (0.03, 0.02)}
+    weights = np.zeros((256, 2), np.float32)
+    for value, pair in grain.items():
+        weights[value] = pair
+    light = weights[scene.kind, 0] * fine + weights[scene.kind, 1] * middle
+    light += np.where(scene.kind == WATER, 0.02, 0.05).astype(np.float32) * coarse
+    light += np.where(scene.kind == CULTIVATED, rows_of(rng, scene, features), 0)
+    color *= np.exp(light)[..., None]
+    # Dry patches are yellower, damp ones greener.
+    green = np.isin(scene.kind, (GRASS, CULTIVATED))
+    color[..., 0] *= np.where(green, np.exp(0.07 * middle + 0.04 * coarse), 1)
+    shore(scene, color)
+    pave(rng, scene, color, fine, middle)
+    return color
+
+
+def feature_color(rng: np.random.Generator, feature: Feature) -> np.ndarray:
+    """The base color of one feature, linear; roofs get theirs later."""
+    if feature.class_value == CULTIVATED:
+        return tinted(rng, CROPS[rng.integers(len(CROPS))], 0.12)
+    if feature.class_value == GRASS and feature.zorder == ZORDER["parcel"]:
+        return tinted(rng, MEADOWS[rng.integers(len(MEADOWS))], 0.10)
+    if feature.class_value == WATER:
+        running = feature.geometry.length**2 > 120 * feature.geometry.area
+        return tinted(rng, RIVER if running else STILL_WATERS[rng.integers(len(STILL_WATERS))], 0.12)
+    if feature.class_value == BARE_LAND:
+        return tinted(rng, BARE[rng.integers(len(BARE))], 0.10)
+    return tinted(rng, {GRASS: GARDEN, FOREST: LEAVES, BUILDING: UNDER_ROOFS}[feature.class_value], 0.06)
+
+
+def rows_of(rng: np.random.Generator, scene: Scene, features: Sequence[Feature]) -> np.ndarray:
+    """(H, W) change of light by drilled rows and tramlines, along the longer side of each field."""
+    px, count = scene.pixel_m, len(features)
+    angle, period, strength, lane = (np.zeros(count + 1, np.float32) for _ in range(4))
+    for index, feature in enumerate(features):
+        if feature.class_value == CULTIVATED:
+            box = feature.geometry.minimum_rotated_rectangle
+            edges = np.diff(shapes.corners_xy(box.exterior), axis=0)
+            longest = edges[np.argmax(np.hypot(*edges.T))]
+            angle[index] = np.arctan2(-longest[1], longest[0])  # image rows run down
+            period[index], strength[index] = rng.uniform(2.8, 5.5), rng.uniform(0, 0.05)
+            lane[index] = rng.choice([0, 15, 18, 21, 24, 27])
+    y, x = np.indices(scene.owner.shape, np.float32) * np.float32(px)
+    across = y * np.cos(angle)[scene.owner] - x * np.sin(angle)[scene.owner]
+    change = strength[scene.owner] * np.sin(2 * np.pi * across / np.maximum(period[scene.owner], 1))
+    lanes = lane[scene.owner]
+    away = np.abs(np.mod(across, np.maximum(lanes, 1)) - lanes / 2)  # from the middle between two tramlines
+    wheel = np.exp(-(((lanes / 2 - away) - 1.0) ** 2) / 0.6)
+    return change + np.where(lanes > 0, 0.16 * wheel, 0).astype(np.float32)
+
+
+def shore(scene: Scene, color: np.ndarray) -> None:
+    """Water is lighter and browner where it is shallow, and its edge is dark with reeds."""
+    water = (scene.kind == WATER).astype(np.uint8)
+    depth = cv2.distanceTransform(water, cv2.DIST_L2, 3) * np.float32(scene.pixel_m)
+    shallow = np.exp(-depth / 4.0) * water
+    color += shallow[..., None] * (linear((92, 96, 70)) - color) * 0.4
+    bank = cv2.GaussianBlur(water.astype(np.float32), (0, 0), 1.6 / scene.pixel_m)
+    edge = bank * (1 - water) * np.isin(scene.kind, (GRASS, CULTIVATED, 0)) * (scene.road == 0)
+    color *= (1 - 0.75 * edge)[..., None]
+
+
+def pave(rng: np.random.Generator, scene: Scene, color: np.ndarray, fine: np.ndarray, middle: np.ndarray) -> None:
+    """Asphalt, more or less worn, with paler edges; away from roads what no class covers stays verge and track."""
+    inside = cv2.distanceTransform(scene.road, cv2.DIST_L2, 3) * np.float32(scene.pixel_m)
+    worn = np.exp(0.10 * middle + 0.04 * fine + 0.16 * np.exp(-inside / 0.9))
+    asphalt = tinted(rng, ASPHALT, 0.10) * worn[..., None]
+    road = scene.road > 0
+    color[road] = asphalt[road]

@@ -1,0 +1,100 @@
+"""One good input of each kind, and a run that must be refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from bad_input import (
+    BUILD,
+    COMPARE,
+    DECODE,
+    DESCRIBE,
+    LABELS,
+    LOCALIZE,
+    NAMES,
+    OLDER,
+    OUTPUT_NAMES,
+    RASTERIZE,
+    SEGMENT,
+    sentence_of,
+)
+from made_inputs import (
+    CLASSES_CSV,
+    square,
+    write_layer,
+    write_raster,
+    write_text,
+)
+from made_models import write_model
+from qgis.core import (
+    QgsProcessingException,
+)
+
+
+@pytest.fixture(scope="session")
+def good(run_algorithm, tmp_path_factory):
+    """A folder with one input of each kind that nothing is wrong with."""
+    folder = tmp_path_factory.mktemp("good")
+    features = [(square(0, 0, 100), "field", 1), (square(10, 10, 20), "building", 2)]
+    write_layer(folder / "annotation.gpkg", features, [("class", "text"), ("zorder", "integer")])
+    write_text(folder / "classes.csv", CLASSES_CSV)
+    write_raster(folder / "labels.tif", LABELS, names=NAMES)
+    write_raster(folder / "photo.png", LABELS[:100, :100], transform=None)
+    write_raster(folder / "color.png", np.zeros((3, 20, 20), np.uint8), transform=None)
+    write_model(folder / "colors.onnx")
+    parameters = {
+        "LABELS": str(folder / "labels.tif"),
+        "REFERENCE_CLASSES": "1;2;3",
+        "WINDOW_SIZE": 100,
+        "STRIDE": 50,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    run_algorithm(BUILD, parameters)
+    return folder
+
+
+@pytest.fixture
+def defaults(good, tmp_path):
+    """Parameters of each algorithm that work; outputs lie in tmp_path/out."""
+    (tmp_path / "out").mkdir()
+    found = {
+        RASTERIZE: {"INPUT": str(good / "annotation.gpkg"), "CLASS_FIELD": "class", "PIXEL_SIZE": 1},
+        DECODE: {"INPUT": str(good / "color.png"), "CLASS_TABLE": str(good / "classes.csv"), "METHOD": 1},
+        BUILD: {
+            "LABELS": str(good / "labels.tif"),
+            "REFERENCE_CLASSES": "1;2;3",
+            "WINDOW_SIZE": 100,
+            "STRIDE": 50,
+            "MINIMUM_AREA": 30,
+        },
+        DESCRIBE: {
+            "INPUT": str(good / "photo.png"),
+            "CLASS_TABLE": str(good / "classes.csv"),
+            "REFERENCES": "TEMPORARY_OUTPUT",
+        },
+        LOCALIZE: {"DATABASE": str(good / "area.gpkg"), "IMAGES": [str(good / "photo.png")], "METHOD": 1},
+        SEGMENT: {"INPUT": str(good / "color.png"), "MODEL": str(good / "colors.onnx")},
+        COMPARE: {"REFERENCE": str(good / "labels.tif"), "PREDICTED": str(good / "labels.tif")},
+    }
+    for algorithm, (key, name) in OUTPUT_NAMES.items():
+        found[algorithm][key] = str(tmp_path / "out" / name)
+    return found
+
+
+@pytest.fixture
+def refused(run_algorithm, defaults, tmp_path, feedback):
+    """`refused(algorithm, **parameters)` gives the sentence; an older output of the same name must stay."""
+
+    def run(algorithm, **parameters):
+        older = Path(defaults[algorithm][OUTPUT_NAMES[algorithm][0]])
+        older.write_bytes(OLDER)
+        with pytest.raises(QgsProcessingException) as caught:
+            run_algorithm(algorithm, {**defaults[algorithm], **parameters}, feedback)
+        assert older.read_bytes() == OLDER
+        assert [path.name for path in older.parent.iterdir()] == [older.name]
+        return sentence_of(caught.value)
+
+    return run

@@ -1,0 +1,99 @@
+"""A bad model, and a photo that it can’t read, are told in one sentence."""
+
+from __future__ import annotations
+
+import importlib.util
+
+import numpy as np
+import pytest
+from bad_input import (
+    LOCALIZE,
+    SEGMENT,
+)
+from made_inputs import (
+    write_raster,
+    write_text,
+)
+from made_models import brightest_color, metadata, write_model
+from osgeo import ogr
+from qgis.core import (
+    QgsApplication,
+)
+
+BAD_MODELS = {
+    "missing weights": ({"network": brightest_color(external="weights.bin")}, "keeps its weights in another file"),
+    "newer format": ({"ir_version": 99}, "ONNX format 99"),
+    "newer operators": ({"opset": 99}, "version 99 (opset)"),
+    "four bands": (
+        {"network": brightest_color(bands=4), "input_shape": (1, 4, "h", "w")},
+        "takes input of the shape 1 × 4 × any × any",
+    ),
+    "unknown operator": ({"network": brightest_color().add("Frobnicate")}, "can't be run by onnxruntime"),
+    "too few names": ({"metadata": metadata(class_names=["a", "b"])}, "tells 3 classes apart"),
+    "no names": ({"metadata": metadata(class_names=None)}, "metadata key class_names"),
+    "a detector": ({"metadata": metadata(model_type="Detector")}, "model of type Detector"),
+    "no resolution": ({"metadata": metadata(resolution="fine")}, "resolution"),
+}
+
+
+@pytest.mark.parametrize("algorithm", [SEGMENT, LOCALIZE])
+@pytest.mark.parametrize("name", BAD_MODELS)
+def test_a_bad_model_is_told_in_one_sentence(refused, tmp_path, name, algorithm):
+    options, words = BAD_MODELS[name]
+    sentence = refused(algorithm, MODEL=str(write_model(tmp_path / "bad.onnx", **options)))
+    assert "bad.onnx" in sentence and words in sentence
+
+
+@pytest.mark.parametrize("algorithm", [SEGMENT, LOCALIZE])
+@pytest.mark.parametrize("content", [b"", b"hello", b"\x89PNG\r\n\x1a\n" * 50])
+def test_a_file_that_is_no_model_is_named(refused, tmp_path, content, algorithm):
+    path = tmp_path / "notes.onnx"
+    path.write_bytes(content)
+    assert "notes.onnx is not an ONNX model" in refused(algorithm, MODEL=str(path))
+
+
+def test_a_missing_model_is_named(refused, tmp_path):
+    assert "none.onnx does not exist" in refused(SEGMENT, MODEL=str(tmp_path / "none.onnx"))
+
+
+def test_values_that_are_no_numbers_are_told(refused, tmp_path):
+    model = write_model(tmp_path / "bad.onnx", brightest_color().add("Sqrt"))
+    assert "bad.onnx gives values that are not numbers (NaN" in refused(SEGMENT, MODEL=str(model))
+
+
+def test_a_photo_that_makes_a_network_give_no_numbers_has_no_fix(run_algorithm, defaults, tmp_path):
+    model = write_model(tmp_path / "bad.onnx", brightest_color().add("Sqrt"))
+    parameters = {**defaults[LOCALIZE], "MODEL": str(model)}
+    source = ogr.Open(run_algorithm(LOCALIZE, parameters)["OUTPUT"])
+    (row,) = [feature.items() for feature in source.GetLayer(0)]
+    assert row["status"] == "error" and "not numbers" in row["reason"]
+
+
+def test_a_photo_of_one_pixel_is_refused(refused, tmp_path):
+    photo = write_raster(tmp_path / "tiny.png", np.zeros((3, 1, 1), np.uint8), transform=None)
+    assert "1 × 1 pixels" in refused(SEGMENT, INPUT=str(photo))
+
+
+def test_a_photo_cut_short_is_told(refused, tmp_path):
+    image = np.random.default_rng(1).integers(0, 255, (3, 400, 400)).astype(np.uint8)
+    path = write_raster(tmp_path / "cut.tif", image)
+    path.write_bytes(path.read_bytes()[:200_000])
+    assert "cut.tif is damaged or cut short" in refused(SEGMENT, INPUT=str(path))
+
+
+def test_a_class_table_that_does_not_fit_the_model_is_told(refused, tmp_path):
+    table = write_text(tmp_path / "classes.csv", "value,name\n1,building\n")
+    assert "CLASS_TABLE lacks the class water, bare_land" in refused(SEGMENT, CLASS_TABLE=str(table))
+
+
+def test_a_missing_onnxruntime_is_told_with_how_to_install_it(qgis_app, monkeypatch):
+    find_spec = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda name, *a: None if name == "onnxruntime" else find_spec(name, *a)
+    )
+    registry = QgsApplication.processingRegistry()
+    possible, reason = registry.createAlgorithmById(SEGMENT).canExecute()
+    assert not possible
+    # Which command fits which release: test_components.py.
+    assert 'install --no-deps "onnxruntime' in reason or "install python3-onnxruntime" in reason
+    assert registry.createAlgorithmById(LOCALIZE).canExecute() == (True, "")

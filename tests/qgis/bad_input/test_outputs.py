@@ -1,0 +1,105 @@
+"""An output that can’t be written is refused; older outputs stay as they were."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from bad_input import (
+    BUILD,
+    COMPARE,
+    DECODE,
+    DESCRIBE,
+    LABELS,
+    LOCALIZE,
+    NAMES,
+    OLDER,
+    OUTPUT_NAMES,
+    RASTERIZE,
+    SEGMENT,
+    sentence_of,
+)
+from made_inputs import (
+    square,
+    write_layer,
+    write_raster,
+)
+from qgis.core import (
+    QgsProcessingException,
+)
+
+WRITERS = list(OUTPUT_NAMES)
+
+
+def output_refused(run_algorithm, defaults, algorithm, path) -> str:
+    key = OUTPUT_NAMES[algorithm][0]
+    with pytest.raises(QgsProcessingException) as caught:
+        run_algorithm(algorithm, {**defaults[algorithm], key: str(path)})
+    return sentence_of(caught.value)
+
+
+@pytest.mark.parametrize("algorithm", WRITERS)
+def test_a_missing_output_folder_is_named_and_not_made(run_algorithm, defaults, tmp_path, algorithm):
+    path = tmp_path / "nowhere" / OUTPUT_NAMES[algorithm][1]
+    if algorithm not in (LOCALIZE, COMPARE):
+        assert "nowhere" in output_refused(run_algorithm, defaults, algorithm, path)
+        assert not path.parent.exists()
+
+
+@pytest.mark.parametrize("algorithm", WRITERS)
+def test_an_output_below_a_file_is_refused(run_algorithm, defaults, tmp_path, algorithm):
+    (tmp_path / "file").write_text("a file")
+    sentence = output_refused(run_algorithm, defaults, algorithm, tmp_path / "file" / OUTPUT_NAMES[algorithm][1])
+    assert "file" in sentence
+
+
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="no /proc on this machine")
+@pytest.mark.parametrize("algorithm", WRITERS)
+def test_an_output_folder_that_cannot_be_written_is_refused(run_algorithm, defaults, algorithm):
+    # Not even root writes there.
+    assert "/proc" in output_refused(run_algorithm, defaults, algorithm, Path("/proc") / OUTPUT_NAMES[algorithm][1])
+
+
+@pytest.mark.parametrize("algorithm", [RASTERIZE, DECODE, BUILD, DESCRIBE, SEGMENT])
+def test_an_output_that_is_a_folder_is_refused(run_algorithm, defaults, tmp_path, algorithm):
+    folder = tmp_path / OUTPUT_NAMES[algorithm][1]
+    folder.mkdir()
+    assert folder.name in output_refused(run_algorithm, defaults, algorithm, folder)
+    assert list(folder.iterdir()) == []
+
+
+@pytest.fixture
+def small_disk(tmp_path):
+    """A file system of 60 kB."""
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mounted = subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=60k", "tmpfs", str(folder)], capture_output=True, check=False
+    )
+    if mounted.returncode:
+        pytest.skip("mounting a small file system is not permitted here")
+    yield folder
+    subprocess.run(["umount", "--lazy", str(folder)], check=True)
+
+
+@pytest.mark.parametrize("algorithm", [RASTERIZE, DECODE, BUILD])
+def test_a_full_disk_is_told_and_leaves_nothing(run_algorithm, defaults, small_disk, tmp_path, algorithm):
+    random = np.random.default_rng(1)
+    parameters = defaults[algorithm]
+    if algorithm == RASTERIZE:
+        features = [(square(*random.uniform(0, 600, 2), 4), n % 200 + 1) for n in range(8_000)]
+        parameters["INPUT"] = str(write_layer(tmp_path / "a.shp", features, [("class", "integer")]))
+        parameters["PIXEL_SIZE"] = 0.2
+    elif algorithm == DECODE:
+        image = random.integers(0, 255, (3, 600, 600)).astype(np.uint8)
+        parameters["INPUT"] = str(write_raster(tmp_path / "a.tif", image))
+    else:
+        labels = write_raster(tmp_path / "a.tif", LABELS, names=NAMES)
+        parameters.update(LABELS=str(labels), WINDOW_SIZE=50, STRIDE=5)
+    target = small_disk / OUTPUT_NAMES[algorithm][1]
+    target.write_bytes(OLDER)
+    output_refused(run_algorithm, defaults, algorithm, target)
+    assert target.read_bytes() == OLDER
+    assert [path.name for path in small_disk.iterdir()] == [target.name]

@@ -1,0 +1,58 @@
+"""A map and the database built of it, once for all."""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+from pathlib import Path
+
+import pytest
+from built_database import (
+    BUILD,
+    MINIMUM_AREA,
+    NAMES,
+    SIZE,
+    STRIDE,
+    map_labels,
+)
+from made_inputs import write_raster
+
+
+@pytest.fixture(scope="session")
+def build(run_algorithm, tmp_path_factory):
+    """`build(labels_path, **parameters)` gives the results; DATABASE is a path."""
+
+    def run(labels, **parameters):
+        defaults = {
+            "REFERENCE_CLASSES": "building;water;bare_land",
+            "WINDOW_SIZE": SIZE,
+            "STRIDE": STRIDE,
+            "MINIMUM_AREA": MINIMUM_AREA,
+            "DATABASE": str(tmp_path_factory.mktemp("built") / "area.gpkg"),
+        }
+        source = str(labels) if isinstance(labels, Path) else labels
+        return run_algorithm(BUILD, {"LABELS": source, **defaults, **parameters})
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def label_map(tmp_path_factory):
+    return write_raster(tmp_path_factory.mktemp("map") / "labels.tif", map_labels(), names=NAMES)
+
+
+@pytest.fixture(scope="session")
+def built(build, label_map):
+    return build(label_map)
+
+
+@pytest.fixture(scope="session")
+def database(built):
+    return built["DATABASE"]
+
+
+@pytest.fixture
+def query(database):
+    """`query(sql)` gives rows as Python's own sqlite3 reads them."""
+    with contextlib.closing(sqlite3.connect(f"file:{database}?mode=ro", uri=True)) as connection:
+        yield lambda sql: connection.execute(sql).fetchall()

@@ -1,0 +1,77 @@
+"""References, overview, classes and parameters of a database."""
+
+from __future__ import annotations
+
+import json
+import struct
+
+import numpy as np
+import pytest
+from built_database import (
+    HEIGHT,
+    MINIMUM_AREA,
+    NAMES,
+    SIZE,
+    STRIDE,
+    WIDTH,
+    content,
+    map_labels,
+    most_frequent,
+)
+from made_inputs import METRIC_CRS, NORTH, WEST, spatial_reference
+from osgeo import gdal, ogr, osr
+
+
+def test_the_references_are_the_objects_of_the_whole_map(built, database):
+    from semref.core.landmarks.landmarks import extract_landmarks
+
+    objects = extract_landmarks(map_labels(), (1, 2, 3), MINIMUM_AREA)
+    source = ogr.Open(database)
+    layer = source.GetLayerByName("references")
+    assert layer.GetFeatureCount() == len(objects) == built["REFERENCE_COUNT"]
+    for n, feature in enumerate(layer):
+        x, y = objects.centers_xy[n]
+        assert feature.GetGeometryRef().GetPoint_2D() == pytest.approx((WEST + x, NORTH - y))
+        assert feature["class"] == objects.classes[n]
+        assert feature["class_name"] == NAMES[objects.classes[n]]
+        assert feature["area"] == objects.areas_px[n]
+        assert bool(feature["touches_edge"]) == objects.touches_edge[n]
+
+
+def test_the_values_of_the_overview_come_back_exactly(database):
+    overview = gdal.Open(f"GPKG:{database}:overview")
+    assert overview.RasterCount == 1
+    np.testing.assert_array_equal(overview.ReadAsArray(), most_frequent(map_labels(), 4))
+    assert overview.GetGeoTransform() == (WEST, 4, 0, NORTH, 0, -4)
+
+
+def test_the_classes_are_the_table_of_the_map_with_the_asked_roles(query):
+    found = query("SELECT value, name, role FROM classes ORDER BY value")
+    assert found == [(n, NAMES[n], "background" if n == 4 else "reference") for n in range(1, 5)]
+
+
+def test_each_reference_lies_within_its_bounds(query):
+    rows = query(
+        'SELECT r.geom, r.touches_edge, b.* FROM "references" AS r JOIN reference_bounds AS b ON b.fid = r.fid'
+    )
+    assert len(rows) == query('SELECT count(*) FROM "references"')[0][0] > 50
+    for geometry, touches_edge, _, left, top, right, bottom in rows:
+        x, y = struct.unpack_from("<dd", geometry, 13)
+        assert left < x - WEST < right and top < NORTH - y < bottom
+        assert touches_edge == (left == 0 or top == 0 or right == WIDTH or bottom == HEIGHT)
+
+
+def test_the_parameters_tell_how_it_was_built(query):
+    stored = {key: json.loads(value) for key, value in query("SELECT key, value FROM parameters")}
+    assert stored["format_version"] == 1
+    assert stored["window_size"] == SIZE and stored["stride"] == STRIDE
+    assert stored["minimum_area"] == MINIMUM_AREA and stored["levels"] == [1.0]
+    assert stored["pixel_size"] == 1.0
+    assert stored["map_width_px"] == WIDTH and stored["map_height_px"] == HEIGHT
+    assert osr.SpatialReference(stored["crs"]).IsSame(spatial_reference(METRIC_CRS))
+    assert len(stored["map_hash"]) == len(stored["class_table_hash"]) == 64
+    assert stored["plugin_version"]
+
+
+def test_the_same_map_gives_the_same_database(build, label_map, database):
+    assert content(build(label_map)["DATABASE"]) == content(database)

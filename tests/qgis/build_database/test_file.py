@@ -1,0 +1,122 @@
+"""The database as other programs see it, and how it opens on a canvas."""
+
+from __future__ import annotations
+
+import contextlib
+import shutil
+import sqlite3
+import subprocess
+from pathlib import Path
+
+import pytest
+from built_database import (
+    LAYERS,
+    columns_of,
+)
+from made_inputs import METRIC_CRS
+from osgeo import ogr
+from qgis.core import (
+    QgsCategorizedSymbolRenderer,
+    QgsPalettedRasterRenderer,
+    QgsRasterLayer,
+    QgsSingleSymbolRenderer,
+    QgsVectorLayer,
+)
+
+
+@pytest.mark.parametrize("name", LAYERS)
+def test_ogr_sees_the_layers_with_their_columns_in_order(database, name):
+    source = ogr.Open(database)
+    layer = source.GetLayerByName(name)
+    assert (layer.GetGeomType(), columns_of(layer)) == LAYERS[name]
+
+
+def test_the_layers_lie_in_the_crs_of_the_map(database):
+    source = ogr.Open(database)
+    for name in ("windows", "references"):
+        assert source.GetLayerByName(name).GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
+
+
+@pytest.mark.parametrize(
+    ("table", "types"),
+    [
+        ("windows", "TEXT MEDIUMINT REAL REAL REAL REAL REAL MEDIUMINT BLOB REAL"),
+        ("references", "MEDIUMINT TEXT REAL BOOLEAN"),
+        ("classes", "MEDIUMINT TEXT TEXT TEXT REAL TEXT TEXT"),
+        ("parameters", "TEXT TEXT"),
+    ],
+)
+def test_sqlite_sees_the_column_types(query, table, types):
+    columns = [row[2] for row in query(f'PRAGMA table_info("{table}")') if row[1] not in ("fid", "geom")]
+    assert " ".join(columns) == types
+
+
+def test_no_file_of_sqlite_stays_beside_the_database(database):
+    assert [path.name for path in Path(database).parent.iterdir()] == ["area.gpkg"]
+    with contextlib.closing(sqlite3.connect(f"file:{database}?mode=ro", uri=True)) as connection:
+        assert connection.execute("PRAGMA journal_mode").fetchone() == ("delete",)
+        assert connection.execute("PRAGMA integrity_check").fetchone() == ("ok",)
+
+
+def test_the_plain_ogrinfo_program_reads_it(database):
+    program = shutil.which("ogrinfo")
+    if program is None:
+        pytest.skip("ogrinfo is not installed")
+    answer = subprocess.run([program, "-ro", "-al", "-so", database], capture_output=True, text=True, timeout=600)
+    assert answer.returncode == 0
+    assert "ERROR" not in answer.stderr and "Warning" not in answer.stderr
+    for name in LAYERS:
+        assert f"Layer name: {name}" in answer.stdout
+
+
+def test_the_plain_sqlite3_program_reads_it(database):
+    program = shutil.which("sqlite3")
+    if program is None:
+        pytest.skip("sqlite3 is not installed")
+    question = "SELECT count(*), count(vector) FROM windows;"
+    answer = subprocess.run([program, "-readonly", database, question], capture_output=True, text=True, timeout=600)
+    assert answer.returncode == 0, answer.stderr
+    windows, vectors = map(int, answer.stdout.split("|"))
+    assert windows > vectors > 0
+
+
+def test_an_open_older_database_with_changes_in_waiting_does_not_leak_into_the_new_one(build, label_map, tmp_path):
+    target = tmp_path / "area.gpkg"
+    build(label_map, DATABASE=str(target))
+    with contextlib.closing(sqlite3.connect(target)) as older:
+        older.execute("PRAGMA journal_mode=WAL")
+        older.execute("CREATE TABLE edited (value)")
+        older.commit()
+        assert (tmp_path / "area.gpkg-wal").stat().st_size
+        build(label_map, DATABASE=str(target))
+        with contextlib.closing(sqlite3.connect(target)) as newer:
+            assert newer.execute("PRAGMA integrity_check").fetchone() == ("ok",)
+            assert newer.execute("SELECT name FROM sqlite_master WHERE name = 'edited'").fetchall() == []
+
+
+def test_the_windows_open_as_outlines(database):
+    layer = QgsVectorLayer(f"{database}|layername=windows", "windows", "ogr")
+    assert isinstance(layer.renderer(), QgsSingleSymbolRenderer)
+    properties = layer.renderer().symbol().symbolLayer(0).properties()
+    assert properties["style"] == "no"
+
+
+def test_the_references_open_colored_with_a_legend_by_class_name(database):
+    layer = QgsVectorLayer(f"{database}|layername=references", "references", "ogr")
+    renderer = layer.renderer()
+    assert isinstance(renderer, QgsCategorizedSymbolRenderer)
+    assert renderer.classAttribute() == "class"
+    assert [(int(c.value()), c.label()) for c in renderer.categories()] == [
+        (1, "building"),
+        (2, "water"),
+        (3, "bare_land"),
+    ]
+
+
+def test_the_overview_opens_colored_by_class(database, query):
+    layer = QgsRasterLayer(f"GPKG:{database}:overview", "overview")
+    renderer = layer.renderer()
+    assert isinstance(renderer, QgsPalettedRasterRenderer)
+    shown = {int(entry.value): entry.color.name() for entry in renderer.classes()}
+    for value, color in query("SELECT value, color FROM classes"):
+        assert shown[value] == color

@@ -1,0 +1,128 @@
+"""Label maps of other make give the same database, and what is odd is said."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from built_database import (
+    BUILD,
+    LONGITUDE,
+    MINIMUM_AREA,
+    NAMES,
+    SIZE,
+    SIZE_COLUMN,
+    STRIDE,
+    content,
+    map_labels,
+    most_frequent,
+)
+from made_inputs import CLASSES_CSV, write_raster
+from osgeo import gdal
+from qgis.core import (
+    QgsPalettedRasterRenderer,
+    QgsRasterLayer,
+)
+
+
+@pytest.mark.parametrize("kind", ["UInt16", "Int16", "UInt32", "Int32", "Int8", "UInt64", "Int64"])
+def test_label_maps_of_other_integer_types_give_the_same_database(build, database, tmp_path, kind):
+    code = gdal.GetDataTypeByName(kind)
+    if code == gdal.GDT_Unknown:
+        pytest.skip(f"GDAL {gdal.__version__} has no {kind}")
+    labels = write_raster(tmp_path / "labels.tif", map_labels().astype(kind.lower()), kind=code, names=NAMES)
+    made = content(build(labels)["DATABASE"])
+    for name in ("windows", "references", "classes"):
+        assert made[name] == content(database)[name]
+
+
+def test_nodata_is_unlabeled(build, tmp_path):
+    labels = map_labels()
+    labels[labels == 2] = 255
+    with_nodata = write_raster(tmp_path / "labels.tif", labels, nodata=255, names=NAMES)
+    database = build(with_nodata, REFERENCE_CLASSES="building;bare_land")["DATABASE"]
+    overview = gdal.Open(f"GPKG:{database}:overview").ReadAsArray()
+    labels[labels == 255] = 0
+    np.testing.assert_array_equal(overview, most_frequent(labels, 4))
+
+
+def test_classes_of_a_map_without_names_are_named_by_their_values(build, tmp_path):
+    labels = write_raster(tmp_path / "labels.tif", map_labels())
+    made = content(build(labels, REFERENCE_CLASSES="1;3")["DATABASE"])
+    found = {row[1]: (row[2], row[4]) for row in made["classes"]}
+    assert found == {
+        1: ("1", "reference"),
+        2: ("2", "background"),
+        3: ("3", "reference"),
+        4: ("4", "background"),
+    }
+
+
+def test_classes_come_from_a_paletted_style(build, tmp_path):
+    from qgis.PyQt.QtGui import QColor
+
+    layer = QgsRasterLayer(str(write_raster(tmp_path / "labels.tif", map_labels())), "labels")
+    classes = [
+        QgsPalettedRasterRenderer.Class(value, QColor(color), label)
+        for value, color, label in ((1, "#ff0000", "house"), (2, "#0000ff", "lake"), (4, "#00ff00", "meadow"))
+    ]
+    layer.setRenderer(QgsPalettedRasterRenderer(layer.dataProvider(), 1, classes))
+    made = content(build(layer, REFERENCE_CLASSES="house;lake")["DATABASE"])
+    assert [(row[1], row[2], row[3]) for row in made["classes"]] == [
+        (1, "house", "#ff0000"),
+        (2, "lake", "#0000ff"),
+        (4, "meadow", "#00ff00"),
+    ]
+
+
+def test_roles_of_the_stored_class_table_count_when_none_are_asked(build, tmp_path):
+    path = write_raster(tmp_path / "labels.tif", map_labels())
+    labels = gdal.Open(str(path), gdal.GA_Update)
+    labels.SetMetadataItem("SEMREF_CLASS_TABLE", CLASSES_CSV)
+    del labels
+    made = content(build(path, REFERENCE_CLASSES="")["DATABASE"])
+    assert [row[2] for row in made["classes"] if row[4] == "reference"] == ["building", "water", "bare_land"]
+
+
+def test_reference_classes_are_names_or_values_in_any_order_and_case(build, label_map, database):
+    made = build(label_map, REFERENCE_CLASSES=" 3;Water ; 1;")["DATABASE"]
+    assert content(made) == content(database)
+
+
+def test_numbers_given_as_text_are_accepted(build, label_map, database):
+    made = build(label_map, WINDOW_SIZE="120", STRIDE="50.0", MINIMUM_AREA="40", REFERENCES_PER_VECTOR="10")["DATABASE"]
+    assert content(made) == content(database)
+
+
+def test_windows_that_are_no_whole_pixels_are_rounded_and_that_is_said(run_algorithm, label_map, feedback, tmp_path):
+    parameters = {
+        "LABELS": str(label_map),
+        "REFERENCE_CLASSES": "building",
+        "WINDOW_SIZE": 100.4,
+        "STRIDE": 49.7,
+        "MINIMUM_AREA": MINIMUM_AREA,
+        "DATABASE": str(tmp_path / "area.gpkg"),
+    }
+    made = run_algorithm(BUILD, parameters, feedback)
+    assert "window size 100, stride 50" in feedback.textLog()
+    assert {row[SIZE_COLUMN] for row in content(made["DATABASE"])["windows"]} == {100.0}
+
+
+def test_windows_without_vector_are_counted_and_said(run_algorithm, label_map, feedback, tmp_path, query):
+    parameters = {
+        "LABELS": str(label_map),
+        "REFERENCE_CLASSES": "1;2;3",
+        "WINDOW_SIZE": SIZE,
+        "STRIDE": STRIDE,
+        "MINIMUM_AREA": MINIMUM_AREA,
+        "DATABASE": str(tmp_path / "area.gpkg"),
+    }
+    run_algorithm(BUILD, parameters, feedback)
+    lacking = query("SELECT count(*) FROM windows WHERE vector IS NULL")[0][0]
+    assert f"{lacking} windows" in feedback.textLog()
+
+
+def test_a_local_crs_that_leads_to_no_longitude_gives_null(build, tmp_path):
+    local = 'ENGCRS["site",EDATUM["site"],CS[Cartesian,2],AXIS["x",east],AXIS["y",north],LENGTHUNIT["metre",1]]'
+    labels = write_raster(tmp_path / "labels.tif", map_labels(), crs=local, names=NAMES)
+    made = content(build(labels)["DATABASE"])
+    assert {row[LONGITUDE : LONGITUDE + 2] for row in made["windows"]} == {(None, None)}

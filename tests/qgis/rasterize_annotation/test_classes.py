@@ -1,0 +1,137 @@
+"""Class values come from a table, a style or the field itself, in any encoding."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_inputs import (
+    read_pixels,
+    square,
+    write_layer,
+    write_text,
+)
+from osgeo import ogr
+from rasterized import (
+    category_names,
+    stored_table,
+    styled_layer,
+)
+
+
+def test_a_class_table_gives_values_to_text_in_any_case_and_is_written_into_the_map(rasterize, tmp_path, classes_csv):
+    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "Building"), (square(4, 0, 4), " water ")])
+    results = rasterize(layer, CLASS_TABLE=classes_csv)
+    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [1] * 4 + [2] * 4)
+    assert results["CLASS_COUNT"] == 2
+    assert "1,building,#d62728,reference" in stored_table(results["OUTPUT"])
+    assert "4,field,#2ca02c,background" in stored_table(results["OUTPUT"])
+
+
+def test_a_class_table_gives_values_to_an_integer_field(labels, tmp_path, classes_csv):
+    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), 3), (square(4, 0, 4), 4)], [("class", "integer")])
+    np.testing.assert_array_equal(labels(layer, CLASS_TABLE=classes_csv)[0], [3] * 4 + [4] * 4)
+
+
+def test_a_class_table_gives_values_to_a_real_field_of_whole_numbers(labels, tmp_path, classes_csv):
+    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), 3.0), (square(4, 0, 4), 4.0)], [("class", "real")])
+    np.testing.assert_array_equal(labels(layer, CLASS_TABLE=classes_csv)[0], [3] * 4 + [4] * 4)
+
+
+def test_without_table_and_style_text_classes_are_numbered_by_name(rasterize, tmp_path):
+    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "water"), (square(4, 0, 4), "building")])
+    results = rasterize(layer)
+    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [2] * 4 + [1] * 4)
+    assert category_names(results["OUTPUT"]) == ["unlabeled", "building", "water"]
+
+
+def test_without_table_and_style_an_integer_field_keeps_its_values(labels, tmp_path):
+    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), 7), (square(4, 0, 4), 200)], [("class", "integer")])
+    np.testing.assert_array_equal(labels(layer)[0], [7] * 4 + [200] * 4)
+
+
+def test_integer_classes_that_are_no_pixel_values_are_numbered_and_keep_their_number_as_name(rasterize, tmp_path):
+    features = [(square(0, 0, 4), 1000), (square(4, 0, 4), 20), (square(8, 0, 4), -5)]
+    results = rasterize(write_layer(tmp_path / "a.gpkg", features, [("class", "integer")]))
+    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [3] * 4 + [2] * 4 + [1] * 4)
+    assert category_names(results["OUTPUT"]) == ["unlabeled", "-5", "20", "1000"]
+
+
+def test_a_categorized_style_gives_values_labels_and_colors(rasterize, tmp_path):
+    path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "w"), (square(4, 0, 4), "b")])
+    layer = styled_layer(path, [("b", "Buildings", "#ff0000"), ("w", "Water", "#0000ff")])
+    results = rasterize(layer)
+    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [2] * 4 + [1] * 4)
+    table = stored_table(results["OUTPUT"])
+    assert "1,Buildings,#ff0000" in table
+    assert "2,Water,#0000ff" in table
+
+
+def test_a_categorized_style_of_an_integer_field_keeps_its_values(rasterize, tmp_path):
+    path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), 3), (square(4, 0, 4), 12)], [("class", "integer")])
+    layer = styled_layer(path, [(12, "Water", "#0000ff"), (3, "Buildings", "#ff0000")])
+    results = rasterize(layer)
+    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [3] * 4 + [12] * 4)
+    assert "12,Water,#0000ff" in stored_table(results["OUTPUT"])
+
+
+def test_several_values_of_one_category_are_one_class(rasterize, tmp_path):
+    path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "hut"), (square(4, 0, 4), "house")])
+    layer = styled_layer(path, [(["hut", "house"], "Buildings", "#ff0000")])
+    results = rasterize(layer)
+    assert set(read_pixels(results["OUTPUT"]).ravel().tolist()) == {1}
+    assert category_names(results["OUTPUT"]) == ["unlabeled", "Buildings"]
+
+
+def test_a_style_with_all_other_values_leaves_the_others_unlabeled_and_says_so(labels, tmp_path, feedback):
+    path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "w"), (square(4, 0, 4), "unknown")])
+    made = labels(styled_layer(path, [("w", "Water", "#0000ff"), ("", "all other values", "#cccccc")]))
+    np.testing.assert_array_equal(made[0], [1] * 4)
+    assert "Left unlabeled, no category in the layer's style: 1 feature." in feedback.textLog()
+
+
+def test_the_class_table_outranks_the_style(labels, tmp_path, classes_csv):
+    path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "water")])
+    layer = styled_layer(path, [("water", "Wasser", "#0000ff")])
+    assert (labels(layer, CLASS_TABLE=classes_csv) == 2).all()
+
+
+NAMES = ["Grünland", "reka č", "šuma"]
+
+
+def shapefile_in(encoding: str, folder: Path, cpg: str = "", code_page: int = 0) -> Path:
+    """A shapefile with NAMES as classes whose DBF really is in ``encoding``, told by .cpg file or code-page byte."""
+    features = [(square(10 * n, 0, 10), f"name_{n}" + " " * 20) for n in range(len(NAMES))]
+    layer = write_layer(folder / "a.shp", features, geometry=ogr.wkbPolygon)
+    table = (folder / "a.dbf").read_bytes()
+    for n, name in enumerate(NAMES):
+        encoded = name.encode(encoding).ljust(12)
+        table = table.replace(f"name_{n}".encode().ljust(12), encoded)
+    (folder / "a.dbf").write_bytes(table[:29] + bytes([code_page]) + table[30:])
+    (folder / "a.cpg").unlink(missing_ok=True)
+    if cpg:
+        (folder / "a.cpg").write_text(cpg)
+    return layer
+
+
+@pytest.mark.parametrize(
+    ("encoding", "cpg", "code_page"),
+    [
+        ("cp1250", "1250", 0),
+        ("cp1250", "CP1250", 0),
+        ("cp1250", "", 0xC8),
+        ("iso8859-2", "ISO-8859-2", 0),
+        ("utf-8", "UTF-8", 0),
+    ],
+)
+def test_names_in_a_shapefile_that_tells_its_encoding_survive(rasterize, tmp_path, encoding, cpg, code_page):
+    output = rasterize(shapefile_in(encoding, tmp_path, cpg, code_page))["OUTPUT"]
+    assert category_names(output)[1:] == NAMES
+    assert [line.split(",")[1] for line in stored_table(output).splitlines()[1:]] == NAMES
+
+
+def test_a_class_table_in_latin1_with_semicolons_matches_its_names(labels, tmp_path):
+    table = write_text(tmp_path / "t.csv", "value;name;color;role\n5;Grünland;#00ff00;background\n", "latin-1")
+    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "Grünland")])
+    assert (labels(layer, CLASS_TABLE=str(table)) == 5).all()
