@@ -32,14 +32,26 @@ def log_odds_of(risk: float) -> float:
     return math.log1p(-risk) - math.log(risk) if 0 < risk < 1 else math.copysign(math.inf, 0.5 - risk)
 
 
-class Status(str, Enum):
-    """What came of an image; each equals its key, the text of the column ``status``.
+class _Keyed(str, Enum):
+    """Members that equal their keys.
 
     Attributes:
-        title: The status in words.
+        title: The member in words.
     """
 
     title: Sentence  # type: ignore[assignment] # not the method of str
+
+    @property
+    def key(self) -> str:
+        """The text that files have."""
+        return self.value
+
+    __str__ = str.__str__
+    __format__ = str.__format__  # type: ignore[assignment] # by position, as str has it
+
+
+class Status(_Keyed):
+    """What came of an image; each equals its key, the text of the column ``status``."""
 
     FIX = "fix", Sentence("localization.status_fix")
     AMBIGUOUS = "ambiguous", Sentence("localization.status_ambiguous")
@@ -53,27 +65,17 @@ class Status(str, Enum):
         member.title = title
         return member
 
-    @property
-    def key(self) -> str:
-        """The text that files have."""
-        return self.value
 
-    __str__ = str.__str__
-    __format__ = str.__format__  # type: ignore[assignment] # by position, as str has it
-
-
-class Method(str, Enum):
+class Method(_Keyed):
     """A road to a fix; each equals its key, the text of the column ``method``.
 
     The order is that of the parameter METHOD: ``list(Method)[number]``.
 
     Attributes:
         number: Value of the parameter METHOD.
-        title: The method in words.
     """
 
     number: int
-    title: Sentence  # type: ignore[assignment] # not the method of str
 
     AUTOMATIC = "automatic", 0, Sentence("localization.method_automatic")
     TOPOLOGY_VECTOR = "topology vector", 1, Sentence("localization.method_topology_vector")
@@ -86,14 +88,6 @@ class Method(str, Enum):
         member._value_ = key
         member.number, member.title = number, title
         return member
-
-    @property
-    def key(self) -> str:
-        """The text that files have."""
-        return self.value
-
-    __str__ = str.__str__
-    __format__ = str.__format__  # type: ignore[assignment] # by position, as str has it
 
     @classmethod
     def of_number(cls, number: int) -> Method:
