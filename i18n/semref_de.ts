@@ -2436,8 +2436,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Datei kann Länge und Breite nicht angeben: Die Karte ist dafür zu groß, oder ein Pol liegt darin.</translation>
   </message>
   <message>
-   <source>The focal length is {focal_length_px:g} pixels; it must be above 0.</source>
-   <translation>Die Brennweite ist {focal_length_px:g} Pixel; sie muss größer als 0 sein.</translation>
+   <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
+   <translation>Die Brennweite ist {focal_length_px:g} Pixel; sie muss größer als 0 und höchstens {most:g} sein.</translation>
   </message>
   <message>
    <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
@@ -3620,6 +3620,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{key} ist kein lesbares Raster; ein Foto oder Orthofoto wählen.</translation>
   </message>
   <message>
+   <source>{key} is {number}, which is no number; give one.</source>
+   <translation>{key} ist {number}, das ist keine Zahl; geben Sie eine an.</translation>
+  </message>
+  <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
    <translation>{key}: Das Gebiet von Objekt {feature} lässt sich nicht in das KBS der Klassenkarte bringen; das KBS des Layers prüfen.</translation>
   </message>
@@ -3638,6 +3642,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{layers}: not added, because a layer has to be one file of an image.</source>
    <translation>{layers}: nicht hinzugefügt, weil ein Layer eine einzelne Bilddatei sein muss.</translation>
+  </message>
+  <message>
+   <source>{layer} has places that are no numbers; remove the features that have them.</source>
+   <translation>{layer} hat Koordinaten, die keine Zahlen sind; entfernen Sie die Objekte, die solche haben.</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -3808,6 +3816,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} hat einen Wegpunkt bei {latitude}, {longitude}, was keine Breite und Länge ist.</translation>
   </message>
   <message>
+   <source>{path} has names or metadata that are no text in UTF-8; export the network again.</source>
+   <translation>{path} hat Namen oder Metadaten, die kein Text in UTF-8 sind; exportieren Sie das Netz neu.</translation>
+  </message>
+  <message>
    <source>{path} has neither labels nor landmarks; build it again.</source>
    <translation>{path} hat weder Klassen noch Landmarken; neu erstellen.</translation>
   </message>
@@ -3966,6 +3978,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>
    <translation>{path} ist größer als {most_mb} MB; das ist keine Route.</translation>
+  </message>
+  <message>
+   <source>{path} is named as {named}, but it is {found}; give it the suffix {suffix}, or export it again.</source>
+   <translation>{path} heißt wie {named}, ist aber {found}; geben Sie der Datei die Endung {suffix}, oder exportieren Sie sie neu.</translation>
   </message>
   <message>
    <source>{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.</source>

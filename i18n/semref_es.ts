@@ -2436,8 +2436,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El archivo no puede dar longitud ni latitud: el mapa es demasiado grande para ello o contiene un polo.</translation>
   </message>
   <message>
-   <source>The focal length is {focal_length_px:g} pixels; it must be above 0.</source>
-   <translation>La distancia focal es de {focal_length_px:g} píxeles; debe ser mayor que 0.</translation>
+   <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
+   <translation>La distancia focal es de {focal_length_px:g} píxeles; debe ser mayor que 0 y de {most:g} como máximo.</translation>
   </message>
   <message>
    <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
@@ -3620,6 +3620,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{key} no es un ráster que se pueda leer; elija una foto o una ortofoto.</translation>
   </message>
   <message>
+   <source>{key} is {number}, which is no number; give one.</source>
+   <translation>{key} es {number}, que no es un número; indique uno.</translation>
+  </message>
+  <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
    <translation>{key}: el área del objeto espacial {feature} no se puede llevar al SRC del mapa de etiquetas; compruebe el SRC de la capa.</translation>
   </message>
@@ -3638,6 +3642,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{layers}: not added, because a layer has to be one file of an image.</source>
    <translation>{layers}: no añadido, porque una capa debe ser un único archivo de imagen.</translation>
+  </message>
+  <message>
+   <source>{layer} has places that are no numbers; remove the features that have them.</source>
+   <translation>{layer} tiene coordenadas que no son números; elimine los objetos que las tengan.</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -3808,6 +3816,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} tiene un punto de paso en {latitude}, {longitude}, que no es una latitud y una longitud.</translation>
   </message>
   <message>
+   <source>{path} has names or metadata that are no text in UTF-8; export the network again.</source>
+   <translation>{path} tiene nombres o metadatos que no son texto en UTF-8; exporte la red de nuevo.</translation>
+  </message>
+  <message>
    <source>{path} has neither labels nor landmarks; build it again.</source>
    <translation>{path} no tiene etiquetas ni hitos; vuelva a crearla.</translation>
   </message>
@@ -3966,6 +3978,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>
    <translation>{path} ocupa más de {most_mb} MB; ninguna ruta es tan grande.</translation>
+  </message>
+  <message>
+   <source>{path} is named as {named}, but it is {found}; give it the suffix {suffix}, or export it again.</source>
+   <translation>{path} lleva un nombre de {named}, pero es {found}; póngale la extensión {suffix} o expórtelo de nuevo.</translation>
   </message>
   <message>
    <source>{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.</source>

@@ -2436,8 +2436,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le fichier ne peut donner ni longitude ni latitude : la carte est trop grande pour cela, ou contient un pôle.</translation>
   </message>
   <message>
-   <source>The focal length is {focal_length_px:g} pixels; it must be above 0.</source>
-   <translation>La focale est de {focal_length_px:g} pixels ; elle doit être supérieure à 0.</translation>
+   <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
+   <translation>La distance focale est de {focal_length_px:g} pixels ; elle doit être supérieure à 0 et d’au plus {most:g}.</translation>
   </message>
   <message>
    <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
@@ -3620,6 +3620,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{key} n’est pas un raster lisible ; choisissez une photo ou une orthophoto.</translation>
   </message>
   <message>
+   <source>{key} is {number}, which is no number; give one.</source>
+   <translation>{key} vaut {number}, qui n’est pas un nombre ; donnez-en un.</translation>
+  </message>
+  <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
    <translation>{key} : la zone de l’entité {feature} ne peut pas être amenée dans le SCR de la carte d’étiquettes ; vérifiez le SCR de la couche.</translation>
   </message>
@@ -3638,6 +3642,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{layers}: not added, because a layer has to be one file of an image.</source>
    <translation>{layers} : non ajouté, car une couche doit être un seul fichier d’image.</translation>
+  </message>
+  <message>
+   <source>{layer} has places that are no numbers; remove the features that have them.</source>
+   <translation>{layer} a des coordonnées qui ne sont pas des nombres ; supprimez les entités qui en ont.</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -3808,6 +3816,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} a un point de passage à {latitude}, {longitude}, qui n’est pas une latitude et une longitude.</translation>
   </message>
   <message>
+   <source>{path} has names or metadata that are no text in UTF-8; export the network again.</source>
+   <translation>{path} a des noms ou des métadonnées qui ne sont pas du texte en UTF-8 ; exportez de nouveau le réseau.</translation>
+  </message>
+  <message>
    <source>{path} has neither labels nor landmarks; build it again.</source>
    <translation>{path} n’a ni étiquettes ni repères visuels ; recréez-la.</translation>
   </message>
@@ -3966,6 +3978,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>
    <translation>{path} dépasse {most_mb} Mo ; aucun itinéraire n’est aussi grand.</translation>
+  </message>
+  <message>
+   <source>{path} is named as {named}, but it is {found}; give it the suffix {suffix}, or export it again.</source>
+   <translation>{path} porte un nom de {named}, mais c’est du {found} ; donnez-lui l’extension {suffix} ou exportez-le de nouveau.</translation>
   </message>
   <message>
    <source>{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.</source>

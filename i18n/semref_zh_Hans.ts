@@ -2436,8 +2436,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>该文件无法给出经纬度：地图过大，或包含极点。</translation>
   </message>
   <message>
-   <source>The focal length is {focal_length_px:g} pixels; it must be above 0.</source>
-   <translation>焦距为 {focal_length_px:g} 像元；必须大于 0。</translation>
+   <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
+   <translation>焦距为 {focal_length_px:g} 像元；必须大于 0，且不超过 {most:g}。</translation>
   </message>
   <message>
    <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
@@ -3620,6 +3620,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{key} 不是可读取的栅格；请选择照片或正射影像。</translation>
   </message>
   <message>
+   <source>{key} is {number}, which is no number; give one.</source>
+   <translation>{key} 为 {number}，不是数字；请输入一个数字。</translation>
+  </message>
+  <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
    <translation>{key}：要素 {feature} 的区域无法转换到标签图的坐标参照系；请检查图层的坐标参照系。</translation>
   </message>
@@ -3638,6 +3642,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{layers}: not added, because a layer has to be one file of an image.</source>
    <translation>{layers}：未添加，因为图层必须是单个影像文件。</translation>
+  </message>
+  <message>
+   <source>{layer} has places that are no numbers; remove the features that have them.</source>
+   <translation>{layer} 含有不是数字的坐标；请删除这些要素。</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -3808,6 +3816,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 中有一个航点位于 {latitude}, {longitude}，这不是有效的纬度、经度。</translation>
   </message>
   <message>
+   <source>{path} has names or metadata that are no text in UTF-8; export the network again.</source>
+   <translation>{path} 的名称或元数据不是 UTF-8 文本；请重新导出网络。</translation>
+  </message>
+  <message>
    <source>{path} has neither labels nor landmarks; build it again.</source>
    <translation>{path} 既没有标签也没有地标；请重新构建。</translation>
   </message>
@@ -3966,6 +3978,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>
    <translation>{path} 大于 {most_mb} MB；航线不会这么大。</translation>
+  </message>
+  <message>
+   <source>{path} is named as {named}, but it is {found}; give it the suffix {suffix}, or export it again.</source>
+   <translation>{path} 的名称表示 {named}，但内容是 {found}；请将扩展名改为 {suffix}，或重新导出。</translation>
   </message>
   <message>
    <source>{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.</source>

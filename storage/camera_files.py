@@ -229,8 +229,8 @@ def _tagged_camera(path: str) -> Camera:
         # Whoever needs its pixels says so.
         return Camera()
     exif = {**(dataset.GetMetadata("EXIF") or {}), **(dataset.GetMetadata() or {})}
-    exif = {name: value.strip() for name, value in exif.items() if name.startswith("EXIF_")}
-    xmp = " ".join(dataset.GetMetadata_List("xml:XMP") or [])
+    exif = {name: _text(value).strip() for name, value in exif.items() if name.startswith("EXIF_")}
+    xmp = " ".join(map(_text, dataset.GetMetadata_List("xml:XMP") or []))
     attitude, problem = None, None
     # A photo that viewers turn may have been turned before it was labeled.
     if exif.get("EXIF_Orientation", "1") == "1":
@@ -243,6 +243,11 @@ def _tagged_camera(path: str) -> Camera:
     lens = Lens("focal_length_35mm", focal, width / height) if focal else None
     source = os.path.basename(path) if attitude else ""
     return Camera(attitude, lens, source, _tagged_time(exif), problem)
+
+
+def _text(value: str | bytes) -> str:
+    """GDAL gives bytes for what is no UTF-8."""
+    return value if isinstance(value, str) else value.decode("latin-1")
 
 
 def _tagged_attitude(xmp: str) -> Attitude | None:

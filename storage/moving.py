@@ -94,6 +94,9 @@ def move_all(plans: Sequence[Plan]) -> None:
         ParameterError: An older file can't be replaced.
         OSError: The disk can't take what was written.
     """
+    if not plans:
+        # Outputs in memory alone.
+        return
     moves = [(plan, move) for plan in plans for move in plan.moves]
     if len(moves) == 1 and not (moves[0][1].is_folder and moves[0][1].has_old):
         # One rename is all or nothing by itself.

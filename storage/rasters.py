@@ -20,7 +20,7 @@ from ..core.labels.class_table import (
 )
 from ..core.labels.color_labels import decode_colors
 from ..core.labels.counts import count_labels
-from ..core.labels.image_files import MAXIMUM_IMAGE_PIXELS
+from ..core.labels.image_files import MAXIMUM_IMAGE_PIXELS, require_kind_of_name
 from ..core.labels.sources import ArrayLabels, LabelSource
 from .gdal_errors import gdal_failure, gdal_failures
 from .label_map_file import CLASS_TABLE_ITEM
@@ -46,6 +46,18 @@ _OWN_PIXELS = (
 """GDAL's drivers of files that hold their own pixels. Others (VRT, WMS, STACIT, …) read descriptions of rasters that
 lie elsewhere, and ask hosts for them."""
 
+_BY_SUFFIX = {
+    ".png": ("PNG",),
+    ".jpg": ("JPEG",),
+    ".jpeg": ("JPEG",),
+    ".tif": ("GTiff", "LIBERTIFF"),
+    ".tiff": ("GTiff", "LIBERTIFF"),
+    ".bmp": ("BMP",),
+    ".gif": ("GIF", "BIGGIF"),
+    ".webp": ("WEBP",),
+}
+"""A name with one of these suffixes says what the content is; others are opened by whichever of the drivers fits."""
+
 DESCRIPTIONS = (".vrt", ".xml", ".wms", ".gti", ".json")
 """Suffixes by which the user names a description as such."""
 
@@ -60,7 +72,9 @@ def drivers_for(path: str) -> list[str]:
     files that are named as descriptions.
     """
     is_named = path.startswith("/vsi") or path.lower().endswith(DESCRIPTIONS)
-    return [] if is_named or not os.path.isfile(path) else list(_OWN_PIXELS)
+    if is_named or not os.path.isfile(path):
+        return []
+    return list(_BY_SUFFIX.get(os.path.splitext(path)[1].lower(), _OWN_PIXELS))
 
 
 def open_raster(path: str) -> gdal.Dataset:
@@ -71,14 +85,18 @@ def open_raster(path: str) -> gdal.Dataset:
 
     Raises:
         LabelMapError: It can't be read, with GDAL's reason (GDAL may raise or return None), it only describes another
-            raster though it has the name of a picture, or its georeference is none.
+            raster though it has the name of a picture, it is of another kind than its name says, or its georeference is
+            none.
     """
+    drivers = drivers_for(path)
+    if drivers:
+        require_kind_of_name(path, _start(path), LabelMapError)
     gdal.PushErrorHandler("CPLQuietErrorHandler")
     try:
         gdal.ErrorReset()
         # Without OF_VERBOSE_ERROR GDAL does not say why no driver takes a file.
         kind = gdal.OF_RASTER | gdal.OF_READONLY | gdal.OF_VERBOSE_ERROR
-        dataset = gdal.OpenEx(path, kind, drivers_for(path))
+        dataset = gdal.OpenEx(path, kind, drivers)
     except RuntimeError as error:
         raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure(error)) from None
     finally:
@@ -92,15 +110,25 @@ def open_raster(path: str) -> gdal.Dataset:
     return dataset
 
 
+def _start(path: str) -> bytes:
+    try:
+        with open(path, "rb") as file:
+            return file.read(16)
+    except OSError:
+        # GDAL says why.
+        return b""
+
+
 def require_own_pixels(path: str) -> None:
-    """Raises LabelMapError for a file that describes another raster under the name of a picture.
+    """Raises LabelMapError for a file that is another kind of raster, or describes one, under the name of a picture.
 
     It is not opened by the driver that its content calls for, so that nothing is asked of a host.
     """
-    if drivers_for(path):
+    drivers = drivers_for(path)
+    if drivers:
         with gdal_failures():
             driver = gdal.IdentifyDriverEx(path, gdal.OF_RASTER)
-        if driver is not None and driver.ShortName not in _OWN_PIXELS:
+        if driver is not None and driver.ShortName not in drivers:
             open_raster(path)
 
 

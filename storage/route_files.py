@@ -137,7 +137,11 @@ def _text(path: str) -> str:
 
 
 def _lines_of_ogr(path: str) -> list[np.ndarray]:
-    """Lines of a GPX or KML file: routes before tracks; without any the waypoints in their order."""
+    """Lines of a GPX or KML file, with places on Earth; routes before tracks, else the waypoints in their order."""
+    return [_lon_lat([(y, x) for x, y in line.tolist()], path) for line in _drawn_lines(path)]
+
+
+def _drawn_lines(path: str) -> list[np.ndarray]:
     dataset = None
     with gdal_failures() as failures:
         dataset = gdal.OpenEx(path, gdal.OF_VECTOR)

@@ -17,6 +17,12 @@ Prior = Tuple[float, float, float, float, str]
 _LISTED_IMAGES = 1000
 """A project is no place for the names of more."""
 
+_METHODS = 4
+"""METHOD has so many options."""
+
+_FARTHEST = 1e9
+"""Map units from the origin."""
+
 
 @dataclass(frozen=True)
 class DockState:
@@ -61,12 +67,13 @@ def read_state(project: QgsProject) -> Optional[DockState]:
     def path_of(key: str) -> str:
         return project.readPath(project.readEntry(SCOPE, key)[0])
 
+    method = project.readNumEntry(SCOPE, "/method")[0]
     return DockState(
         project.readPath(database),
         path_of("/model"),
-        project.readNumEntry(SCOPE, "/method")[0],
+        method if 0 <= method < _METHODS else 0,
         [project.readPath(path) for path in project.readListEntry(SCOPE, "/images")[0]],
-        project.readNumEntry(SCOPE, "/opacity", 60)[0],
+        min(max(project.readNumEntry(SCOPE, "/opacity", 60)[0], 0), 100),
         path_of("/results"),
         _prior_of(project.readListEntry(SCOPE, "/prior")[0]),
     )
@@ -78,6 +85,8 @@ def _prior_of(entries: List[str]) -> Optional[Prior]:
         x, y, edge_x, edge_y = map(float, numbers)
     except ValueError:
         # Another version's, or somebody's own.
+        return None
+    if not all(abs(number) < _FARTHEST for number in (x, y, edge_x, edge_y)):
         return None
     return x, y, edge_x, edge_y, authid
 

@@ -15,6 +15,9 @@ import numpy as np
 
 from ..errors import LabelMapError, ParameterError
 
+LONGEST_FOCAL_LENGTH_PX = 1e9
+"""Pixels; a camera with a longer one sees nothing."""
+
 STEEPEST_VIEW_DEG = 75.0
 """A corner of the image may look so far from straight down. There the same solid angle covers 1/cos³ 75° = 58 times the
 ground that it covers straight below, and at 90° is the horizon. A tilt of 35° at a field of view of 60° comes to it."""
@@ -141,12 +144,12 @@ def leveling(attitude: Attitude, focal_length_px: float, shape_hw: tuple[int, in
         shape_hw: (height, width) of the image, pixels.
 
     Raises:
-        ParameterError: The focal length is not positive, or the view comes too near the horizon.
+        ParameterError: The focal length is none that a camera has, or the view comes too near the horizon.
         LabelMapError: The image is empty or too large to warp.
     """
     height, width = shape_hw
-    if not focal_length_px > 0:
-        raise ParameterError("geometry.focal_length", focal_length_px=focal_length_px)
+    if not 0 < focal_length_px <= LONGEST_FOCAL_LENGTH_PX:
+        raise ParameterError("geometry.focal_length", focal_length_px=focal_length_px, most=LONGEST_FOCAL_LENGTH_PX)
     if not height or not width:
         raise LabelMapError("labels.no_pixels")
     rays = np.array([(x, y, focal_length_px) for x, y in _around(width / 2, height / 2)])

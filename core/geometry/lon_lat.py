@@ -55,6 +55,18 @@ class LonLatPolynomial:
         longitudes = (terms @ np.array(self.longitude) + 180) % 360 - 180
         return longitudes, terms @ np.array(self.latitude)
 
+    def is_on_earth(self, extent: tuple[float, float, float, float]) -> bool:
+        """Whether all of a map has a latitude of -90 to 90 and a longitude.
+
+        Args:
+            extent: (x_min, y_min, x_max, y_max) of the map.
+        """
+        x_min, y_min, x_max, y_max = extent
+        xs, ys = np.meshgrid(np.linspace(x_min, x_max, _CHECKED), np.linspace(y_min, y_max, _CHECKED))
+        with np.errstate(all="ignore"):
+            longitudes, latitudes = self(np.column_stack([xs.ravel(), ys.ravel()]))
+            return bool(np.isfinite(longitudes).all() and (np.abs(latitudes) <= 90).all())
+
 
 def fit_lon_lat(transform: Transform, extent: tuple[float, float, float, float]) -> LonLatPolynomial | None:
     """The polynomial of lowest degree within WANTED_ERROR_M of ``transform``, else the best one.

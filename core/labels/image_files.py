@@ -20,7 +20,7 @@ from ..errors import ImageError, LabelMapError, SemRefError
 from .class_table import ClassTable
 from .color_labels import decode_colors
 from .image_source import ArrayImage
-from .tiff import BITS, EXTRA_SAMPLES, ORDERS, PHOTOMETRIC, TiffTags, pixel_size_m
+from .tiff import BITS, EXTRA_SAMPLES, HEIGHT, ORDERS, PHOTOMETRIC, WIDTH, TiffTags, pixel_size_m
 
 IMAGE_EXTENSIONS = (".png", ".tif", ".tiff", ".jpg", ".jpeg")
 
@@ -31,8 +31,21 @@ MAXIMUM_IMAGE_BYTES = 4 * MAXIMUM_IMAGE_PIXELS
 """What the largest image has uncompressed, in four bands of 8 bits."""
 
 _PNG = b"\x89PNG\r\n\x1a\n"
+_KINDS = {
+    "PNG": ((_PNG,), (".png",)),
+    "TIFF": ((b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"), (".tif", ".tiff")),
+    "JPEG": ((b"\xff\xd8\xff",), (".jpg", ".jpeg")),
+}
+"""How files of each kind begin, and the suffixes of their names."""
+
 _PNG_PALETTE, _PNG_GRAY, _PNG_GRAY_ALPHA = 3, 0, 4
 _TIFF_GRAY, _TIFF_PALETTE = 1, 3
+_NO_FRAMES = (0xC4, 0xC8, 0xCC)
+"""Markers of a JPEG among those of frames that say no size: tables, and one that is reserved."""
+
+_PIXELS_A_BYTE = 8 * 1032
+"""Of one bit each, which deflate packs 1,032 bytes of into one; JPEG packs less."""
+
 _TIFF_PREMULTIPLIED, _TIFF_OPACITY = 1, 2
 """Kinds of a TIFF's fourth band: its colors are darkened by it already, or they aren't."""
 
@@ -153,6 +166,21 @@ def is_image_name(name: str) -> bool:
     return name.lower().endswith(IMAGE_EXTENSIONS) and not name.startswith(".")
 
 
+def require_kind_of_name(path: str, start: bytes, kind: type[SemRefError]) -> None:
+    """Refuses a file that begins as another kind than its name says: one of the two is a mistake, or a trick.
+
+    Args:
+        path: The file; names without a suffix of PNG, TIFF or JPEG promise nothing.
+        start: Its first bytes, 8 or more.
+        kind: The error to raise.
+    """
+    suffix = os.path.splitext(path)[1].lower()
+    named = next((name for name, (_, suffixes) in _KINDS.items() if suffix in suffixes), None)
+    found = next((name for name, (starts, _) in _KINDS.items() if start.startswith(starts)), None)
+    if named and found and named != found:
+        raise kind("labels.other_kind", path=path, found=found, named=named, suffix=_KINDS[found][1][0])
+
+
 def _read(path: str, kind: type[SemRefError]) -> bytes:
     try:
         with open(path, "rb", opener=_open_at_once) as file:
@@ -167,13 +195,15 @@ def _read(path: str, kind: type[SemRefError]) -> bytes:
                     most_mb=MAXIMUM_IMAGE_BYTES // 1_000_000,
                 )
             # No more than was there: a file that grows meanwhile is read again by whoever watches it.
-            return file.read(state.st_size)
+            data = file.read(state.st_size)
     except IsADirectoryError:
         raise kind("labels.no_regular_file", path=path) from None
     except (OSError, ValueError) as error:
         # ValueError: a path with a null character.
         reason = getattr(error, "strerror", None) or str(error)
         raise kind("labels.image_unreadable", path=path, reason=reason) from None
+    require_kind_of_name(path, data, kind)
+    return data
 
 
 def _open_at_once(path: str, flags: int) -> int:
@@ -182,6 +212,7 @@ def _open_at_once(path: str, flags: int) -> int:
 
 
 def _decoded(data: bytes, flags: int, path: str, kind: type[SemRefError]) -> np.ndarray:
+    _require_decodable(data, path, kind)
     # The orientation of EXIF is left alone: GDAL, which the plugin reads with, doesn't know it.
     try:
         image = cv2.imdecode(np.frombuffer(data, np.uint8), flags | cv2.IMREAD_IGNORE_ORIENTATION) if data else None
@@ -189,7 +220,18 @@ def _decoded(data: bytes, flags: int, path: str, kind: type[SemRefError]) -> np.
         raise kind("labels.image_unreadable", path=path, reason=error.err) from None
     if image is None:
         raise kind("labels.image_not_decoded", path=path)
-    height, width = image.shape[:2]
+    return image
+
+
+def _require_decodable(data: bytes, path: str, kind: type[SemRefError]) -> None:
+    """Refuses what claims more pixels than an image may have or a file of its size can hold, before it is decoded."""
+    if data.startswith(_PNG) and not _has_whole_chunks(data):
+        # OpenCV would make room for what a chunk claims, and fill it: seconds, and gigabytes.
+        raise kind("labels.damaged", path=path)
+    found = stated_size(data)
+    if found is None:
+        return
+    width, height = found
     if height * width > MAXIMUM_IMAGE_PIXELS:
         raise kind(
             "labels.image_too_large",
@@ -198,7 +240,35 @@ def _decoded(data: bytes, flags: int, path: str, kind: type[SemRefError]) -> np.
             height=height,
             most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
         )
-    return image
+    # Pieces of a TIFF may be left out or shared.
+    if height * width > _PIXELS_A_BYTE * len(data) and data[:4] not in ORDERS:
+        raise kind("labels.damaged", path=path)
+
+
+def stated_size(data: bytes) -> tuple[int, int] | None:
+    """(width, height) that a PNG, TIFF or JPEG says it has; None where it says none that can be read."""
+    try:
+        if data.startswith(_PNG):
+            width, height = struct.unpack_from(">II", data, len(_PNG) + 8)
+            return width, height
+        if data[:4] in ORDERS:
+            tags = TiffTags(data)
+            (width,), (height,) = tags.values(WIDTH), tags.values(HEIGHT)
+            return (width, height) if isinstance(width, int) and isinstance(height, int) else None
+        return _jpeg_size(data)
+    except (struct.error, ValueError, TypeError):
+        return None
+
+
+def _jpeg_size(data: bytes) -> tuple[int, int] | None:
+    place = 2
+    while data[place : place + 1] == b"\xff":
+        marker, length = struct.unpack_from(">xBH", data, place)
+        if 0xC0 <= marker <= 0xCF and marker not in _NO_FRAMES:
+            height, width = struct.unpack_from(">HH", data, place + 5)
+            return width, height
+        place += 2 + length
+    return None
 
 
 def _png_values(data: bytes, path: str) -> tuple[bytes, int | None]:
@@ -223,6 +293,19 @@ def _png_chunks(data: bytes) -> Iterator[tuple[bytes, bytes]]:
         length, name = struct.unpack_from(">I4s", data, place)
         yield name, data[place : place + 12 + length]
         place += 12 + length
+
+
+def _has_whole_chunks(data: bytes) -> bool:
+    """Whether no chunk of a PNG claims to be longer than the file, up to the one that ends it."""
+    place = len(_PNG)
+    while place + 8 <= len(data):
+        length, name = struct.unpack_from(">I4s", data, place)
+        if place + 12 + length > len(data):
+            return False
+        if name == b"IEND":
+            return True
+        place += 12 + length
+    return True
 
 
 def _png_chunk(name: bytes, content: bytes) -> bytes:

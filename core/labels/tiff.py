@@ -11,7 +11,7 @@ ORDERS = {b"II*\0": "<", b"MM\0*": ">"}
 _SIZES_AND_CODES = {1: (1, "B"), 2: (1, "s"), 3: (2, "H"), 4: (4, "I"), 12: (8, "d")}
 """Bytes and code for ``struct`` of the kinds of values that are read: byte, text, short, long, double."""
 
-PHOTOMETRIC, BITS, EXTRA_SAMPLES, NODATA = 262, 258, 338, 42113
+WIDTH, HEIGHT, PHOTOMETRIC, BITS, EXTRA_SAMPLES, NODATA = 256, 257, 262, 258, 338, 42113
 _PIXEL_SCALE, _TIE_POINT, _TRANSFORMATION, _GEO_KEYS = 33550, 33922, 34264, 34735
 _MODEL_TYPE_KEY, _PROJECTED, _GEOGRAPHIC = 1024, 1, 2
 _LINEAR_UNITS_KEY, _ANGULAR_UNITS_KEY, _DEGREE = 3076, 2054, 9102

@@ -203,7 +203,7 @@ def _onboard(members: Mapping[str, np.ndarray], header: dict, path: str, with_ov
     database = ReferenceDatabase(windows, landmarks, table, parameters, path, overview)
     return OnboardDatabase(
         database,
-        _lon_lat(header["lon_lat"]),
+        _lon_lat(header["lon_lat"], parameters.extent),
         number(header["position_step"], "position_step", 0.0) / 2,
         math.expm1(number(header["log_area_step"], "log_area_step", 0.0) / 2),
         0.5 / VECTOR_STEPS,
@@ -276,7 +276,7 @@ def _overview(members: Mapping[str, np.ndarray], parameters: BuildParameters) ->
     return labels.copy()
 
 
-def _lon_lat(values: dict | None) -> LonLatPolynomial | None:
+def _lon_lat(values: dict | None, extent: tuple[float, float, float, float]) -> LonLatPolynomial | None:
     if values is None:
         return None
     degree = checked(values["degree"], int, "the degree of lon_lat")
@@ -288,6 +288,9 @@ def _lon_lat(values: dict | None) -> LonLatPolynomial | None:
         raise ValueError("lon_lat has not the numbers of its degree")
     (x, y), (half_width, half_height) = numbers["center"], numbers["half_size"]
     error_m = number(values["error_m"], "error_m", -1)
-    return LonLatPolynomial(
+    found = LonLatPolynomial(
         degree, (x, y), (half_width, half_height), numbers["longitude"], numbers["latitude"], error_m
     )
+    if not found.is_on_earth(extent):
+        raise ValueError("lon_lat leads off the Earth")
+    return found

@@ -68,9 +68,12 @@ class SegmentationModel:
         self.runs_at_once = min(RUNS_AT_ONCE, threads) if _providers()[:1] == [_CPU] else 1
         self._session = _open(path, -(-threads // self.runs_at_once))
         self.provider = self._session.get_providers()[0]
-        texts = self._session.get_modelmeta().custom_metadata_map
-        self.settings = read_settings(texts, path)
-        self._read_input()
+        try:
+            texts = self._session.get_modelmeta().custom_metadata_map
+            self.settings = read_settings(texts, path)
+            self._read_input()
+        except UnicodeDecodeError:
+            raise ModelError("segmentation.not_text", path=path) from None
         mean, std = (np.array(v, np.float32) for v in (self.settings.mean, self.settings.std))
         # (pixel / 255 - mean) / std of each of the 256 pixel values, for each band.
         self._standardized = ((np.arange(256, dtype=np.float32) / 255)[None] - mean[:, None]) / std[:, None]
@@ -153,13 +156,17 @@ class SegmentationModel:
             )
         return outputs
 
-    def _run(self, images: Sequence[np.ndarray]) -> np.ndarray:
+    def _planes(self, images: Sequence[np.ndarray]) -> np.ndarray:
+        """(N, 3, H, W) standardized pixels, as the network takes them."""
         planes = np.empty((len(images), _BANDS, *self.tile_hw), self._type)
         for image, plane in zip(images, planes):
             for band, pixels in enumerate(cv2.split(image)):
                 plane[band] = cv2.LUT(pixels, self._standardized[band])
+        return planes
+
+    def _run(self, images: Sequence[np.ndarray]) -> np.ndarray:
         try:
-            found = self._session.run(None, {self._name: planes})[0]
+            found = self._session.run(None, {self._name: self._planes(images)})[0]
         except _failures_of_a_run() as error:
             height, width = self.tile_hw
             raise ModelError(
@@ -180,7 +187,7 @@ def _onnxruntime() -> ModuleType:
 
 
 def _failures_of_a_run() -> tuple[type[BaseException], ...]:
-    return (*_failures(), MemoryError)
+    return (*_failures(), MemoryError, cv2.error)
 
 
 def _failures() -> tuple[type[BaseException], ...]:

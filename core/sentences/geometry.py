@@ -3,7 +3,7 @@
 SENTENCES = {
     "geometry.attitude": "A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.",
     "geometry.gimbal_pitch": "A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.",
-    "geometry.focal_length": "The focal length is {focal_length_px:g} pixels; it must be above 0.",
+    "geometry.focal_length": "The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.",
     "geometry.near_horizon": (
         "With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from "
         "straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply."

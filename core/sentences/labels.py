@@ -35,6 +35,9 @@ SENTENCES = {
     ),
     "labels.at_line": "{where}: {fault}",
     "labels.class_hsv": "{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).",
+    "labels.other_kind": (
+        "{path} is named as {named}, but it is {found}; give it the suffix {suffix}, or export it again."
+    ),
     "labels.unknown_image_format": "{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.",
     "labels.damaged": "{path} is damaged or cut short; copy it again.",
     "labels.color_not_8_bits": "{path} holds {kind} values; a color label image has 8 bits a band.",

@@ -88,6 +88,7 @@ SENTENCES = {
         "{path} keeps its weights in another file that is missing or cut short; put it beside the model under its "
         "old name ({reason})."
     ),
+    "segmentation.not_text": "{path} has names or metadata that are no text in UTF-8; export the network again.",
     "segmentation.no_onnx": "{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.",
     "segmentation.not_run": "{path} can't be run by onnxruntime {version}: {reason}.",
     "segmentation.other_tile_size": (

@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import PurePath
 from typing import Callable, NamedTuple, Union
+from unicodedata import category
 
 
 class Plural(NamedTuple):
@@ -58,6 +60,12 @@ class Sentence:
         """The sentence in English."""
         return english(self)
 
+
+LONGEST_VALUE = 500
+"""Characters of a value in a sentence; paths have hardly more, and of what is longer the ends are enough."""
+
+_KEPT_BEFORE, _KEPT_BEHIND = 300, 150
+_LARGEST_WHOLE = 10**64
 
 _templates: dict[str, Template] = {}
 
@@ -113,4 +121,19 @@ def _shown(value: object, template: Callable[[Sentence], str]) -> object:
         return _Worded(filled(value, template))
     if isinstance(value, tuple):
         return _Worded(", ".join(str(_shown(part, template)) for part in value))
-    return value
+    if isinstance(value, int) and abs(value) >= _LARGEST_WHOLE:
+        # Python refuses to write numbers of some thousand digits.
+        return "…"
+    return _Worded(legible(str(value))) if isinstance(value, (str, PurePath, BaseException)) else value
+
+
+def legible(text: str) -> str:
+    """A text as it may stand in a sentence, wherever it comes from: in one line, and cut in its middle where long."""
+    if len(text) > LONGEST_VALUE:
+        text = f"{text[:_KEPT_BEFORE]}…{text[-_KEPT_BEHIND:]}"
+    return text if text.isprintable() else "".join(_printable(sign) for sign in text)
+
+
+def _printable(sign: str) -> str:
+    """Controls, line ends, what turns the direction of writing and bytes that are no text as Python's escapes."""
+    return sign if sign.isprintable() or category(sign) == "Zs" else sign.encode("unicode_escape").decode("ascii")

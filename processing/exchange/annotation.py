@@ -121,7 +121,7 @@ def annotation_source(
         raise AnnotationError("exchange.priority_not_numbers", priority_field=priority_field)
     request = QgsFeatureRequest()
     request.setSubsetOfAttributes([i for i in (class_index, priority_index) if i >= 0])
-    count, extent = layer.featureCount(), layer.extent()
+    count, extent = layer.featureCount(), _extent(layer)
     if isinstance(definition, QgsProcessingFeatureSourceDefinition):
         if definition.selectedFeaturesOnly:
             request.setFilterFids(layer.selectedFeatureIds())
@@ -142,6 +142,14 @@ def annotation_source(
         styled,
         unstyled_allowed,
     )
+
+
+def _extent(layer: QgsVectorLayer) -> QgsRectangle:
+    """Where a layer lies. Raises AnnotationError where infinite coordinates make QGIS's providers raise anything."""
+    try:
+        return layer.extent()
+    except Exception:
+        raise AnnotationError("exchange.no_extent", layer=layer.name()) from None
 
 
 def _field_index(layer: QgsVectorLayer, name: str, key: str) -> int:

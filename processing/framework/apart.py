@@ -84,9 +84,11 @@ def clear_beside_inputs(algorithm: QgsProcessingAlgorithm, values: Values) -> No
     for definition in algorithm.parameterDefinitions():
         if not definition.isDestination():
             for source in _sources(values.raw(definition.name()), values.context):
-                path = Path(source.split("|")[0])
-                if path.is_absolute() or path.exists():
-                    folders.add(path.parent)
+                path = source.split("|")[0]
+                folder = os.path.dirname(path) or "."
+                # Not by pathlib, which raises for texts that no file system takes as a name.
+                if (os.path.isabs(path) or os.path.exists(path)) and os.path.isdir(folder):
+                    folders.add(Path(folder))
     for folder in folders:
         clear(folder)
 

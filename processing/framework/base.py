@@ -141,6 +141,9 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             possible, reason = super().checkParameterValues(parameters, context)
             if not possible:
                 return False, reason
+            for definition in self.parameterDefinitions():
+                if values.has(definition.name()):
+                    _READ.get(definition.type(), lambda *_: None)(values, definition.name())
             require_outputs_apart(self, values, self.MAY_REPLACE)
             self.check(values)
         except SemRefError as error:
@@ -180,6 +183,10 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             if error.errno not in _DISK_ERRORS:
                 raise
             raise QgsProcessingException(_disk_sentence(error)) from error
+
+
+_READ = {"number": Values.number, "distance": Values.number, "range": Values.range}
+"""Numbers by type of parameter: read before any work, and refused where they are none."""
 
 
 def group_title(group: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
@@ -60,8 +61,8 @@ class Values:
     # --- plain values ---
 
     def number(self, key: str) -> float:
-        """A number, its default if it was left out."""
-        return self._read("Double", key)
+        """A number, its default if it was left out. Raises ParameterError for NaN and infinity, which QGIS takes."""
+        return _finite(self._read("Double", key), key)
 
     def optional_number(self, key: str, default: Optional[float] = None) -> Optional[float]:
         """A number; ``default`` if it was left out."""
@@ -84,9 +85,9 @@ class Values:
         return self._read("Enums", key)
 
     def range(self, key: str) -> Tuple[float, float]:
-        """Lowest and highest value."""
+        """Lowest and highest value. Raises ParameterError as ``number`` does."""
         low, high = self._read("Range", key)
-        return low, high
+        return _finite(low, key), _finite(high, key)
 
     def text(self, key: str) -> str:
         """A text; empty if it was left out."""
@@ -110,7 +111,7 @@ class Values:
         if not self.has(key):
             return None
         point = self._read("Point", key, crs)
-        return point.x(), point.y()
+        return _finite(point.x(), key), _finite(point.y(), key)
 
     def extent(self, key: str, crs: QgsCoordinateReferenceSystem) -> QgsRectangle:
         """A rectangle in ``crs``; an empty one if it was left out."""
@@ -204,3 +205,9 @@ class Values:
         """
         parameters = {**self._parameters, key: with_destination(self.raw(key), target)} if target else self._parameters
         return self._algorithm.parameterAsSink(parameters, key, self.context, fields, geometry, crs, flags)
+
+
+def _finite(number: float, key: str) -> float:
+    if not math.isfinite(number):
+        raise ParameterError("algorithms.no_number", key=key, number=str(number))
+    return number

@@ -45,6 +45,7 @@ SENTENCES = {
     "exchange.no_database_layers": (
         "{path} is not a SemRef reference database; choose one made by “Build reference database”."
     ),
+    "exchange.no_extent": "{layer} has places that are no numbers; remove the features that have them.",
     "exchange.not_shown": "{image} can’t be shown on the map.",
     "exchange.no_label_map": "{key} is not a raster that can be read; choose a label map.",
     "exchange.no_image": "{key} is not a raster that can be read; choose a photo or an orthophoto.",

@@ -22,7 +22,15 @@ from ...core.labels.class_table import MAXIMUM_VALUE, class_table_from_csv
 from ...core.values import read_json
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
-from .checksums import CHECKSUMS, checksums_of, overview_checksum, require_unchanged
+from .checksums import (
+    CHECKSUMS,
+    checksums_of,
+    keeps_shown,
+    overview_checksum,
+    require_unchanged,
+    shown_checksums,
+    style_checksums,
+)
 from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
 
 _LONGEST_REASON = 200
@@ -63,6 +71,8 @@ def _read(connection: sqlite3.Connection, path: str, is_checked: bool = True) ->
     require_sound(windows, landmarks, parameters, table)
     if is_checked:
         require_unchanged(connection, checksums_of(connection, windows, landmarks))
+        if keeps_shown(connection):
+            require_unchanged(connection, shown_checksums(connection))
     return ReferenceDatabase(windows, landmarks, table, parameters, path)
 
 
@@ -213,10 +223,13 @@ def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
 
 
 def stored_style(path: str, table: str) -> str | None:
-    """QML of the style of one table of a database, None when it has none."""
+    """QML of the style of one table of a database, None when it has none or a damaged one."""
     query = "SELECT styleQML FROM layer_styles WHERE f_table_name = ? AND length(styleQML) < ?"
     try:
         with snapshot(path) as connection:
+            if keeps_shown(connection):
+                found = style_checksums(connection)
+                require_unchanged(connection, {name: found[name] for name in found if name == f"style {table}"})
             row = connection.execute(query, (table, _LONGEST_STYLE)).fetchone()
     except DatabaseError:
         return None
@@ -243,6 +256,8 @@ def store_checksums(path: str) -> None:
         bounds = _read_bounds(connection)
         if bounds is not None:
             found[schema.BOUNDS] = digest([bounds])
+        found.update(shown_checksums(connection))
+        found.update(style_checksums(connection))
     text = json.dumps(found)
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         changed = connection.execute("UPDATE parameters SET value = ? WHERE key = ?", (text, CHECKSUMS))

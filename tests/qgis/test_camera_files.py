@@ -187,3 +187,11 @@ def test_the_table_comes_before_the_photo_and_the_photo_fills_its_gaps(tmp_path)
     timed, untimed = read_cameras(images, table(tmp_path, "image,time\nIMG_1,7\n"))
     assert (timed.time_s, untimed.time_s) == (7, None)
     assert angles(timed) == pytest.approx((0, 10))
+
+
+def test_tags_that_are_no_text_are_no_fault_of_the_program(tmp_path):
+    """GDAL gives bytes for what is no UTF-8."""
+    path = photo(tmp_path / "IMG_1.jpg", xmp="<x GimbalRollDegree='1' GimbalPitchDegree='-80'/>")
+    data = path.read_bytes()
+    path.write_bytes(data.replace(b"Gimbal", b"\xff\xfe\xfdmbal"))
+    assert read_cameras([str(path)], "")[0].attitude is None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import shutil
 import sqlite3
 import subprocess
@@ -306,3 +307,76 @@ def test_an_odd_path_comes_onto_the_map(qgis_app, built, tmp_path, name):
     project = QgsProject()
     add_database_to_map(str(shutil.copy(built, tmp_path / name)), project)
     assert sorted(layer.name() for layer in project.mapLayers().values()) == ["Landmarks", "Overview", "Windows"]
+
+
+CHANGED_CELLS = [
+    "UPDATE windows SET name = '1_1' WHERE fid = 3",
+    "UPDATE windows SET longitude = longitude + 1e-12 WHERE fid = 3",
+    "UPDATE windows SET latitude = NULL WHERE fid = 3",
+    "UPDATE windows SET geom = (SELECT geom FROM windows WHERE fid = 4) WHERE fid = 3",
+    "UPDATE windows SET level = 1.25 WHERE fid = 3",
+    "UPDATE \"references\" SET class_name = 'Water' WHERE fid = 3",
+    'UPDATE "references" SET class = class + 0.25 WHERE fid = 3',
+    "UPDATE gpkg_contents SET min_x = min_x - 1 WHERE table_name = 'windows'",
+    "UPDATE gpkg_geometry_columns SET z = 1 WHERE table_name = 'windows'",
+    "UPDATE gpkg_tile_matrix_set SET min_x = min_x + 8 WHERE table_name = 'overview'",
+    "UPDATE rtree_windows_geom_node SET data = zeroblob(length(data))",
+]
+
+
+def change(path, statement) -> None:
+    """Changes a database behind its checksums."""
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        names = connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall()
+        for (name,) in names:
+            connection.execute(f'DROP TRIGGER "{name}"')
+        assert connection.execute(statement).rowcount
+
+
+@pytest.mark.parametrize("statement", CHANGED_CELLS)
+def test_what_only_the_map_shows_is_under_the_checksums_too(read, database, statement):
+    change(database, statement)
+    assert "is not what its checksum says" in refusal(read, database)
+
+
+def test_a_style_that_was_changed_behind_its_checksum_is_not_used(qgis_app, read, database):
+    from semref.storage.database.reader import stored_style
+
+    assert stored_style(str(database), "windows")
+    change(database, "UPDATE layer_styles SET styleQML = replace(styleQML, 'a', 'b')")
+    assert stored_style(str(database), "windows") is None
+    assert len(read(database).references)
+
+
+def test_a_style_that_the_user_put_into_the_database_is_used(qgis_app, database):
+    from semref.storage.database.reader import stored_style
+
+    # As QGIS does it: the description is another one, too.
+    change(database, "UPDATE layer_styles SET styleQML = '<qgis/>', description = '' WHERE f_table_name = 'windows'")
+    assert stored_style(str(database), "windows") == "<qgis/>"
+    assert stored_style(str(database), "overview")
+
+
+LATER = ("windows rows", "references rows", "reference_bounds rows", "geopackage", "spatial indexes")
+
+
+def test_a_database_with_the_checksums_of_the_version_before_opens(qgis_app, read, database):
+    from semref.storage.database.reader import stored_style
+
+    with contextlib.closing(sqlite3.connect(database)) as connection, connection:
+        (text,) = connection.execute("SELECT value FROM parameters WHERE key = 'checksums'").fetchone()
+        kept = {
+            name: checksum
+            for name, checksum in json.loads(text).items()
+            if name not in LATER and not name.startswith("style")
+        }
+        connection.execute("UPDATE parameters SET value = ? WHERE key = 'checksums'", (json.dumps(kept),))
+    assert len(read(database).references) and stored_style(str(database), "windows")
+    change(database, "UPDATE windows SET name = '1_1' WHERE fid = 3")
+    assert len(read(database).references)
+
+
+@pytest.mark.parametrize("name", LATER)
+def test_a_checksum_that_is_missing_among_the_others_is_no_way_around_it(read, database, name):
+    change(database, f"UPDATE parameters SET value = replace(value, '{name}', 'other') WHERE key = 'checksums'")
+    refusal(read, database)

@@ -89,13 +89,23 @@ def test_a_description_that_the_user_named_as_such_is_read(qgis_app, tmp_path):
         np.testing.assert_array_equal(GdalLabels(name).read(0, 0, 90, 80), LABELS)
 
 
-def test_a_picture_under_the_name_of_another_kind_is_still_read(qgis_app, tmp_path):
-    """Cameras and people rename pictures; a picture contacts nobody."""
+@pytest.mark.parametrize("name", ["labels.png", "labels.jpg", "labels.JPEG"])
+def test_a_picture_under_the_name_of_another_kind_is_refused(qgis_app, tmp_path, name):
+    from semref.core.labels.image_files import read_photo
+
+    write_raster(tmp_path / "labels.tif", LABELS)
+    path = (tmp_path / "labels.tif").rename(tmp_path / name)
+    for door in (*doors(), read_photo):
+        with pytest.raises(SemRefError, match=r"it is TIFF; give it the suffix \.tif"):
+            door(str(path))
+
+
+def test_a_picture_whose_name_says_nothing_is_read(qgis_app, tmp_path):
     from semref.storage.rasters import GdalLabels
 
     write_raster(tmp_path / "labels.tif", LABELS)
-    (tmp_path / "labels.tif").rename(tmp_path / "labels.png")
-    np.testing.assert_array_equal(GdalLabels(str(tmp_path / "labels.png")).read(0, 0, 90, 80), LABELS)
+    (tmp_path / "labels.tif").rename(tmp_path / "labels.dat")
+    np.testing.assert_array_equal(GdalLabels(str(tmp_path / "labels.dat")).read(0, 0, 90, 80), LABELS)
 
 
 @pytest.mark.parametrize(

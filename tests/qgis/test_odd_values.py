@@ -101,3 +101,55 @@ def test_a_level_that_is_given_twice_counts_once(build):
 
     once, thrice = len(read_database(build(LEVELS="1")).windows), read_database(build(LEVELS="1;1;1"))
     assert (len(thrice.windows), thrice.parameters.levels) == (once, (1.0,))
+
+
+@pytest.mark.parametrize(
+    "place", ['lat="1e308" lon="9"', 'lat="NaN" lon="9"', 'lat="91" lon="9"', 'lat="47" lon="inf"']
+)
+def test_a_route_layer_off_the_earth_is_refused(qgis_app, tmp_path, place):
+    from semref.storage.route_files import read_waypoint_file
+
+    text = f'<gpx version="1.1" creator="x"><rte><rtept lat="47.1" lon="9.5"/><rtept {place}/></rte></gpx>'
+    (tmp_path / "odd.gpx").write_text(text, encoding="ascii")
+    with pytest.raises(SemRefError) as refused:
+        read_waypoint_file(str(tmp_path / "odd.gpx"))
+    assert "no latitude, longitude" in one_sentence(refused)
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), "nan", "-inf"])
+@pytest.mark.parametrize(("name", "key"), [("evaluatelocalization", "MIRRORED"), ("rasterizeannotation", "PIXEL_SIZE")])
+def test_a_number_that_is_none_is_refused_by_every_algorithm(qgis_app, name, key, value):
+    """QGIS itself takes NaN for a number within any limits."""
+    from qgis.core import QgsApplication, QgsProcessingContext
+
+    algorithm = QgsApplication.processingRegistry().algorithmById(f"semref:{name}").create()
+    possible, said = algorithm.checkParameterValues({key: value}, QgsProcessingContext())
+    assert not possible and said
+
+
+def test_infinite_places_of_a_layer_are_refused(run_algorithm, tmp_path):
+    ring = "[[Infinity, 5000000], [550030, 5000000], [550030, 5000025], [Infinity, 5000000]]"
+    feature = '{"type": "Feature", "properties": {"class": "a"}, "geometry": {"type": "Polygon", "coordinates": [%s]}}'
+    crs = '"crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}'
+    text = '{"type": "FeatureCollection", %s, "features": [%s]}' % (crs, feature % ring)
+    (tmp_path / "odd.geojson").write_text(text, encoding="ascii")
+    given = {"INPUT": str(tmp_path / "odd.geojson"), "CLASS_FIELD": "class", "OUTPUT": str(tmp_path / "x.gpkg")}
+    with pytest.raises(QgsProcessingException) as refused:
+        run_algorithm("semref:repairannotation", given)
+    assert "Traceback" not in str(refused.value)
+
+
+PRIORS = (["nan", "1", "2", "3", "EPSG:32632"], ["1e308", "1", "2", "3", "EPSG:32632"], ["inf"] * 4 + [""], ["1"] * 4)
+
+
+@pytest.mark.parametrize("prior", PRIORS)
+def test_a_project_keeps_no_circle_that_can_not_be(qgis_app, prior):
+    from qgis.core import QgsProject
+
+    from semref.ui.project_state import read_state
+
+    project = QgsProject()
+    for key, value in (("database", "a.gpkg"), ("prior", prior), ("method", 99), ("opacity", -5)):
+        project.writeEntry("SemRef", f"/{key}", value)
+    state = read_state(project)
+    assert (state.prior, state.method, state.opacity) == (None, 0, 0)

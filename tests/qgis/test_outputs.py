@@ -241,3 +241,10 @@ def test_a_kill_while_a_layer_is_written_loses_neither_old_nor_new(run_algorithm
     # The next run clears away what the dead one left.
     run_algorithm(DESCRIBE, parameters, QgsProcessingFeedback())
     assert [path for path in given.iterdir() if path.name.endswith(".part")] == []
+
+
+def test_a_run_without_files_has_nothing_to_move():
+    from semref.storage.files import Batch
+
+    with Batch() as batch:
+        batch.commit()

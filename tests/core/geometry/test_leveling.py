@@ -154,3 +154,9 @@ def test_pixels_of_the_level_image_lead_back_to_those_of_the_image():
     pixels = np.array([(0.0, 0.0), (320.0, 240.0), (640.0, 480.0), (12.5, 400.0)])
     level = np.column_stack([pixels, np.ones(4)]) @ way.homography.T
     np.testing.assert_allclose(way.in_image(level[:, :2] / level[:, 2:]), pixels, atol=1e-9)
+
+
+@pytest.mark.parametrize("focal_length", [float("inf"), float("nan"), 1e300, -1.0])
+def test_a_focal_length_that_no_camera_has_is_refused(focal_length):
+    with pytest.raises(ParameterError, match="focal length"):
+        leveling(Attitude(1.0, 2.0), focal_length, (90, 120))

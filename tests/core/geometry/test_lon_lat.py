@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -61,3 +63,13 @@ def test_a_map_around_a_pole_gets_no_polynomial():
         return np.degrees(np.arctan2(x, -y)), 90 - np.hypot(x, y) / 111_000
 
     assert fit_lon_lat(polar, (-50_000, -50_000, 50_000, 50_000)) is None
+
+
+def test_coefficients_that_lead_off_the_earth_are_seen():
+    found = fit_lon_lat(curved, (0.0, 0.0, 1000.0, 1000.0))
+    assert found.is_on_earth((0.0, 0.0, 1000.0, 1000.0))
+    for name in ("latitude", "longitude"):
+        for coefficient in (float("inf"), float("nan")):
+            changed = replace(found, **{name: (coefficient, *getattr(found, name)[1:])})
+            assert not changed.is_on_earth((0.0, 0.0, 1000.0, 1000.0))
+    assert not replace(found, latitude=(91.0, *found.latitude[1:])).is_on_earth((0.0, 0.0, 1000.0, 1000.0))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import struct
 import zlib
@@ -12,7 +13,7 @@ import pytest
 
 from semref.core.errors import ImageError, LabelMapError
 from semref.core.labels.class_table import ClassTable, LandCoverClass
-from semref.core.labels.image_files import read_label_image, read_photo
+from semref.core.labels.image_files import read_label_image, read_photo, stated_size
 from semref.core.labels.tiff import NODATA
 
 TABLE = ClassTable(
@@ -103,3 +104,65 @@ def test_a_photo_with_damaged_tags_is_refused(image, tmp_path):
     path.write_bytes(data)
     with pytest.raises(ImageError, match="damaged"):
         read_photo(str(path))
+
+
+@pytest.fixture
+def no_decoding(monkeypatch):
+    """OpenCV must not be asked: what it makes room for is gigabytes, and takes seconds."""
+
+    def decode(*_):
+        raise AssertionError("it is decoded")
+
+    monkeypatch.setattr(cv2, "imdecode", decode)
+
+
+def png_of(*chunks) -> bytes:
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", length) + name + content + struct.pack(">I", zlib.crc32(name + content))
+        for name, content, length in chunks
+    )
+
+
+def header(width, height) -> tuple:
+    return b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0), 13
+
+
+@pytest.mark.parametrize("read", [lambda path: read_label_image(path, TABLE), read_photo])
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        (png_of(header(30, 24), (b"IDAT", b"x" * 20, 0x49444154)), "damaged"),
+        (png_of(header(60_000, 60_000), (b"IDAT", b"x" * 20, 20)), "60000 × 60000"),
+        (png_of(header(19_000, 19_000), (b"IDAT", b"x" * 20, 20)), "damaged"),
+    ],
+)
+def test_a_png_that_claims_more_than_it_holds_is_refused_before_it_is_decoded(tmp_path, no_decoding, read, data, said):
+    (tmp_path / "claims.png").write_bytes(data)
+    with pytest.raises((ImageError, LabelMapError), match=said):
+        read(str(tmp_path / "claims.png"))
+
+
+def test_the_stated_size_is_that_of_the_file(image):
+    for name in ("a.png", "a.tif", "a.jpg"):
+        with open(image(name, LABELS[:40]), "rb") as file:
+            assert stated_size(file.read()) == (100, 40)
+
+
+def test_a_tiff_whose_width_is_a_text_is_no_fault_of_the_program(tmp_path, image):
+    with open(image("a.tif"), "rb") as file:
+        data = bytearray(file.read())
+    (first,) = struct.unpack_from("<I", data, 4)
+    (count,) = struct.unpack_from("<H", data, first)
+    places = [first + 2 + 12 * n for n in range(count)]
+    place = next(place for place in places if struct.unpack_from("<H", data, place) == (256,))
+    struct.pack_into("<H", data, place + 2, 2)
+    assert stated_size(bytes(data)) is None
+
+
+@pytest.mark.parametrize(("name", "suffix"), [("a.png", ".jpg"), ("a.jpg", ".tif"), ("a.tif", ".png")])
+def test_a_picture_under_the_name_of_another_kind_is_refused(image, tmp_path, name, suffix):
+    path = str(tmp_path / f"renamed{suffix}")
+    os.rename(image(name), path)
+    for read in (lambda path: read_label_image(path, TABLE), read_photo):
+        with pytest.raises((ImageError, LabelMapError), match="give it the suffix"):
+            read(path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import io
 import tracemalloc
 
@@ -161,3 +162,11 @@ def test_landmarks_off_the_map_are_refused_although_all_hashes_fit(database, wri
     origin = database.references.positions.min(axis=0) + far
     said = refusal(with_header(tmp_path / "far.npz", written, position_origin=origin.tolist()))
     assert "off the map" in said
+
+
+def test_a_polynomial_that_leads_off_the_earth_is_refused(written, tmp_path, lon_lat):
+    """Else the aircraft would tell a latitude of 900 degrees."""
+    values = dataclasses.asdict(lon_lat)
+    values["latitude"] = [900.0, *values["latitude"][1:]]
+    path = with_header(tmp_path / "area.npz", written, lon_lat=values)
+    assert "off the Earth" in refusal(path)

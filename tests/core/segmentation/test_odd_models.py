@@ -93,3 +93,11 @@ def test_odd_metadata_are_refused_in_a_sentence(key, text):
 def test_a_normal_network_is_still_taken(tmp_path):
     assert SegmentationModel(str(write_model(tmp_path / "good.onnx")), 1).tile_hw == (64, 64)
     assert np.array(SegmentationModel(str(tmp_path / "good.onnx"), 1).settings.std).shape == (3,)
+
+
+def test_metadata_that_are_no_text_are_refused(tmp_path):
+    path = write_model(tmp_path / "odd.onnx")
+    data = path.read_bytes()
+    place = data.index(b"Segmentor")
+    path.write_bytes(data[:place] + b"\xff\xfe" + data[place + 2 :])
+    assert "no text in UTF-8" in refusal(path)

@@ -61,3 +61,33 @@ def test_a_room_above_adds_its_own():
         assert str(Sentence("test.of_a_room_above", what="This")) == "This was added."
     finally:
         del _templates["test.of_a_room_above"]
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        ("a\nb\0c\x1b[2J", "a\\nb\\x00c\\x1b[2J"),
+        ("left\u202eto right\u2028", "left\\u202eto right\\u2028"),
+        ("lone \udcff", "lone \\udcff"),
+        ("thin\u2009space, é, 日本", "thin\u2009space, é, 日本"),
+        (10**5000, "…"),
+        (-(10**5000), "…"),
+        (12, "12"),
+    ],
+    ids=range(7),
+)
+def test_a_value_stands_in_one_line_whatever_it_holds(value, said):
+    text = english(("x", value))
+    assert text == f"x, {said}"
+    text.encode("utf-8")
+
+
+def test_a_long_value_is_cut_in_its_middle():
+    path = "/folder/" + "x" * 100_000 + "/name.png"
+    text = english(Sentence("labels.damaged", path=path))
+    assert text.startswith("/folder/xxx") and "x/name.png is damaged" in text and len(text) < 600
+
+
+def test_a_path_of_usual_length_is_told_whole():
+    path = "/folder" * 60 + "/name.png"
+    assert english(Sentence("labels.damaged", path=path)).startswith(f"{path} is damaged")
