@@ -24,8 +24,8 @@
    <translation>2 % der Geländekante</translation>
   </message>
   <message>
-   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and time). Images are leveled before they are localized. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
-   <translation>Eine CSV mit den Spalten image (Dateiname), roll, pitch (Grad; 0 und 0 blickt senkrecht nach unten, pitch über 0 zur Bildoberkante hin, roll über 0 nach rechts), einer von focal_length_px, focal_length_35mm oder field_of_view (Grad über die Bildbreite) und time (Sekunden oder Datum und Uhrzeit). Bilder werden vor der Lokalisierung entzerrt, als blickte die Kamera senkrecht. Was die Tabelle nicht sagt, kommt aus EXIF und XMP des Bilds oder des gleichnamigen Fotos daneben. Der Topologievektor nimmt Bilder, wie sie sind.</translation>
+   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
+   <translation>Eine CSV mit den Spalten image (Dateiname), roll, pitch (Grad; 0 und 0 blickt senkrecht nach unten, pitch über 0 zur Bildoberkante hin, roll über 0 nach rechts), einer von focal_length_px, focal_length_35mm oder field_of_view (Grad über die Bildbreite) time (Sekunden oder Datum und Uhrzeit), height (m über Grund) und heading (Grad im Uhrzeigersinn von Nord). Bilder werden vor der Lokalisierung entzerrt, als blickte die Kamera senkrecht; Höhe und Objektiv zusammen sagen, wie groß ihre Pixel sind. Was die Tabelle nicht sagt, kommt aus EXIF und XMP des Bilds oder des gleichnamigen Fotos daneben. Der Topologievektor nimmt Bilder, wie sie sind.</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
@@ -348,8 +348,8 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>CSV mit den Spalten value, name, color, role, für eine Klassenkarte, die keine eigenen Klassen mitbringt.</translation>
   </message>
   <message>
-   <source>Camera table (roll, pitch, focal length, time)</source>
-   <translation>Kameratabelle (Roll- und Nickwinkel, Brennweite, Zeit)</translation>
+   <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
+   <translation>Kameratabelle (Roll- und Nickwinkel, Brennweite, Zeit, Höhe, Richtung)</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -956,8 +956,8 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Gelände, das ein Bild zeigt, als Vielfaches der Fenstergröße.</translation>
   </message>
   <message>
-   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, also when automatic uses them. A narrow range is searched faster.</source>
-   <translation>Gelände, das die kürzere Kante eines Bildes zeigt, als Vielfaches der Fenstergröße der Datenbank. Ohne beide Angaben: 0,4 bis 2,5 bei der Konstellation, 0,7 bis 1,4 bei der Kartenkorrelation, auch wenn Automatisch sie nimmt. Ein enger Bereich wird schneller durchsucht.</translation>
+   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
+   <translation>Gelände, das die kürzere Kante eines Bildes zeigt, als Vielfaches der Fenstergröße der Datenbank. Ohne beide Angaben: was Höhe und Objektiv der Kamera sagen, wenn sie bekannt sind (Kameratabelle, EXIF, XMP), sonst 0,4 bis 2,5. Ein enger Bereich wird schneller durchsucht.</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -2992,8 +2992,8 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Wo die Bilder ungefähr liegen. Das beschleunigt die Suche und ist nie nötig.</translation>
   </message>
   <message>
-   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north.</source>
-   <translation>Wohin die Oberkante der Bilder ungefähr zeigt, in Grad im Uhrzeigersinn von Gitternord.</translation>
+   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north. If it is left out: what the camera tells, if it is known (camera table, XMP), within 25°.</source>
+   <translation>Wohin die Oberkante der Bilder ungefähr zeigt, in Grad im Uhrzeigersinn von Gitternord. Ohne Angabe: was die Kamera sagt, wenn es bekannt ist (Kameratabelle, XMP), auf 25° genau.</translation>
   </message>
   <message>
    <source>Where the image’s top points to, in degrees clockwise from grid north</source>
@@ -3112,6 +3112,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>fügen Sie das Paket python3-pip mit dem Setup von OSGeo4W hinzu</translation>
   </message>
   <message>
+   <source>all headings</source>
+   <translation>alle Richtungen</translation>
+  </message>
+  <message>
    <source>along the route, km</source>
    <translation>entlang der Route, km</translation>
   </message>
@@ -3222,6 +3226,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>heading {value:.1f}°</source>
    <translation>Ausrichtung {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>headings within {spread:g}° of {heading:g}°</source>
+   <translation>Richtungen bis {spread:g}° um {heading:g}°</translation>
   </message>
   <message>
    <source>hint</source>
@@ -3432,8 +3440,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>die Datenbank</translation>
   </message>
   <message>
+   <source>the ground within {radius:g} of {x:.0f}, {y:.0f}</source>
+   <translation>das Gelände bis {radius:g} um {x:.0f}, {y:.0f}</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>Ausgabe</translation>
+  </message>
+  <message>
+   <source>the whole map</source>
+   <translation>die ganze Karte</translation>
   </message>
   <message>
    <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are used.</source>
@@ -4118,6 +4134,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
    <translation>{python}, das Python von QGIS, hat kein pip; {how_to_get_pip} oder verwenden Sie stattdessen „{command}“.</translation>
+  </message>
+  <message>
+   <source>{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.</source>
+   <translation>{reason} Durchsucht: {smallest:.3g}–{largest:.3g} Karteneinheiten je Pixel, {headings}, {ground}.</translation>
   </message>
   <message>
    <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough.</source>

@@ -24,8 +24,8 @@
    <translation>2 % del lado del terreno</translation>
   </message>
   <message>
-   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and time). Images are leveled before they are localized. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
-   <translation>Un CSV con las columnas image (nombre del archivo), roll, pitch (grados; 0 y 0 mira recto hacia abajo, un pitch mayor que 0 mira hacia la parte superior de la imagen, un roll mayor que 0 hacia su derecha), una de focal_length_px, focal_length_35mm o field_of_view (grados a lo ancho), y time (segundos, o fecha y hora). Las imágenes se rectifican antes de localizarlas. Lo que la tabla no dice se toma de los EXIF y XMP de la imagen, o de la foto del mismo nombre que está al lado. El vector topológico toma las imágenes tal cual.</translation>
+   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
+   <translation>Un CSV con las columnas image (nombre del archivo), roll, pitch (grados; 0 y 0 mira recto hacia abajo, un pitch mayor que 0 mira hacia la parte superior de la imagen, un roll mayor que 0 hacia su derecha), una de focal_length_px, focal_length_35mm o field_of_view (grados a lo ancho), time (segundos, o fecha y hora), height (m sobre el terreno) y heading (grados en sentido horario desde el norte). Las imágenes se rectifican antes de localizarlas; la altura y el objetivo juntos dicen el tamaño de sus píxeles. Lo que la tabla no dice se toma de los EXIF y XMP de la imagen, o de la foto del mismo nombre que está al lado. El vector topológico toma las imágenes tal cual.</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
@@ -348,8 +348,8 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>CSV con las columnas value, name, color, role, para un mapa de etiquetas que no trae sus propias clases.</translation>
   </message>
   <message>
-   <source>Camera table (roll, pitch, focal length, time)</source>
-   <translation>Tabla de la cámara (alabeo, cabeceo, distancia focal, hora)</translation>
+   <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
+   <translation>Tabla de la cámara (alabeo, cabeceo, distancia focal, hora, altura, rumbo)</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -956,8 +956,8 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Terreno que muestra una imagen, como múltiplo del tamaño de ventana.</translation>
   </message>
   <message>
-   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, also when automatic uses them. A narrow range is searched faster.</source>
-   <translation>Terreno que muestra el lado más corto de una imagen, como múltiplo del tamaño de ventana de la base de datos. Si se omiten ambos: de 0,4 a 2,5 para la constelación, de 0,7 a 1,4 para la correlación de mapas, también cuando Automático las usa. Un rango estrecho se recorre más deprisa.</translation>
+   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
+   <translation>Terreno que muestra el lado más corto de una imagen, como múltiplo del tamaño de ventana de la base de datos. Si se omiten ambos: lo que digan la altura y el objetivo de la cámara, si se conocen (tabla de la cámara, EXIF, XMP); si no, de 0,4 a 2,5. Un rango estrecho se recorre más deprisa.</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -2992,8 +2992,8 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Dónde se sabe, a grandes rasgos, que están las imágenes. Acelera la búsqueda y nunca es necesario.</translation>
   </message>
   <message>
-   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north.</source>
-   <translation>Hacia dónde apunta, a grandes rasgos, la parte superior de las imágenes, en grados en sentido horario desde el norte de la cuadrícula.</translation>
+   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north. If it is left out: what the camera tells, if it is known (camera table, XMP), within 25°.</source>
+   <translation>Hacia dónde apunta, a grandes rasgos, la parte superior de las imágenes, en grados en sentido horario desde el norte de la cuadrícula. Si se omite: lo que diga la cámara, si se conoce (tabla de la cámara, XMP), con un margen de 25°.</translation>
   </message>
   <message>
    <source>Where the image’s top points to, in degrees clockwise from grid north</source>
@@ -3112,6 +3112,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>añada el paquete python3-pip con el instalador de OSGeo4W</translation>
   </message>
   <message>
+   <source>all headings</source>
+   <translation>todos los rumbos</translation>
+  </message>
+  <message>
    <source>along the route, km</source>
    <translation>a lo largo de la ruta, km</translation>
   </message>
@@ -3222,6 +3226,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>heading {value:.1f}°</source>
    <translation>rumbo {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>headings within {spread:g}° of {heading:g}°</source>
+   <translation>rumbos a menos de {spread:g}° de {heading:g}°</translation>
   </message>
   <message>
    <source>hint</source>
@@ -3432,8 +3440,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>la base de datos</translation>
   </message>
   <message>
+   <source>the ground within {radius:g} of {x:.0f}, {y:.0f}</source>
+   <translation>el terreno a menos de {radius:g} de {x:.0f}, {y:.0f}</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>la salida</translation>
+  </message>
+  <message>
+   <source>the whole map</source>
+   <translation>todo el mapa</translation>
   </message>
   <message>
    <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are used.</source>
@@ -4118,6 +4134,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
    <translation>{python}, el Python de QGIS, no tiene pip; {how_to_get_pip}, o use en su lugar «{command}».</translation>
+  </message>
+  <message>
+   <source>{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.</source>
+   <translation>{reason} Se buscó: {smallest:.3g}–{largest:.3g} unidades de mapa por píxel, {headings}, {ground}.</translation>
   </message>
   <message>
    <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough.</source>

@@ -24,8 +24,8 @@
    <translation>2 % du côté du terrain</translation>
   </message>
   <message>
-   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and time). Images are leveled before they are localized. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
-   <translation>Un CSV avec les colonnes image (nom du fichier), roll, pitch (degrés ; 0 et 0 regarde droit vers le bas, pitch supérieur à 0 regarde vers le haut de l’image, roll supérieur à 0 vers sa droite), une colonne parmi focal_length_px, focal_length_35mm ou field_of_view (degrés sur la largeur), et time (secondes, ou date et heure). Les images sont redressées avant d’être localisées. Ce que la table ne dit pas est lu dans les EXIF et XMP de l’image, ou de la photo du même nom qui se trouve à côté. Le vecteur topologique prend les images telles quelles.</translation>
+   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
+   <translation>Un CSV avec les colonnes image (nom du fichier), roll, pitch (degrés ; 0 et 0 regarde droit vers le bas, pitch supérieur à 0 regarde vers le haut de l’image, roll supérieur à 0 vers sa droite), une colonne parmi focal_length_px, focal_length_35mm ou field_of_view (degrés sur la largeur), time (secondes, ou date et heure), height (m au-dessus du sol) et heading (degrés dans le sens horaire depuis le nord). Les images sont redressées avant d’être localisées ; la hauteur et l’objectif disent ensemble la taille de leurs pixels. Ce que la table ne dit pas est lu dans les EXIF et XMP de l’image, ou de la photo du même nom qui se trouve à côté. Le vecteur topologique prend les images telles quelles.</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
@@ -348,8 +348,8 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>CSV avec les colonnes value, name, color, role, pour une carte d’étiquettes qui n’apporte pas ses propres classes.</translation>
   </message>
   <message>
-   <source>Camera table (roll, pitch, focal length, time)</source>
-   <translation>Table de la caméra (roulis, tangage, focale, heure)</translation>
+   <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
+   <translation>Table de la caméra (roulis, tangage, focale, heure, hauteur, cap)</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -956,8 +956,8 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Terrain que montre une image, en multiple de la taille de fenêtre.</translation>
   </message>
   <message>
-   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, also when automatic uses them. A narrow range is searched faster.</source>
-   <translation>Terrain que montre le petit côté d’une image, en multiple de la taille de fenêtre de la base de données. Si les deux sont omis : 0,4 à 2,5 pour la constellation, 0,7 à 1,4 pour la corrélation de cartes, aussi quand Automatique les utilise. Une plage étroite est parcourue plus vite.</translation>
+   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
+   <translation>Terrain que montre le petit côté d’une image, en multiple de la taille de fenêtre de la base de données. Si les deux sont omis : ce que disent la hauteur et l’objectif de la caméra, s’ils sont connus (table de la caméra, EXIF, XMP), sinon 0,4 à 2,5. Une plage étroite est parcourue plus vite.</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -2992,8 +2992,8 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Où se trouvent à peu près les images. Cela accélère la recherche et n’est jamais nécessaire.</translation>
   </message>
   <message>
-   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north.</source>
-   <translation>Vers où pointe à peu près le haut des images, en degrés dans le sens horaire depuis le nord de la grille.</translation>
+   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north. If it is left out: what the camera tells, if it is known (camera table, XMP), within 25°.</source>
+   <translation>Vers où pointe à peu près le haut des images, en degrés dans le sens horaire depuis le nord de la grille. S’il est omis : ce que dit la caméra, si c’est connu (table de la caméra, XMP), à 25° près.</translation>
   </message>
   <message>
    <source>Where the image’s top points to, in degrees clockwise from grid north</source>
@@ -3112,6 +3112,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>ajoutez le paquet python3-pip avec l’installateur d’OSGeo4W</translation>
   </message>
   <message>
+   <source>all headings</source>
+   <translation>tous les caps</translation>
+  </message>
+  <message>
    <source>along the route, km</source>
    <translation>le long de la route, km</translation>
   </message>
@@ -3222,6 +3226,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>heading {value:.1f}°</source>
    <translation>cap {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>headings within {spread:g}° of {heading:g}°</source>
+   <translation>caps à {spread:g}° près de {heading:g}°</translation>
   </message>
   <message>
    <source>hint</source>
@@ -3432,8 +3440,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>la base de données</translation>
   </message>
   <message>
+   <source>the ground within {radius:g} of {x:.0f}, {y:.0f}</source>
+   <translation>le terrain à moins de {radius:g} de {x:.0f}, {y:.0f}</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>la sortie</translation>
+  </message>
+  <message>
+   <source>the whole map</source>
+   <translation>toute la carte</translation>
   </message>
   <message>
    <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are used.</source>
@@ -4118,6 +4134,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
    <translation>{python}, le Python de QGIS, n’a pas pip ; {how_to_get_pip}, ou utilisez plutôt « {command} ».</translation>
+  </message>
+  <message>
+   <source>{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.</source>
+   <translation>{reason} Recherché : {smallest:.3g}–{largest:.3g} unités de carte par pixel, {headings}, {ground}.</translation>
   </message>
   <message>
    <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough.</source>

@@ -24,8 +24,8 @@
    <translation>地面边长的 2%</translation>
   </message>
   <message>
-   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and time). Images are leveled before they are localized. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
-   <translation>CSV 文件，包含以下列：image（文件名）、roll、pitch（度；两者均为 0 表示垂直向下，pitch 大于 0 表示朝影像上方倾斜，roll 大于 0 表示朝影像右侧倾斜），focal_length_px、focal_length_35mm 或 field_of_view（横向视场角，度）三者之一，以及 time（秒，或日期和时间）。影像在定位之前先做倾斜校正。表中没有给出的内容取自影像的 EXIF 和 XMP，或取自旁边同名照片的 EXIF 和 XMP。拓扑向量法按影像原样处理。</translation>
+   <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
+   <translation>CSV 文件，包含以下列：image（文件名）、roll、pitch（度；两者均为 0 表示垂直向下，pitch 大于 0 表示朝影像上方倾斜，roll 大于 0 表示朝影像右侧倾斜），focal_length_px、focal_length_35mm 或 field_of_view（横向视场角，度）三者之一，time（秒，或日期和时间），height（离地高度，米），以及 heading（自北起顺时针的度数）。影像在定位之前先做倾斜校正；高度与镜头共同决定像元大小。表中没有给出的内容取自影像的 EXIF 和 XMP，或取自旁边同名照片的 EXIF 和 XMP。拓扑向量法按影像原样处理。</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
@@ -348,8 +348,8 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>CSV 文件，包含 value、name、color、role 列，用于自身不带类别的标签图。</translation>
   </message>
   <message>
-   <source>Camera table (roll, pitch, focal length, time)</source>
-   <translation>相机表（横滚角、俯仰角、焦距、时间）</translation>
+   <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
+   <translation>相机表（横滚角、俯仰角、焦距、时间、高度、航向）</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -956,8 +956,8 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>影像所覆盖的地面，以窗口大小的倍数表示。</translation>
   </message>
   <message>
-   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, also when automatic uses them. A narrow range is searched faster.</source>
-   <translation>影像短边所覆盖的地面，以数据库窗口大小的倍数表示。若两者都留空：星座匹配为 0.4 至 2.5，地图相关为 0.7 至 1.4，自动使用它们时也是如此。范围越窄，搜索越快。</translation>
+   <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
+   <translation>影像短边所覆盖的地面，以数据库窗口大小的倍数表示。若两者都留空：采用相机高度和镜头给出的数值（相机表、EXIF、XMP，若已知），否则为 0.4 至 2.5。范围越窄，搜索越快。</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -2992,8 +2992,8 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>影像的大致已知位置。可加快搜索，但从不是必需的。</translation>
   </message>
   <message>
-   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north.</source>
-   <translation>影像顶边的大致指向，以自坐标北起顺时针的度数表示。</translation>
+   <source>Where the images’ top points to, roughly, in degrees clockwise from grid north. If it is left out: what the camera tells, if it is known (camera table, XMP), within 25°.</source>
+   <translation>影像顶边的大致指向，以自坐标北起顺时针的度数表示。若留空：采用相机给出的数值（相机表、XMP，若已知），范围 25°。</translation>
   </message>
   <message>
    <source>Where the image’s top points to, in degrees clockwise from grid north</source>
@@ -3112,6 +3112,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>请用 OSGeo4W 安装程序添加软件包 python3-pip</translation>
   </message>
   <message>
+   <source>all headings</source>
+   <translation>所有航向</translation>
+  </message>
+  <message>
    <source>along the route, km</source>
    <translation>沿航线，km</translation>
   </message>
@@ -3222,6 +3226,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>heading {value:.1f}°</source>
    <translation>航向 {value:.1f}°</translation>
+  </message>
+  <message>
+   <source>headings within {spread:g}° of {heading:g}°</source>
+   <translation>{heading:g}° 左右 {spread:g}° 以内的航向</translation>
   </message>
   <message>
    <source>hint</source>
@@ -3432,8 +3440,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>数据库</translation>
   </message>
   <message>
+   <source>the ground within {radius:g} of {x:.0f}, {y:.0f}</source>
+   <translation>{x:.0f}, {y:.0f} 周围 {radius:g} 以内的地面</translation>
+  </message>
+  <message>
    <source>the output</source>
    <translation>输出</translation>
+  </message>
+  <message>
+   <source>the whole map</source>
+   <translation>整幅地图</translation>
   </message>
   <message>
    <source>tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are used.</source>
@@ -4118,6 +4134,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
    <translation>QGIS 的 Python {python} 没有 pip；{how_to_get_pip}，或改用“{command}”。</translation>
+  </message>
+  <message>
+   <source>{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.</source>
+   <translation>{reason} 已搜索：每像元 {smallest:.3g}–{largest:.3g} 地图单位，{headings}，{ground}。</translation>
   </message>
   <message>
    <source>{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough.</source>

@@ -214,6 +214,16 @@ class MapPyramid:
         """Width and height of the map in map units."""
         return self.labels.shape[1] * self.frame.pixel_size, self.labels.shape[0] * self.frame.pixel_size
 
+    def level_of(self, pixel_m: float) -> int:
+        """The level whose pixels are nearest to ``pixel_m`` (×0.71 to ×1.41): its reduction is 2 to the power of it."""
+        level = max(0, int(round(np.log2(pixel_m / self.frame.pixel_size))))
+        return min(level, int(np.log2(STORED_REDUCTION)) + len(self._stored) - 1)
+
+    def stored(self, level: int) -> EvidenceLevel | None:
+        """The whole map at a level that is held in memory; None for finer ones."""
+        number = level - int(np.log2(STORED_REDUCTION))
+        return self._stored[number] if number >= 0 else None
+
     def crop(self, pixel_m: float, box_m: tuple[float, float, float, float]) -> tuple[EvidenceLevel, float, float]:
         """The level whose pixels are nearest to those wanted (×0.71 to ×1.41), cut to a box.
 
@@ -225,9 +235,8 @@ class MapPyramid:
             The level and the left and top edge of its first pixel, meters. Never empty: a box beside the map gives one
             unknown pixel.
         """
-        level = max(0, int(round(np.log2(pixel_m / self.frame.pixel_size))))
+        level = self.level_of(pixel_m)
         stored = int(np.log2(STORED_REDUCTION))
-        level = min(level, stored + len(self._stored) - 1)
         reduction = 2**level
         pixel = self.frame.pixel_size * reduction
         height, width = (-(-edge // reduction) for edge in self.labels.shape)

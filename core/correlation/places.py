@@ -5,15 +5,21 @@ Told in docs/method.md#map-correlation.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..localization import Prior
 from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, reduced_level
+from .decision import fisher_z
 from .refine import ScoredPose, pose_covariance, refine
+from .refine_many import refine_many
 from .search import SearchSpace, search
+from .settings import CorrelationSettings
+
+OVERSHOOT = 1.15
+"""A pose may be refined to a pixel size beyond the outermost one looked at by this ratio: half a step and a bit."""
 
 
 def image_evidence(labels_hw: np.ndarray, pyramid: MapPyramid) -> EvidenceLevel:
@@ -77,6 +83,12 @@ def _shape(plane: np.ndarray) -> tuple[int, int]:
     return height, width
 
 
+def near_size(space: SearchSpace, pixel_size_m: float, settings: CorrelationSettings) -> SearchSpace:
+    """The part of a search space whose pixel sizes are within a step of one."""
+    step = np.abs(np.log(space.pixel_sizes_m / pixel_size_m))
+    return replace(space, pixel_sizes_m=space.pixel_sizes_m[step <= max(step.min(), np.log(settings.scale_step))])
+
+
 def comparisons(space: SearchSpace, coarse: EvidenceLevel) -> float:
     """Places × turns × scales that ``search`` compares."""
     width, height = space.box_m[2] - space.box_m[0], space.box_m[3] - space.box_m[1]
@@ -84,52 +96,103 @@ def comparisons(space: SearchSpace, coarse: EvidenceLevel) -> float:
     return float((width * height / pixels_m2).sum() * len(space.headings_deg))
 
 
-def apart_m(coarse: EvidenceLevel, pixel_sizes_m: tuple[float, float]) -> float:
-    """Distance from which two poses count as different places: a quarter of the image's edge on the ground."""
-    height, width = coarse.known.shape
-    pixels = np.sqrt(coarse.pixel[0] * width * coarse.pixel[1] * height)
-    return 0.25 * float(pixels * np.sqrt(pixel_sizes_m[0] * pixel_sizes_m[1]))
+def edge_m(image: EvidenceLevel, pixel_size_m: float) -> float:
+    """Edge on the ground (root of the area) of an image at a pixel size."""
+    height, width = _shape(image.known)
+    return float(np.sqrt(image.pixel[0] * width * image.pixel[1] * height)) * pixel_size_m
+
+
+@dataclass(frozen=True)
+class ChanceLevels:
+    """What chance gives at each pixel size that was searched: the smaller the ground, the better anything fits it.
+
+    Attributes:
+        log_sizes: (S,) ln of the pixel sizes, ascending.
+        levels: (S,) the usual score of a good place that is not the right one, in Fisher's z.
+    """
+
+    log_sizes: np.ndarray
+    levels: np.ndarray
+
+    def at(self, pixel_size_m: np.ndarray | float) -> np.ndarray:
+        """Chance's score in Fisher's z at pixel sizes."""
+        return np.interp(np.log(pixel_size_m), self.log_sizes, self.levels)
+
+    def moved(self, score: float, from_size_m: float, to_size_m: float) -> float:
+        """A score at one pixel size as it would have to be at another to be as far above chance."""
+        moved = fisher_z(score) + float(self.at(to_size_m) - self.at(from_size_m))
+        return float(np.tanh(max(moved, 0.0)))
+
+
+def chance_levels(peaks: np.ndarray, pixel_sizes_m: np.ndarray, settings: CorrelationSettings) -> ChanceLevels:
+    """Chance's level from the peaks of the first look, (N, 5) best first: of each pixel size the median of a few.
+
+    All 0 where a pixel size has too few peaks to tell, as within a small radius.
+    """
+    first, last = settings.chance_peaks
+    levels = []
+    for size_m in pixel_sizes_m:
+        scores = peaks[peaks[:, 4] == size_m, 0][first:last]
+        if len(scores) < last - first:
+            return ChanceLevels(np.log(pixel_sizes_m), np.zeros(len(pixel_sizes_m)))
+        levels.append(float(np.median(np.arctanh(np.clip(scores, 0.0, 0.999)))))
+    return ChanceLevels(np.log(pixel_sizes_m), np.array(levels))
 
 
 def best_places(
-    image: EvidenceLevel,
-    pyramid: MapPyramid,
-    space: SearchSpace,
-    count: int,
-    distance_m: float,
-) -> list[ScoredPose]:
-    """The best poses, refined at the decision's pixels, best first, no two at the same place.
+    image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace, count: int
+) -> tuple[list[ScoredPose], ChanceLevels]:
+    """The best poses, refined at the decision's pixels, farthest above chance first, no two at the same place.
 
     Args:
-        image: Its evidence at the finest pixels.
-        pyramid: The map's.
+        image: Evidence at the finest pixels that are used.
+        pyramid: Of the map.
         space: What is searched.
-        count: Places refined after the first look.
-        distance_m: From which two poses count as different places.
+        count: Places of the first look that are refined.
     """
     settings, quiet = pyramid.settings, pyramid.quiet
     coarse = reduced_image(image, settings.coarse_edge)
     peaks = search(coarse, pyramid, space)
+    chance = chance_levels(peaks, space.pixel_sizes_m, settings)
+    poses = [ScoredPose(x, y, heading, size, score) for score, x, y, heading, size in peaks]
     # Neighboring peaks may lead to different optima: at first, places are told apart at half the distance.
-    starts = [ScoredPose(x, y, heading, size, score) for score, x, y, heading, size in peaks]
-    starts = distinct(starts, distance_m / 2, count)
-    moved = [refine(coarse, pyramid, pose, quiet, 4) for pose in starts]
-    moved = distinct(sorted(moved, key=lambda pose: -pose.score), distance_m / 2, settings.finalists)
-    finer = reduced_image(image, settings.decision_edge)
-    finest = [refine(finer, pyramid, pose, quiet, 4) for pose in moved]
-    return distinct(sorted(finest, key=lambda pose: -pose.score), distance_m, settings.finalists)
+    for edge, kept, share in (
+        (settings.coarse_edge, count, 0.5),
+        (settings.middle_edge, settings.middle_candidates, 0.5),
+        (settings.decision_edge, settings.finalists, 0.5),
+    ):
+        level = reduced_image(image, edge)
+        starts = distinct(_above_chance(poses, chance), image, share * settings.apart, kept)
+        poses = [pose for pose in refine_many(level, pyramid, starts, quiet, 3) if _is_in(pose, space)]
+    return distinct(_above_chance(poses, chance), image, settings.apart, settings.finalists), chance
 
 
-def distinct(poses: list[ScoredPose], distance_m: float, count: int) -> list[ScoredPose]:
-    """The first ``count`` poses of which none is nearer than ``distance_m`` to an earlier one."""
+def _is_in(pose: ScoredPose, space: SearchSpace) -> bool:
+    """Whether a pose that was moved still has a pixel size that was searched."""
+    low, high = space.pixel_sizes_m[[0, -1]]
+    return low / OVERSHOOT <= pose.pixel_size_m <= high * OVERSHOOT
+
+
+def _above_chance(poses: list[ScoredPose], chance: ChanceLevels) -> list[ScoredPose]:
+    """Sorted by how far they are above chance at their pixel size."""
+    if not poses:
+        return []
+    scores, sizes = np.array([(pose.score, pose.pixel_size_m) for pose in poses]).T
+    above = np.arctanh(np.clip(scores, 0.0, 0.999)) - chance.at(sizes)
+    return [poses[n] for n in np.argsort(-above, kind="stable")]
+
+
+def distinct(poses: list[ScoredPose], image: EvidenceLevel, share: float, count: int) -> list[ScoredPose]:
+    """The first ``count`` poses of which none is nearer to an earlier one than a share of that one's edge."""
     kept: list[ScoredPose] = []
-    places = np.empty((count, 2))
+    places, distances = np.empty((count, 2)), np.empty(count)
     for pose in poses:
         if len(kept) == count:
             break
         here = np.array([pose.x, pose.y])
-        if not kept or np.hypot(*(places[: len(kept)] - here).T).min() >= distance_m:
+        if not kept or (np.hypot(*(places[: len(kept)] - here).T) >= distances[: len(kept)]).all():
             places[len(kept)] = here
+            distances[len(kept)] = share * edge_m(image, pose.pixel_size_m)
             kept.append(pose)
     return kept
 

@@ -83,7 +83,7 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
         if step == steps or fit.pull is None or fit.score < best.score - 0.1:
             break
         move = _move(fit.pull, image, settings)
-        if (np.abs(move) < settings.converged * _units(image)).all():
+        if (np.abs(move) < settings.converged * parameter_units(image)).all():
             break
         shift = axes(pose) @ move[:2]
         pose = ScoredPose(
@@ -114,7 +114,7 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
     damping = pyramid.settings.damping
     if strengths[0] <= damping * strengths.sum():
         return np.full((4, 4), np.inf)
-    inverse, units = _inverse(pull, damping), _units(image)
+    inverse, units = _inverse(pull, damping), parameter_units(image)
     height, width = image.known.shape
     pulls = _clustered(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
@@ -125,7 +125,7 @@ class _Pull:
     """Where a pose is drawn to.
 
     Attributes:
-        slopes: (4, h·w·C) of the fit, by the parameters in ``_units``.
+        slopes: (4, h·w·C) of the fit, by the parameters in ``parameter_units``.
         residual: (h·w·C,) of the fit.
     """
 
@@ -141,7 +141,7 @@ class _Fit:
     pull: _Pull | None = None
 
 
-def _units(image: EvidenceLevel) -> np.ndarray:
+def parameter_units(image: EvidenceLevel) -> np.ndarray:
     """One coarse pixel, at the image's edge, in each parameter: they differ by orders of magnitude."""
     height, width = image.known.shape
     return np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
@@ -163,7 +163,7 @@ def _linearized(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, qui
         return _Fit(score)
     both = there + gain * seen
     # Slopes by one coarse pixel, and by the turn and the growth that move the edge's middle by one.
-    gradient_x, gradient_y = _difference(both, 1) / 2, _difference(both, 0) / 2
+    gradient_x, gradient_y = difference(both, 1) / 2, difference(both, 0) / 2
     height, width = known.shape
     x = ((np.arange(width, dtype=np.float32) - (width - 1) / 2) * image.pixel[0])[None, :, None]
     y = ((np.arange(height, dtype=np.float32) - (height - 1) / 2) * image.pixel[1])[:, None, None]
@@ -191,7 +191,7 @@ def _move(pull: _Pull, image: EvidenceLevel, settings: CorrelationSettings) -> n
     """(4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
     descent = np.einsum("ik,k->i", pull.slopes, pull.residual).astype(np.float64)
     limit = np.array(settings.largest_step) * np.array([*image.pixel, 1, 1])
-    return np.clip(-(_inverse(pull, settings.damping) @ descent) * _units(image), -limit, limit)
+    return np.clip(-(_inverse(pull, settings.damping) @ descent) * parameter_units(image), -limit, limit)
 
 
 def _clustered(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:
@@ -208,7 +208,7 @@ def _clustered(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.
     return np.einsum("ik,jk->ij", sums, sums)
 
 
-def _difference(planes: np.ndarray, axis: int) -> np.ndarray:
+def difference(planes: np.ndarray, axis: int) -> np.ndarray:
     """Central differences along an axis, 0 at the two ends (where the image stops, its slope is unknown)."""
     slope = np.zeros_like(planes)
     inner = [slice(None)] * planes.ndim

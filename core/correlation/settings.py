@@ -14,21 +14,23 @@ class CorrelationSettings:
     """Settings of map correlation (docs/method.md#map-correlation); a pyramid is made for one of these.
 
     Attributes:
-        scales: Ground that an image may show without a prior, multiples of a window's edge [time; the false alarms of
-            more scales; correlation trials, north, and fit].
+        scales: Ground that an image may show without a prior, multiples of a window's edge [what the constellation
+            searches; footprint trials].
         rarity_exponent: Weight of a class = (variance of its fraction on the map) ** (−exponent / 2): 0 treats every m²
             alike and lets forest drown the houses, 1 gives a class of which the map has three patches the same say as
             all others [by hand; correlation trials, north, and fit].
         least_labeled: Share of the image that has to be labeled with classes of the map [reasoning].
         least_energy: Evidence that the image has to have about its mean, in units of the map's mean energy a pixel: one
             class everywhere, or nearly, fits every place of that class [reasoning].
-        most_comparisons: Places × turns × scales of the first look; 300 km² with images of 1,280 m take 6.5e7 and about
-            a second [by hand, for the time; correlation times].
-        coarse_edge: Edge of the image (root of its area) at the first look, coarse pixels: of 40 m for 1,280 m [by
-            hand; correlation trials, north, and fit].
+        most_comparisons: Places × turns × scales of the first look; 300 km² with images of 1,280 m take 1.9e7 and less
+            than a second [by hand, for the time; correlation times].
+        coarse_edge: Edge of the image (root of its area) at the first look, coarse pixels: of 80 m for 1,280 m. 20
+            found no more and took twice as long [by hand; footprint trials].
         turn_step_deg: Step of the headings, degrees: moves the middle of the image's edges by one coarse pixel either
-            way [geometry of ``coarse_edge``; correlation trials, north, and fit].
-        scale_step: Ratio of neighboring pixel sizes [geometry of ``coarse_edge``; correlation trials, north, and fit].
+            way [geometry of ``coarse_edge``; footprint trials].
+        scale_step: Ratio of neighboring pixel sizes [geometry of ``coarse_edge``; footprint trials].
+        chance_peaks: From which to before which of a pixel size's peaks the median tells what chance gives there; the
+            first may be the right place [by hand; footprint trials].
         tile_size: Edge of a tile of the FFT, coarse pixels; a power of two is quickest, about four times the turned
             image is best [by hand, for the time; correlation times].
         threads: Tiles compared at a time; changes nothing but the time [by hand, for the time; correlation times].
@@ -37,11 +39,15 @@ class CorrelationSettings:
         least_known: Share of the footprint that has to be labeled on the map [reasoning].
         peaks_per_tile: Best places of a tile and scale that are kept [by hand, for the time; correlation trials, north,
             and fit].
-        candidates: Places refined after the first look [by hand; correlation trials, north, and fit].
-        decoys: The same of the mirrored image [by hand; correlation trials, north, and fit].
+        candidates: Places of the first look that are refined [by hand; footprint trials].
+        decoys: The same of the mirrored image [by hand; footprint trials].
+        middle_edge: Edge of the image, pixels, at the second look [by hand; footprint trials].
+        middle_candidates: Places that remain for the second look [by hand; footprint trials].
         finalists: Places that remain, refined at the decision's pixels [by hand; correlation trials, north, and fit].
-        decision_edge: Edge of the image at which places are compared and decided about, pixels; twice ``coarse_edge``
-            [by hand; correlation trials, north, and fit].
+        apart: Poses are different places from this share of the image's edge on the ground on [by hand; correlation
+            trials, north, and fit].
+        decision_edge: Edge of the image at which places are compared and decided about, pixels; four times
+            ``coarse_edge`` [by hand; correlation trials, north, and fit].
         finest_edge: The last refinement uses no more pixels than this along an edge: bounds the time on large images
             [by hand, for the time; correlation times].
         largest_step: Bound of one Gauss–Newton step: coarse pixels right and down, radians, ln pixel size. Beyond it
@@ -70,22 +76,26 @@ class CorrelationSettings:
             [Liechtenstein, north; radius].
     """
 
-    scales: tuple[float, float] = (0.7, 1.4)
+    scales: tuple[float, float] = (0.4, 2.5)
     rarity_exponent: float = 0.5
     least_labeled: float = 0.3
     least_energy: float = 0.02
     most_comparisons: float = 4e9
-    coarse_edge: int = 32
-    turn_step_deg: float = 7.2
-    scale_step: float = 1.12
-    tile_size: int = 256
+    coarse_edge: int = 16
+    turn_step_deg: float = 14.4
+    scale_step: float = 1.2
+    chance_peaks: tuple[int, int] = (1, 12)
+    tile_size: int = 128
     threads: int = 2
     quiet_energy: float = 0.15
     least_known: float = 0.5
     peaks_per_tile: int = 60
-    candidates: int = 32
-    decoys: int = 10
+    candidates: int = 256
+    decoys: int = 96
+    middle_edge: int = 32
+    middle_candidates: int = 48
     finalists: int = 8
+    apart: float = 0.25
     decision_edge: int = 64
     finest_edge: int = 512
     largest_step: tuple[float, float, float, float] = (1.5, 1.5, 0.06, 0.06)

@@ -20,12 +20,12 @@ from ..sentences import Sentence
 from .class_pyramid import MapPyramid, evidence_level, mirrored_level
 from .decision import decide, exact_enough, position_error_95, risk_of_peaks
 from .places import (
-    apart_m,
     best_places,
     comparisons,
     finest_pose,
     image_evidence,
     missing_information,
+    near_size,
     reduced_image,
     search_space,
     size_for,
@@ -49,7 +49,7 @@ def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior, allowed_r
         LabelMapError: The image has no pixels.
         ValueError: The range of pixel sizes is empty or not positive, or the radius is not.
     """
-    pixel_sizes_m = _checked(labels_hw, prior)
+    _check(labels_hw, prior)
     settings = pyramid.settings
     if not pyramid.space.channels:
         return _no_match(Sentence("localization.too_few_classes"))
@@ -61,12 +61,14 @@ def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior, allowed_r
     space = search_space(pyramid, prior)
     if comparisons(space, coarse) > settings.most_comparisons:
         return _no_match(Sentence("localization.too_little_ground"))
-    distance = apart_m(coarse, pixel_sizes_m)
-    poses = best_places(image, pyramid, space, settings.candidates, distance)
+    poses, chance = best_places(image, pyramid, space, settings.candidates)
     if not poses:
         return _no_match(Sentence("localization.nothing_under_image"))
-    mirrored = best_places(mirrored_level(image), pyramid, space, settings.decoys, distance)
-    runner_up, mirror = (found[0].score if found else 0.0 for found in (poses[1:], mirrored))
+    best_size = poses[0].pixel_size_m
+    # What chance gives depends on the ground that an image shows: a decoy of the same size, a rival as if it were.
+    mirrored, _ = best_places(mirrored_level(image), pyramid, near_size(space, best_size, settings), settings.decoys)
+    mirror = mirrored[0].score if mirrored else 0.0
+    runner_up = chance.moved(poses[1].score, poses[1].pixel_size_m, best_size) if poses[1:] else 0.0
     peaks = CorrelationPeaks(poses[0].score, runner_up, mirror)
     pose, covariance = finest_pose(image, pyramid, poses[0])
     height, width = labels_hw.shape
@@ -99,8 +101,8 @@ def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> fl
     return None if score == NOT_COMPARABLE else score
 
 
-def _checked(labels_hw: np.ndarray, prior: Prior) -> tuple[float, float]:
-    """The prior's range of pixel sizes; raises what ``localize`` says."""
+def _check(labels_hw: np.ndarray, prior: Prior) -> None:
+    """Raises what ``localize`` says."""
     if labels_hw.size == 0:
         raise LabelMapError("labels.no_pixels")
     sizes = prior.pixel_size_range
@@ -108,7 +110,6 @@ def _checked(labels_hw: np.ndarray, prior: Prior) -> tuple[float, float]:
         raise ValueError(f"Pixel sizes {sizes} are no range.")
     if prior.radius is not None and not prior.radius > 0:
         raise ValueError(f"The radius of the prior is {prior.radius:g}; it has to be positive.")
-    return sizes
 
 
 def _no_match(reason: Sentence) -> Localization:

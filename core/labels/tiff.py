@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import struct
 from math import cos, hypot, radians, sin
+from mmap import mmap
 
 ORDERS = {b"II*\0": "<", b"MM\0*": ">"}
 """Byte order of a TIFF by its first four bytes."""
 
-_SIZES_AND_CODES = {1: (1, "B"), 2: (1, "s"), 3: (2, "H"), 4: (4, "I"), 12: (8, "d")}
-"""Bytes and code for ``struct`` of the kinds of values that are read: byte, text, short, long, double."""
+_SIZES_AND_CODES = {1: (1, "B"), 2: (1, "s"), 3: (2, "H"), 4: (4, "I"), 5: (8, "I"), 7: (1, "s"), 12: (8, "d")}
+"""Bytes and code for ``struct`` of the kinds of values that are read: byte, text, short, long, rational (two longs),
+anything, double."""
+
+_RATIONAL, _BYTE_KINDS = 5, (1, 2, 7)
 
 WIDTH, HEIGHT, PHOTOMETRIC, BITS, EXTRA_SAMPLES, NODATA = 256, 257, 262, 258, 338, 42113
 _PIXEL_SCALE, _TIE_POINT, _TRANSFORMATION, _GEO_KEYS = 33550, 33922, 34264, 34735
@@ -23,18 +27,24 @@ _EQUATOR_RADIUS_M, _ECCENTRICITY_SQUARED = 6378137.0, 0.0066943799901413165
 
 
 class TiffTags:
-    """The tags of the first image in a TIFF.
+    """The tags of one directory of a TIFF, of the first image unless told otherwise.
 
     Attributes:
         order: ``struct``'s sign of the byte order.
         entries: By tag, (kind, number of values, where its value or the place of its values stands).
     """
 
-    def __init__(self, data: bytes) -> None:
-        """Reads the directory; raises struct.error where the file is cut short and KeyError for no TIFF."""
+    def __init__(self, data: bytes | mmap, first: int | None = None) -> None:
+        """Reads a directory; raises struct.error where the file is cut short and KeyError for no TIFF.
+
+        Args:
+            data: The whole file.
+            first: Where the directory stands; None for the first image's.
+        """
         self._data = data
         self.order = ORDERS[data[:4]]
-        (first,) = struct.unpack_from(self.order + "I", data, 4)
+        if first is None:
+            (first,) = struct.unpack_from(self.order + "I", data, 4)
         (count,) = struct.unpack_from(self.order + "H", data, first)
         self.entries: dict[int, tuple[int, int, int]] = {}
         for place in range(first + 2, first + 2 + 12 * count, 12):
@@ -51,7 +61,21 @@ class TiffTags:
             (place,) = struct.unpack_from(self.order + "I", self._data, place)
         if size * length > len(self._data):
             raise struct.error("longer than the file")
-        return struct.unpack_from(f"{self.order}{length}{code}", self._data, place)
+        count = 2 * length if kind == _RATIONAL else length
+        return struct.unpack_from(f"{self.order}{count}{code}", self._data, place)
+
+    def is_rational(self, tag: int) -> bool:
+        """Whether a tag's values come as numerator and denominator, two each."""
+        return self.entries.get(tag, (0,))[0] == _RATIONAL
+
+    def bytes_of(self, tag: int, most: int) -> bytes:
+        """At most so many bytes of a tag that holds bytes or text; none where it is missing or of another kind."""
+        kind, length, place = self.entries.get(tag, (0, 0, 0))
+        if kind not in _BYTE_KINDS:
+            return b""
+        if length > 4:
+            (place,) = struct.unpack_from(self.order + "I", self._data, place)
+        return self._data[place : place + min(length, most)]
 
     def nodata(self) -> float | None:
         """GDAL's nodata value, None without one."""

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..geometry.camera import HEADING_SPREAD_DEG, Camera
 from ..geometry.leveling import Leveling
 from ..geometry.pose import turn_of
 from ..localization import Localization, Method, Prior
@@ -53,3 +54,18 @@ def localize_leveled(  # noqa: PLR0913 - what ``Localizer.localize`` takes, and 
         footprint=np.column_stack([corners.real, corners.imag]),
         nadir=(nadir.real, nadir.imag),
     )
+
+
+def with_camera(prior: Prior, camera: Camera, shape_hw: tuple[int, int]) -> Prior:
+    """A prior with what the camera knew of pixel size and heading, where nobody said otherwise.
+
+    Args:
+        prior: What the user said.
+        camera: Of the image; its meters are map units.
+        shape_hw: (height, width) of the image.
+    """
+    if prior.pixel_size_range is None:
+        prior = replace(prior, pixel_size_range=camera.pixel_sizes(shape_hw))
+    if prior.heading_deg is None and camera.heading_deg is not None:
+        prior = replace(prior, heading_deg=camera.heading_deg, heading_range_deg=HEADING_SPREAD_DEG)
+    return prior

@@ -214,7 +214,7 @@ class Localizer:
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
-            prior: Without one on the pixel size the image is taken to show 0.7 to 1.4 times a window's ground.
+            prior: Without one on the pixel size, images are searched that show 0.4 to 2.5 times a window's ground.
 
         Raises:
             LabelMapError: The image has no pixels.
@@ -315,12 +315,38 @@ class Localizer:
             found = self.localize_by_constellation(labels_hw, prior)
         place = found.place
         if place is None:
-            return found
+            return self._saying_what_was_searched(found, method, _shape(labels_hw), prior or Prior())
         height, width = labels_hw.shape
         heading_deg, pixel_size = place.oriented
         ground = image_corners(place.position, heading_deg, pixel_size, width, height)
         matches = self._matches_at(labels_hw, place) if with_matches and found.matches is None else found.matches
         return replace(found, footprint=ground, matches=matches)
+
+    def _saying_what_was_searched(
+        self, found: Localization, method: Method, shape_hw: tuple[int, int], prior: Prior
+    ) -> Localization:
+        """The result, its reason with the pixel sizes, headings and ground that were searched in vain."""
+        if found.reason is None or found.status is Status.TOO_FEW_REFERENCES and found.peaks is None:
+            return found
+        smallest, largest = prior.pixel_size_range or self.pixel_sizes(shape_hw, default_scales(method))
+        headings, ground = Sentence("localization.all_headings"), Sentence("localization.whole_map")
+        if prior.heading_deg is not None and prior.heading_range_deg < 180:
+            spread, heading = prior.heading_range_deg, prior.heading_deg % 360
+            headings = Sentence("localization.headings_near", spread=spread, heading=heading)
+        if prior.position is not None and prior.radius is not None:
+            x, y = prior.position
+            ground = Sentence("localization.ground_near", radius=prior.radius, x=x, y=y)
+        return replace(
+            found,
+            reason=Sentence(
+                "localization.searched",
+                reason=found.reason,
+                smallest=smallest,
+                largest=largest,
+                headings=headings,
+                ground=ground,
+            ),
+        )
 
     def _matches_at(self, labels_hw: np.ndarray, place: Place) -> Matches | None:
         height, width = labels_hw.shape

@@ -19,7 +19,9 @@ import numpy as np
 from ..errors import DatabaseError, ParameterError, SemRefError
 from ..labels.class_table import ClassTable
 from ..labels.image_files import image_files, read_label_image, read_photo
+from ..labels.photo_camera import photo_camera
 from ..localization import LEAST_RISK, RISK, Method, Prior, Status
+from ..localizer.leveled import with_camera
 from ..localizer.localizer import Localizer
 from ..localizer.record import fixes_per_error, record
 from ..localizer.settings import LOCALIZER
@@ -245,7 +247,11 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
         try:
             found["time"] = _time_of(path).isoformat()
             labels_hw = read_labels(path)
-            result = localizer.localize(labels_hw, method, prior)
+            known = prior
+            if method != Method.TOPOLOGY_VECTOR:
+                height, width = labels_hw.shape
+                known = with_camera(prior, photo_camera(path), (height, width))
+            result = localizer.localize(labels_hw, method, known)
             found.update(record(result))
             if result.position is not None and onboard.lon_lat is not None:
                 longitudes, latitudes = onboard.lon_lat(np.array([result.position]))

@@ -70,6 +70,14 @@ SENTENCES = {
         "together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed."
     ),
     "localization.neither_road": "{constellation} Map correlation has no fix either: {correlation:clause}",
+    # What was searched
+    "localization.searched": (
+        "{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}."
+    ),
+    "localization.all_headings": "all headings",
+    "localization.headings_near": "headings within {spread:g}° of {heading:g}°",
+    "localization.whole_map": "the whole map",
+    "localization.ground_near": "the ground within {radius:g} of {x:.0f}, {y:.0f}",
     # Flights
     "localization.jump": ("It can’t be reached at {speed:g} map units per second from the fixes before and after it."),
 }

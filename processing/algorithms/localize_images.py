@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import replace
-from typing import TYPE_CHECKING, Callable, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Callable, Dict, List, Tuple
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.localization import LEAST_RISK, RISK, Method
@@ -31,16 +31,15 @@ if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.database.model import ReferenceDatabase
-    from ...core.geometry.leveling import Leveling
+    from ...core.geometry.camera import Camera
     from ...core.labels.class_table import ClassTable
     from ...core.localization import Localization
     from ...core.localizer.localizer import Localizer
-    from ...storage.camera_files import Camera
     from ..framework.outputs import Outputs
     from ..framework.values import Values
 
     LabelReader = Callable[[str], np.ndarray]
-    Localize = Callable[[np.ndarray, Optional[Leveling]], Localization]
+    Localize = Callable[[np.ndarray, Camera], Localization]
 
 
 class LocalizeImages(SemRefAlgorithm):
@@ -129,14 +128,15 @@ class LocalizeImages(SemRefAlgorithm):
         return (
             File(
                 self.ATTITUDE,
-                tr("Camera table (roll, pitch, focal length, time)"),
+                tr("Camera table (roll, pitch, focal length, time, height, heading)"),
                 tr(
                     "A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch "
                     "above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, "
-                    "focal_length_35mm or field_of_view (degrees across the width), and time (seconds, or date and "
-                    "time). Images are leveled before they are localized. What the table does not tell is taken from "
-                    "EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes "
-                    "images as they are."
+                    "focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), "
+                    "height (m above the ground) and heading (degrees clockwise from north). Images are leveled before "
+                    "they are localized; height and lens together tell how large their pixels are. What the table "
+                    "does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside "
+                    "it. The topology vector takes images as they are."
                 ),
                 optional=True,
                 advanced=True,
@@ -272,8 +272,8 @@ class LocalizeImages(SemRefAlgorithm):
     def _localizing(
         self, values: Values, method: Method, localizer: Localizer, crs: QgsCoordinateReferenceSystem
     ) -> Localize:
-        """The function (labels, Leveling or None) → Localization that is asked for."""
-        from ...core.localizer.leveled import localize_leveled
+        """The function (labels, Camera) → Localization that is asked for."""
+        from ...core.localizer.leveled import localize_leveled, with_camera
         from ...core.localizer.localizer import default_scales
 
         localizer.check(method)
@@ -281,11 +281,14 @@ class LocalizeImages(SemRefAlgorithm):
         scales = priors.scales(values, method)
         known = priors.prior(values, crs)
 
-        def localize(labels_hw: np.ndarray, way: Optional[Leveling]) -> Localization:
-            # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
-            ground = scales or (way and default_scales(method))
-            sizes = ground and localizer.pixel_sizes(labels_hw.shape, ground)
-            prior = replace(known, pixel_size_range=sizes)
+        def localize(labels_hw: np.ndarray, camera: Camera) -> Localization:
+            sizes = scales and localizer.pixel_sizes(labels_hw.shape, scales)
+            way = camera.leveling(labels_hw.shape)
+            prior = with_camera(replace(known, pixel_size_range=sizes), camera, labels_hw.shape)
+            if way is not None and prior.pixel_size_range is None:
+                # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
+                sizes = localizer.pixel_sizes(labels_hw.shape, default_scales(method))
+                prior = replace(prior, pixel_size_range=sizes)
             if way is None:
                 return localizer.localize(labels_hw, method, prior, with_matches)
             return localize_leveled(localizer, labels_hw, method, prior, way, with_matches)
@@ -327,7 +330,7 @@ def _localize(
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
     try:
         labels_hw = read_labels(path)
-        found = localize(labels_hw, camera.leveling(labels_hw.shape))
+        found = localize(labels_hw, camera)
         remark = camera_remark(camera, labels_hw.shape)
     except SemRefError as error:
         return LocalizedImage(path, error=worded(error))

@@ -22,9 +22,9 @@ SCALE_MINIMUM, SCALE_MAXIMUM = "SCALE_MINIMUM", "SCALE_MAXIMUM"
 def parameters() -> Tuple[Parameter, ...]:
     """Position, heading and scale; none is ever needed."""
     scale = tr(
-        "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. "
-        "If both are left out: 0.4 to 2.5 for the constellation, 0.7 to 1.4 for map correlation, "
-        "also when automatic uses them. A narrow range is searched faster."
+        "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are "
+        "left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 "
+        "to 2.5. A narrow range is searched faster."
     )
     return (
         MapPoint(
@@ -45,7 +45,10 @@ def parameters() -> Tuple[Parameter, ...]:
         Number(
             PRIOR_HEADING,
             tr("Approximate heading (°)"),
-            tr("Where the images’ top points to, roughly, in degrees clockwise from grid north."),
+            tr(
+                "Where the images’ top points to, roughly, in degrees clockwise from grid north. If it is left "
+                "out: what the camera tells, if it is known (camera table, XMP), within 25°."
+            ),
             optional=True,
             advanced=True,
             minimum=-360,

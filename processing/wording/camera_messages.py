@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Tuple
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from ...storage.camera_files import Camera
+    from ...core.geometry.camera import Camera
 
 
 def camera_remark(camera: Camera, shape_hw: Tuple[int, int]) -> str:

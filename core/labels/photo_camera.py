@@ -1,0 +1,144 @@
+"""The camera of an image, from what EXIF and XMP of its photo tell: attitude, lens, height, heading, time."""
+
+from __future__ import annotations
+
+import os
+import re
+from datetime import datetime, timezone
+from math import atan, degrees, isfinite
+
+from ..errors import ParameterError
+from ..geometry.camera import Camera, Height, Lens, above_ground, above_takeoff
+from ..geometry.leveling import Attitude, attitude_from_gimbal, focal_length_from_35mm
+from ..sentences import Sentence
+from .photo_tags import PhotoTags, read_tags
+
+PHOTO_EXTENSIONS = (".jpg", ".jpeg", ".JPG", ".JPEG", ".tif", ".tiff", ".TIF", ".TIFF")
+"""Of photos that are looked for beside a label image, by its name."""
+
+SENSORS = {
+    **dict.fromkeys(("FC300C", "FC300S", "FC300SE", "FC300X", "FC300XW", "FC330"), (6.25, 4000, 3000)),
+    **dict.fromkeys(("FC350", "FC220", "FC2204", "FC2103"), (6.25, 4000, 3000)),
+    **dict.fromkeys(("FC7203", "FC7303"), (6.3, 4000, 3000)),
+    **dict.fromkeys(("FC6310", "FC6310S", "FC6310R", "L1D-20c", "FC3411"), (13.13, 5472, 3648)),
+    **dict.fromkeys(("FC550", "FC550RAW"), (17.3, 4608, 3456)),
+    **dict.fromkeys(("FC6520", "L2D-20c", "M3E"), (17.42, 5280, 3956)),
+    "FC6540": (23.5, 6016, 4008),
+    "ZenmuseP1": (35.9, 8192, 5460),
+}
+"""By EXIF's name of the camera: width of the sensor in mm, columns and rows of its whole picture (manufacturer's data;
+widths are pixels × pitch). Most drones' flat pictures are cut from a higher one, for which their focal length on film
+is stated: it would be 9 % too short."""
+
+MOST_ZOOM = 1.01
+"""Photos with more digital zoom tell no focal length: whether it is in the figure differs by maker."""
+
+LEAST_HEIGHT_M = 2.0
+"""Lower ones are those of cameras on the ground or without a barometer."""
+
+CALIBRATED = (0.85, 1.18)
+"""A calibrated focal length counts if it is within this ratio of what lens and sensor say: of this resolution."""
+
+
+def photo_camera(path: str) -> Camera:
+    """What the tags of an image tell, or of a photo of its name beside it; nothing is no error.
+
+    Args:
+        path: Of the image.
+    """
+    beside = [os.path.splitext(path)[0] + extension for extension in PHOTO_EXTENSIONS]
+    for photo in (path, *(name for name in beside if name != path)):
+        camera = camera_of(read_tags(photo), os.path.basename(photo))
+        if camera != Camera():
+            return camera
+    return Camera()
+
+
+def camera_of(tags: PhotoTags, name: str) -> Camera:
+    """The camera of a photo.
+
+    Args:
+        tags: Of the photo.
+        name: Of the file.
+    """
+    attitude, heading, problem = None, None, None
+    # A photo that viewers turn may have been turned before it was labeled.
+    if tags.orientation == 1:
+        heading = _heading(tags)
+        try:
+            attitude = _attitude(tags)
+        except ParameterError as error:
+            problem = Sentence("labels.at_line", where=name, fault=error.sentence)
+    height = _height(tags, attitude)
+    return Camera(attitude, _lens(tags), name if attitude else "", _time(tags), problem, height, heading)
+
+
+def _attitude(tags: PhotoTags) -> Attitude | None:
+    """By DJI's gimbal angles, else by Pix4D's, whose roll is positive with the right side down: the axis leans left."""
+    roll, pitch = tags.number("GimbalRollDegree"), tags.number("GimbalPitchDegree")
+    if roll is not None and pitch is not None:
+        return attitude_from_gimbal(roll, pitch)
+    roll, pitch = tags.number("Camera:Roll"), tags.number("Camera:Pitch")
+    return Attitude(-roll, pitch) if roll is not None and pitch is not None else None
+
+
+def _heading(tags: PhotoTags) -> float | None:
+    for name in ("GimbalYawDegree", "Camera:Yaw", "FlightYawDegree"):
+        heading = tags.number(name)
+        if heading is not None and abs(heading) <= 360:
+            return heading % 360.0
+    return None
+
+
+def _height(tags: PhotoTags, attitude: Attitude | None) -> Height | None:
+    """By a rangefinder along the axis, above the ground, else above the place of take-off."""
+    slant = tags.number("LRFTargetDistance")
+    if slant is not None and slant > LEAST_HEIGHT_M and attitude is not None:
+        return above_ground(slant * float(attitude.down[2]))
+    for name, kind in (("AboveGroundAltitude", above_ground), ("RelativeAltitude", above_takeoff)):
+        meters = tags.number(name)
+        if meters is not None and meters > LEAST_HEIGHT_M:
+            return kind(meters)
+    return None
+
+
+def _lens(tags: PhotoTags) -> Lens | None:
+    if tags.shape_hw is None or min(tags.shape_hw) < 1:
+        return None
+    height, width = tags.shape_hw
+    focal_px = _focal_length_px(tags, tags.shape_hw)
+    if focal_px is not None:
+        return Lens("field_of_view", 2 * degrees(atan(width / 2 / focal_px)), width / height)
+    return Lens("focal_length_35mm", tags.focal_length_35mm, width / height) if tags.focal_length_35mm else None
+
+
+def _focal_length_px(tags: PhotoTags, shape_hw: tuple[int, int]) -> float | None:
+    """In pixels of the photo, from a calibration or a known sensor; None where neither tells."""
+    if tags.zoom > MOST_ZOOM:
+        return None
+    found = None
+    if tags.model in SENSORS and tags.focal_length_mm:
+        sensor_mm, columns, rows = SENSORS[tags.model]
+        is_cut = min(shape_hw) == rows
+        scale = 1.0 if is_cut else max(shape_hw) / columns
+        found = tags.focal_length_mm / sensor_mm * columns * scale
+    roughly = found or (focal_length_from_35mm(tags.focal_length_35mm, shape_hw) if tags.focal_length_35mm else None)
+    calibrated = tags.number("CalibratedFocalLength")
+    if calibrated and roughly and CALIBRATED[0] <= calibrated / roughly <= CALIBRATED[1]:
+        return calibrated
+    return found if found and isfinite(found) else None
+
+
+def _time(tags: PhotoTags) -> float | None:
+    """Seconds of the moment of exposure on the camera's own clock."""
+    found = re.fullmatch(r"(\d{4}):(\d\d):(\d\d) (\d\d):(\d\d):(\d\d)", tags.taken, re.ASCII)
+    if not found:
+        return None
+    try:
+        year, month, day, hour, minute, second = (int(number) for number in found.groups())
+        moment = datetime(year, month, day, hour, minute, second, tzinfo=timezone.utc)
+    except ValueError:
+        # 0000:00:00 is how cameras without a clock say so.
+        return None
+    parts = re.match(r"[0-9]{1,9}", tags.fraction)
+    return moment.timestamp() + (float(f"0.{parts.group()}") if parts else 0.0)

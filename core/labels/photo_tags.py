@@ -1,0 +1,168 @@
+"""What a camera wrote into a photo besides its pixels: EXIF and XMP, read without GDAL, a bounded part of the file.
+
+THE place that reads them, for QGIS and for computers on board alike. Photos come from strangers: whatever is damaged,
+missing or of another kind than the standard says counts as not written, and is no error.
+"""
+
+from __future__ import annotations
+
+import mmap
+import os
+import re
+import stat
+import struct
+from dataclasses import dataclass
+
+from .tiff import ORDERS, TiffTags
+
+MOST_HEAD_BYTES = 4_000_000
+"""Of a JPEG that are looked at: cameras write tags first."""
+
+MOST_SEGMENTS = 500
+"""Of a JPEG that are looked at."""
+
+MOST_XMP_BYTES = 500_000
+"""Of an XMP packet that are kept; those of cameras have 5,000."""
+
+_EXIF, _XMP = b"Exif\0\0", b"http://ns.adobe.com/xap/1.0/\0"
+_APP1, _SCAN, _END = 0xE1, 0xDA, 0xD9
+_FRAMES = {*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC}
+"""Markers of segments that tell the image's size."""
+
+_WIDTH, _HEIGHT, _MODEL, _ORIENTATION, _TIFF_XMP, _EXIF_DIRECTORY = 256, 257, 272, 274, 700, 34665
+_TAKEN, _FRACTION, _FOCAL_LENGTH, _ZOOM, _FOCAL_LENGTH_35MM = 36867, 37521, 37386, 41988, 41989
+_DAMAGED = (struct.error, KeyError, IndexError, ValueError, OverflowError, MemoryError)
+
+
+@dataclass(frozen=True)
+class PhotoTags:
+    """What a photo says of itself; empty or None where it says nothing.
+
+    Attributes:
+        shape_hw: (height, width) of the photo, pixels.
+        model: Of the camera, as EXIF has it.
+        orientation: EXIF's; 1 for a photo that is shown as its pixels lie.
+        focal_length_mm: Of the lens itself.
+        focal_length_35mm: On 35 mm film, mm.
+        zoom: Digital zoom, as a ratio; 1 for none.
+        taken: EXIF's date and time of exposure, ``YYYY:MM:DD hh:mm:ss``.
+        fraction: Digits of its seconds behind the decimal point.
+        xmp: The XMP packet.
+    """
+
+    shape_hw: tuple[int, int] | None = None
+    model: str = ""
+    orientation: int = 1
+    focal_length_mm: float | None = None
+    focal_length_35mm: float | None = None
+    zoom: float = 1.0
+    taken: str = ""
+    fraction: str = ""
+    xmp: str = ""
+
+    def number(self, name: str) -> float | None:
+        """A number of the XMP packet, written as an attribute or as an element; None where it is missing or none.
+
+        Args:
+            name: Of the property, with or without the prefix of its namespace.
+        """
+        found = re.search(rf"\b{re.escape(name)}\s*(?:=\s*[\"']|>)\s*([-+]?\d{{1,12}}(?:\.\d{{0,12}})?)", self.xmp)
+        return float(found.group(1)) if found else None
+
+
+def read_tags(path: str) -> PhotoTags:
+    """Tags of a JPEG or TIFF file; none for other files and for what can't be read.
+
+    Args:
+        path: Of the file. What is no regular file is not opened.
+    """
+    try:
+        if not stat.S_ISREG(os.stat(path).st_mode):
+            return PhotoTags()
+        with open(path, "rb") as file:
+            head = file.read(MOST_HEAD_BYTES)
+            if head[:4] not in ORDERS or len(head) < MOST_HEAD_BYTES:
+                return photo_tags(head)
+            # A TIFF's directories may stand behind its pixels.
+            with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as whole:
+                return _tiff_tags(whole)
+    except (OSError, *_DAMAGED):
+        return PhotoTags()
+
+
+def photo_tags(data: bytes) -> PhotoTags:
+    """Tags of a JPEG's or TIFF's content, of a JPEG the beginning is enough.
+
+    Args:
+        data: Of the file; anything may stand there.
+    """
+    try:
+        if data[:4] in ORDERS:
+            return _tiff_tags(data)
+        return _jpeg_tags(data) if data[:2] == b"\xff\xd8" else PhotoTags()
+    except _DAMAGED:
+        return PhotoTags()
+
+
+def _jpeg_tags(data: bytes) -> PhotoTags:
+    exif, xmp, shape = PhotoTags(), "", None
+    place = 2
+    for _ in range(MOST_SEGMENTS):
+        if place + 4 > len(data) or data[place] != 0xFF or data[place + 1] in (_SCAN, _END):
+            break
+        marker, (length,) = data[place + 1], struct.unpack_from(">H", data, place + 2)
+        content = data[place + 4 : place + 2 + length]
+        if marker == _APP1 and content.startswith(_EXIF):
+            exif = _damaged_as_none(content[len(_EXIF) :])
+        elif marker == _APP1 and content.startswith(_XMP):
+            xmp = xmp or _text(content[len(_XMP) :])
+        elif marker in _FRAMES and len(content) >= 5:
+            shape = struct.unpack_from(">HH", content, 1)
+        place += 2 + max(length, 2)
+    values = {**vars(exif), "xmp": xmp, "shape_hw": shape}
+    return PhotoTags(**values)
+
+
+def _damaged_as_none(exif: bytes) -> PhotoTags:
+    """Tags of an EXIF block; none where it is damaged, which says nothing of the XMP beside it."""
+    try:
+        return _tiff_tags(exif)
+    except _DAMAGED:
+        return PhotoTags()
+
+
+def _tiff_tags(data: bytes | mmap.mmap) -> PhotoTags:
+    tags = TiffTags(data)
+    directory = tags.values(_EXIF_DIRECTORY)
+    exif = TiffTags(data, directory[0]) if directory and isinstance(directory[0], int) else tags
+    height, width = _number(tags, _HEIGHT), _number(tags, _WIDTH)
+    return PhotoTags(
+        shape_hw=(int(height), int(width)) if height and width else None,
+        model=_string(tags, _MODEL),
+        orientation=int(_number(tags, _ORIENTATION) or 1),
+        focal_length_mm=_number(exif, _FOCAL_LENGTH),
+        focal_length_35mm=_number(exif, _FOCAL_LENGTH_35MM),
+        zoom=_number(exif, _ZOOM) or 1.0,
+        taken=_string(exif, _TAKEN),
+        fraction=_string(exif, _FRACTION),
+        xmp=_text(tags.bytes_of(_TIFF_XMP, MOST_XMP_BYTES)),
+    )
+
+
+def _number(tags: TiffTags, tag: int) -> float | None:
+    """A positive number, of a rational the quotient; None for any other: unknown, in EXIF."""
+    found = tags.values(tag)
+    if not found or isinstance(found[0], bytes):
+        return None
+    value = found[0] / found[1] if tags.is_rational(tag) and found[1] else found[0]
+    known = not tags.is_rational(tag) or found[1]
+    return float(value) if known and value > 0 else None
+
+
+def _string(tags: TiffTags, tag: int) -> str:
+    found = tags.values(tag)
+    return _text(found[0]) if found and isinstance(found[0], bytes) else ""
+
+
+def _text(content: bytes) -> str:
+    return content[:MOST_XMP_BYTES].split(b"\0")[0].decode("utf-8", "replace").strip()

@@ -1,0 +1,48 @@
+"""How large a pixel is on the ground: ranges that hold the truth and are no wider than what they are told from."""
+
+import numpy as np
+import pytest
+
+from semref.core.geometry.camera import Camera, Lens, above_ground, above_takeoff
+from semref.core.geometry.leveling import Attitude
+
+WIDE = Lens("focal_length_px", 1000.0)
+
+
+def test_a_pixel_covers_height_over_focal_length():
+    low, high = Camera(lens=WIDE, attitude=Attitude(0, 0), height=above_ground(200.0)).pixel_sizes((600, 800))
+    assert low == pytest.approx((0.9 * 200 - 3) / 1030) and high == pytest.approx((1.1 * 200 + 3) / 970)
+
+
+@pytest.mark.parametrize(("told", "least", "most"), [(100, 60, 140), (1000, 870, 1130), (20, 8, 52)])
+def test_a_height_above_the_place_of_take_off_may_be_off_by_30_m_but_never_below_the_ground(told, least, most):
+    assert above_takeoff(told).range_m == pytest.approx((least, most))
+
+
+def test_a_tilted_camera_sees_larger_pixels():
+    level, tilted, unknown = (
+        Camera(lens=WIDE, attitude=attitude, height=above_ground(200.0)).pixel_sizes((600, 800))
+        for attitude in (Attitude(0, 0), Attitude(0, 30), None)
+    )
+    assert np.array(tilted) == pytest.approx(np.array(level) * np.cos(np.radians(30)) ** -1.5)
+    assert unknown[0] == level[0] and level[1] < unknown[1] < tilted[1]
+
+
+def test_a_flat_picture_may_be_cut_from_a_higher_sensor():
+    lens = Lens("focal_length_35mm", 20.0)
+    low, high = lens.focal_lengths_px((2250, 4000))
+    whole = 20 / np.hypot(36, 24) * 5000
+    assert low < 20 / np.hypot(36, 24) * np.hypot(2250, 4000) < whole < high
+    assert lens.focal_lengths_px((3000, 4000))[1] == pytest.approx(whole * 1.03)
+
+
+@pytest.mark.parametrize(
+    "camera",
+    [
+        Camera(lens=WIDE),
+        Camera(height=above_ground(100)),
+        Camera(lens=Lens("field_of_view", 60.0, 1.5), height=above_ground(100)),
+    ],
+)
+def test_without_height_or_lens_or_for_another_shape_nothing_is_told(camera):
+    assert camera.pixel_sizes((600, 800)) is None

@@ -1,0 +1,96 @@
+"""A camera as the tags of its photos tell it, and nothing at all from what is damaged."""
+
+import struct
+
+import numpy as np
+import pytest
+
+from semref.core.geometry.camera import Camera
+from semref.core.labels.photo_camera import camera_of, photo_camera
+from semref.core.labels.photo_tags import PhotoTags, photo_tags, read_tags
+
+XMP = (
+    'drone-dji:RelativeAltitude="+39.80" drone-dji:GimbalYawDegree="-45.00" drone-dji:GimbalRollDegree="+0.00" '
+    'drone-dji:GimbalPitchDegree="-90.00"'
+)
+
+
+def entry(tag, kind, count, value):
+    return struct.pack(">HHI", tag, kind, count) + value
+
+
+def exif(model=b"FC300S", focal=(361, 100), film=20):
+    """An EXIF block, big-endian: model, and a directory with focal lengths."""
+    head = b"MM\0*" + struct.pack(">I", 8)
+    first = 8 + 2 + 2 * 12 + 4
+    text, rational = first, first + 16
+    directory = rational + 8
+    main = struct.pack(">H", 2) + entry(272, 2, len(model) + 1, struct.pack(">I", text))
+    main += entry(34665, 4, 1, struct.pack(">I", directory)) + bytes(4)
+    own = struct.pack(">H", 2) + entry(37386, 5, 1, struct.pack(">I", rational))
+    own += entry(41989, 3, 1, struct.pack(">HH", film, 0)) + bytes(4)
+    return head + main + model.ljust(16, b"\0") + struct.pack(">II", *focal) + own
+
+
+def jpeg(exif_block=None, xmp=XMP, shape_hw=(2250, 4000)):
+    """The beginning of a JPEG: EXIF, XMP, size."""
+
+    def segment(marker, content):
+        return bytes([0xFF, marker]) + struct.pack(">H", len(content) + 2) + content
+
+    block = exif() if exif_block is None else exif_block
+    parts = [segment(0xE1, b"Exif\0\0" + block), segment(0xE1, b"http://ns.adobe.com/xap/1.0/\0" + xmp.encode())]
+    return b"\xff\xd8" + b"".join(parts) + segment(0xC0, b"\x08" + struct.pack(">HH", *shape_hw) + b"\x03")
+
+
+def test_a_known_camera_tells_pixel_size_and_heading():
+    camera = camera_of(photo_tags(jpeg()), "IMG_1.jpg")
+    # 3.61 mm before pixels of 1.5625 µm.
+    assert camera.lens.focal_length_px((2250, 4000)) == pytest.approx(3.61 / 0.0015625, rel=1e-6)
+    low, high = camera.pixel_sizes((2250, 4000))
+    assert low < 39.8 / 2310.4 < high and camera.heading_deg == 315
+    # The same photo's labels, half as large, have pixels twice as large.
+    assert camera.pixel_sizes((1125, 2000))[0] == pytest.approx(2 * low, rel=1e-6)
+
+
+def test_another_camera_tells_by_its_focal_length_on_film():
+    camera = camera_of(photo_tags(jpeg(exif(model=b"OTHER"))), "IMG_1.jpg")
+    assert camera.lens.kind == "focal_length_35mm" and camera.lens.value == 20
+
+
+def test_a_rangefinder_goes_before_the_barometer_and_a_zoomed_photo_tells_no_focal_length():
+    tags = PhotoTags((3000, 4000), "FC330", 1, 3.61, xmp=XMP + ' drone-dji:LRFTargetDistance="80.5"')
+    assert camera_of(tags, "").height.meters == pytest.approx(80.5)
+    assert camera_of(PhotoTags((3000, 4000), "FC330", 1, 3.61, zoom=2.0), "").lens is None
+
+
+def test_a_calibrated_focal_length_counts_where_it_is_of_this_resolution():
+    for stated, expected in (("2350.5", 2350.5), ("3666.7", 2310.4)):
+        tags = PhotoTags((3000, 4000), "FC330", 1, 3.61, xmp=f'drone-dji:CalibratedFocalLength="{stated}"')
+        assert camera_of(tags, "").lens.focal_length_px((3000, 4000)) == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize("altitude", ["+0.00", "-12.5", "nan", "x"])
+def test_an_altitude_that_is_none_tells_nothing(altitude):
+    assert camera_of(photo_tags(jpeg(xmp=XMP.replace("+39.80", altitude))), "").height is None
+
+
+def test_the_photo_beside_a_label_image_is_read(tmp_path):
+    (tmp_path / "IMG_1.jpg").write_bytes(jpeg())
+    assert photo_camera(str(tmp_path / "IMG_1.png")).height.meters == 39.8
+    assert photo_camera(str(tmp_path / "IMG_2.png")) == Camera()
+    assert read_tags(str(tmp_path)) == PhotoTags()
+
+
+def test_whatever_stands_in_a_file_is_no_error():
+    whole, rng = jpeg(), np.random.default_rng(5)
+    for _ in range(3000):
+        data = bytearray(whole[: rng.integers(0, len(whole) + 1)])
+        for place in rng.integers(0, max(len(data), 1), 6)[: len(data)]:
+            data[place] = rng.integers(0, 256)
+        camera = camera_of(photo_tags(bytes(data)), "IMG_1.jpg")
+        sizes = camera.pixel_sizes((2250, 4000))
+        assert sizes is None or 0 < sizes[0] < sizes[1] < np.inf
+    for _ in range(1000):
+        photo_tags(b"\xff\xd8" + rng.bytes(200))
+        photo_tags(b"II*\0" + struct.pack("<I", rng.integers(0, 40)) + rng.bytes(200))
