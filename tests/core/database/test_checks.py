@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from onboard_blobs import TABLE, build_blobs
 
+from semref.core.database import checks
 from semref.core.database.checks import digest, require_sound
 
 
@@ -72,3 +73,13 @@ def test_a_digest_tells_where_one_column_ends_and_the_next_begins():
     assert digest([b"ab", b"c"]) != digest([b"a", b"bc"])
     column = np.arange(6)
     assert digest([column]) == digest([column.tobytes()]) == digest([np.repeat(column, 2)[::2]])
+
+
+@pytest.mark.parametrize("what", ["WINDOWS", "LANDMARKS"])
+def test_more_rows_than_any_map_has_are_refused(database, monkeypatch, what):
+    columns = database.windows if what == "WINDOWS" else database.references
+    monkeypatch.setattr(checks, f"MAXIMUM_{what}", len(columns) - 1)
+    with pytest.raises(ValueError, match=f"^it has {len(columns)} {what.lower()}$"):
+        require_sound(database.windows, database.references, database.parameters, TABLE)
+    monkeypatch.setattr(checks, f"MAXIMUM_{what}", len(columns))
+    require_sound(database.windows, database.references, database.parameters, TABLE)

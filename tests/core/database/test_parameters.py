@@ -57,6 +57,10 @@ def test_a_missing_one_is_named():
         ("levels", ["1"]),
         ("block_hashes", [5]),
         ("format_version", "1"),
+        ("references_per_vector", 100_000),
+        ("geotransform", [600.5, 2.0, 0.5, 5200.25, 0.0, -2.0]),
+        ("geotransform", [600.5, 2.0, 0.0, 5200.25, 0.0, -3.0]),
+        ("geotransform", [1e300, 2.0, 0.0, 5200.25, 0.0, -2.0]),
     ],
 )
 def test_a_value_that_can_not_be_is_refused_by_name(name, value):

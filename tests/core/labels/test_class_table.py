@@ -15,6 +15,7 @@ from semref.core.labels.class_table import (
     split_list,
 )
 from semref.core.sentences import english
+from semref.core.values import LONGEST_NAME
 
 TABLE = ClassTable(
     (
@@ -302,3 +303,25 @@ def test_lists_are_text_separated_by_semicolons(text, items):
 
 def test_colors_are_read_as_red_green_blue():
     assert LandCoverClass(1, "a", "#0a80FF").rgb == (10, 128, 255)
+
+
+@pytest.mark.parametrize(
+    ("values", "code"),
+    [
+        ({"draw_order": float("nan")}, "labels.class_order_not_finite"),
+        ({"draw_order": float("inf")}, "labels.class_order_not_finite"),
+        ({"name": "n" * (LONGEST_NAME + 1)}, "labels.class_name_too_long"),
+    ],
+)
+def test_what_no_file_could_hold_is_refused(values, code):
+    with pytest.raises(ClassTableError) as refused:
+        LandCoverClass(**{"value": 1, "name": "house", "color": "#ff0000", **values})
+    assert refused.value.sentence.code == code
+    assert LandCoverClass(1, "n" * LONGEST_NAME, "#ff0000", draw_order=1e300).draw_order == 1e300
+
+
+def test_a_line_too_long_for_any_table_is_refused():
+    line = "value,name\n1," + "n" * 200_000
+    with pytest.raises(ClassTableError) as refused:
+        class_table_from_csv(line, "classes.csv")
+    assert refused.value.sentence.code == "labels.class_table_line_too_long"

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import ImageError, LabelMapError
+from semref.core.labels import image_files
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.image_files import read_label_image, read_photo, stated_size
 from semref.core.labels.tiff import NODATA
@@ -166,3 +167,162 @@ def test_a_picture_under_the_name_of_another_kind_is_refused(image, tmp_path, na
     for read in (lambda path: read_label_image(path, TABLE), read_photo):
         with pytest.raises((ImageError, LabelMapError), match="give it the suffix"):
             read(path)
+
+
+def tiff(samples, photometric, **tags) -> bytes:
+    """A TIFF, made by hand: OpenCV writes neither palettes nor opacity nor nodata.
+
+    samples: (height, width) or (height, width, bands) uint8; tags by number, as text, or as 16-bit numbers.
+    """
+    height, width = samples.shape[:2]
+    bands = samples.shape[2] if samples.ndim == 3 else 1
+    entries = {
+        256: (width,), 257: (height,), 258: (8,) * bands, 259: (1,), 262: (photometric,), 277: (bands,), 278: (height,),
+        **{int(name[1:]): value for name, value in tags.items()},
+    }  # fmt: skip
+    entries[273] = entries[279] = None
+    start = 8 + 2 + 12 * len(entries) + 4
+    directory, beyond = b"", b""
+    for tag, value in sorted(entries.items()):
+        if tag == 273:
+            directory += struct.pack("<HHII", tag, 4, 1, 100_000)
+        elif tag == 279:
+            directory += struct.pack("<HHII", tag, 4, 1, samples.size)
+        else:
+            data = value if isinstance(value, bytes) else struct.pack(f"<{len(value)}H", *value)
+            directory += struct.pack("<HHI", tag, 2 if isinstance(value, bytes) else 3, len(value))
+            directory += data.ljust(4, b"\0") if len(data) <= 4 else struct.pack("<I", start + len(beyond))
+            beyond += data if len(data) > 4 else b""
+    head = b"II*\0" + struct.pack("<IH", 8, len(entries)) + directory + bytes(4) + beyond
+    return head.ljust(100_000, b"\0") + samples.tobytes()
+
+
+def test_a_palette_of_a_tiff_is_not_taken_for_colors(tmp_path):
+    palette = tuple(np.random.default_rng(2).integers(0, 65536, 768).tolist())
+    (tmp_path / "paletted.tif").write_bytes(tiff(LABELS, 3, t320=palette))
+    np.testing.assert_array_equal(read_label_image(str(tmp_path / "paletted.tif"), TABLE), LABELS)
+
+
+def test_a_palette_of_a_tiff_of_other_bits_is_refused(tmp_path):
+    (tmp_path / "paletted.tif").write_bytes(tiff(LABELS, 3, t258=(4,), t320=(0,) * 48))
+    with pytest.raises(LabelMapError, match="4"):
+        read_label_image(str(tmp_path / "paletted.tif"), TABLE)
+
+
+def test_nodata_of_a_label_image_is_unlabeled(tmp_path):
+    (tmp_path / "labels.tif").write_bytes(tiff(LABELS, 1, t42113=b"3\0"))
+    np.testing.assert_array_equal(
+        read_label_image(str(tmp_path / "labels.tif"), TABLE), np.where(LABELS == 3, 0, LABELS)
+    )
+
+
+def test_a_photo_has_no_data_where_all_its_bands_are_nodata(tmp_path):
+    pixels = np.random.default_rng(1).integers(1, 4, (20, 30, 3)).astype(np.uint8)
+    pixels[5:9, 4:20] = 7
+    pixels[0, 0] = 7, 7, 1
+    (tmp_path / "photo.tif").write_bytes(tiff(pixels, 2, t42113=b"7\0"))
+    photo, has_data = read_photo(str(tmp_path / "photo.tif")).image.read(0, 0, 30, 20)
+    expected = ~(pixels == 7).all(axis=2)
+    np.testing.assert_array_equal(has_data, expected)
+    np.testing.assert_array_equal(photo, np.where(expected[..., None], pixels, 0))
+
+
+def test_a_gray_photo_with_nodata_is_gray_where_it_has_data(tmp_path):
+    (tmp_path / "photo.tif").write_bytes(tiff(LABELS, 1, t42113=b"2\0"))
+    photo, has_data = read_photo(str(tmp_path / "photo.tif")).image.read(0, 0, 100, 100)
+    np.testing.assert_array_equal(has_data, LABELS != 2)
+    np.testing.assert_array_equal(photo, np.repeat(np.where(LABELS == 2, 0, LABELS)[..., None], 3, axis=2))
+
+
+def test_colors_of_a_half_transparent_tiff_are_as_they_were_written(tmp_path):
+    pixels = np.random.default_rng(1).integers(1, 256, (20, 30, 4)).astype(np.uint8)
+    pixels[3, 4:9, 3] = 0
+    (tmp_path / "photo.tif").write_bytes(tiff(pixels, 2, t338=(2,)))
+    photo, has_data = read_photo(str(tmp_path / "photo.tif")).image.read(0, 0, 30, 20)
+    np.testing.assert_array_equal(has_data, pixels[..., 3] > 0)
+    np.testing.assert_array_equal(photo[has_data], pixels[has_data][:, :3])
+
+
+def test_a_fourth_band_that_is_no_opacity_hides_nothing(tmp_path):
+    pixels = np.random.default_rng(1).integers(0, 256, (20, 30, 4)).astype(np.uint8)
+    (tmp_path / "photo.tif").write_bytes(tiff(pixels, 2, t338=(0,)))
+    photo, has_data = read_photo(str(tmp_path / "photo.tif")).image.read(0, 0, 30, 20)
+    assert has_data is None or has_data.all()
+    np.testing.assert_array_equal(photo, pixels[..., :3])
+
+
+@pytest.mark.parametrize(
+    ("name", "pixels", "said"),
+    [
+        ("deep.png", np.zeros((9, 9, 3), np.uint16), "uint16"),
+        ("float.tif", np.zeros((9, 9), np.float32), "float32"),
+        ("signed.tif", np.full((9, 9), -3, np.int16), "-3"),
+    ],
+)
+def test_labels_that_are_neither_values_nor_colors_are_refused(image, name, pixels, said):
+    with pytest.raises(LabelMapError, match=said):
+        read_label_image(image(name, pixels), TABLE)
+
+
+def test_a_photo_of_more_than_8_bits_is_refused(image):
+    with pytest.raises(ImageError, match="uint16"):
+        read_photo(image("deep.png", np.zeros((9, 9, 3), np.uint16)))
+
+
+def test_gray_with_opacity_is_no_label_image_and_a_first_chunk_that_is_another_is_damage(tmp_path):
+    data = bytearray(png_with_palette(LABELS))
+    data[25] = 4
+    (tmp_path / "x.png").write_bytes(data)
+    with pytest.raises(LabelMapError, match="two bands|opacity"):
+        read_label_image(str(tmp_path / "x.png"), TABLE)
+    data[12:16] = b"IDAT"
+    (tmp_path / "x.png").write_bytes(data)
+    with pytest.raises(LabelMapError, match="damaged"):
+        read_label_image(str(tmp_path / "x.png"), TABLE)
+
+
+def test_an_image_of_too_many_pixels_or_bytes_is_refused(image, monkeypatch):
+    path = image("gray.png")
+    monkeypatch.setattr(image_files, "MAXIMUM_IMAGE_PIXELS", LABELS.size - 1)
+    with pytest.raises(LabelMapError, match="100 × 100"):
+        read_label_image(path, TABLE)
+    monkeypatch.setattr(image_files, "MAXIMUM_IMAGE_BYTES", 10)
+    with pytest.raises(LabelMapError, match="MB"):
+        read_label_image(path, TABLE)
+
+
+def test_what_the_decoder_stumbles_over_is_refused(image, monkeypatch):
+    def fails(*_):
+        raise cv2.error("too odd")
+
+    path = image("gray.png")
+    monkeypatch.setattr(image_files.cv2, "imdecode", fails)
+    with pytest.raises(LabelMapError, match=re.escape(path)):
+        read_label_image(path, TABLE)
+
+
+@pytest.mark.parametrize("name", ["missing.png", "nu\0ll.png", "folder.png"])
+def test_a_path_that_is_no_file_is_refused_in_a_sentence(tmp_path, name):
+    (tmp_path / "folder.png").mkdir()
+    with pytest.raises(LabelMapError, match="png"):
+        read_label_image(str(tmp_path / name), TABLE)
+
+
+def test_a_folder_stands_for_its_images_and_files_for_themselves(tmp_path, monkeypatch):
+    for name in ("b.PNG", "a.tif", ".hidden.png", "notes.txt"):
+        (tmp_path / name).write_bytes(b"")
+    (tmp_path / "empty").mkdir()
+    assert image_files.image_files([str(tmp_path), "other.xyz"]) == [
+        str(tmp_path / "a.tif"),
+        str(tmp_path / "b.PNG"),
+        "other.xyz",
+    ]
+    with pytest.raises(LabelMapError, match="empty"):
+        image_files.image_files([str(tmp_path / "empty")])
+
+    def refused(_):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(image_files.os, "listdir", refused)
+    with pytest.raises(LabelMapError, match="Permission denied"):
+        image_files.image_files([str(tmp_path)])

@@ -303,3 +303,13 @@ def test_a_place_that_both_methods_found_is_told_once():
     stars = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, alternatives=(PLACE,))
     areas = Localization(Status.AMBIGUOUS, Method.MAP_CORRELATION, 0, SAID, alternatives=(beside, apart))
     assert neither(stars, areas, round(100 / PLACE.pixel_size_m)).alternatives == (PLACE, apart)
+
+
+def test_a_prior_without_a_place_confirms_wherever_the_constellation_looks():
+    assert confirmed(AREAS, STARS, Prior()).position == STARS.position
+    assert confirmed(AREAS, STARS, Prior(AREAS.position)).position == STARS.position
+
+
+def test_without_a_fix_of_map_correlation_there_is_nothing_to_look_for():
+    with pytest.raises(ValueError, match="no fix"):
+        near(replace(AREAS, status=Status.NO_MATCH), Prior(), 1000)

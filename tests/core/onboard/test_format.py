@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import shutil
+import struct
 import subprocess
+import zipfile
 
 import numpy as np
 import pytest
@@ -21,6 +23,17 @@ def test_an_onboard_file_is_known_as_one(written):
 
 def test_a_damaged_file_is_known_as_one_by_the_names_of_its_members(written, tmp_path):
     assert is_onboard_file(zipped(tmp_path / "damaged.npz", dict.fromkeys(members(written), b"")))
+
+
+def test_a_file_whose_directory_can_not_be_read_is_not_known_as_one(written, tmp_path):
+    """It ends as a zip does, but its directory is no directory."""
+    data = bytearray(written.read_bytes())
+    start = data.rfind(b"PK\x05\x06")
+    (directory,) = struct.unpack_from("<I", data, start + 16)
+    data[directory : directory + 4] = b"none"
+    (tmp_path / "odd.npz").write_bytes(data)
+    assert zipfile.is_zipfile(tmp_path / "odd.npz")
+    assert not is_onboard_file(str(tmp_path / "odd.npz"))
 
 
 @pytest.mark.parametrize("name", list(FOREIGN))

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import dataclasses
 import io
+import json
+import math
 import tracemalloc
+import zipfile
+from dataclasses import asdict
 
 import numpy as np
 import pytest
@@ -15,6 +19,7 @@ from semref.core.errors import DatabaseError
 from semref.core.geometry.lon_lat import LonLatPolynomial
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
+from semref.core.onboard.format import digest
 from semref.core.onboard.read import read_onboard
 
 
@@ -119,6 +124,10 @@ def test_a_newer_version_is_refused(written, tmp_path):
         ({"window_sizes_px": [60]}, "levels"),
         ({"lon_lat": {"degree": 50}}, "degree"),
         ({"lon_lat": "north"}, "damaged"),
+        ({"version": 0}, "its version is 0"),
+        ({"reference_classes": [2, 5]}, "its reference_classes"),
+        ({"position_origin": [1.0, 2.0, 3.0]}, "position_origin is"),
+        ({"class_table": "value,name\n900,moon\n"}, "damaged"),
     ],
 )
 def test_a_header_that_makes_no_sense_is_refused(written, tmp_path, changes, said):
@@ -170,3 +179,70 @@ def test_a_polynomial_that_leads_off_the_earth_is_refused(written, tmp_path, lon
     values["latitude"] = [900.0, *values["latitude"][1:]]
     path = with_header(tmp_path / "area.npz", written, lon_lat=values)
     assert "off the Earth" in refusal(path)
+
+
+def with_array(path, source, name, array) -> str:
+    """A copy of a file with another array and the hash that belongs to it."""
+    files = {**members(source), f"{name}.npy": npy(array)}
+    files["content_hash.npy"] = npy(np.frombuffer(digest({key[:-4]: data for key, data in files.items()}), np.uint8))
+    return zipped(path, files)
+
+
+def array(source, name):
+    return np.load(io.BytesIO(members(source)[f"{name}.npy"]))
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "said"),
+    [
+        ("windows_counts", lambda one: one[:-1], "its windows_ arrays differ in length"),
+        ("windows_vectors", lambda one: one[:, 1:], "windows_vectors has"),
+        ("windows_vectors", lambda one: np.full_like(one, 4), "class ranks that are not there"),
+        ("windows_levels", lambda one: one * 0, "levels that are not there"),
+        ("references_areas", lambda one: one[1:], "its references_ arrays differ in length"),
+        ("references_positions", lambda one: one[:, :1].copy(), "its references_ arrays differ in length"),
+        ("references_classes", lambda one: one.astype(np.int16), "has the type"),
+        ("references_classes", lambda one: one[:, None], "has the type"),
+        ("references_positions", np.asfortranarray, "no plain array"),
+        ("overview_labels", lambda one: one[1:], "overview_labels has the shape"),
+    ],
+)
+def test_an_array_that_does_not_fit_the_others_is_refused(written, tmp_path, name, change, said):
+    path = with_array(tmp_path / "odd.npz", written, name, change(array(written, name)))
+    with pytest.raises(DatabaseError, match=said):
+        read_onboard(path, with_overview=True)
+
+
+def test_an_array_whose_header_is_no_literal_is_refused(written, tmp_path):
+    files = members(written)
+    files["references_classes.npy"] = files["references_classes.npy"].replace(b"{", b"(", 1)
+    assert "no plain array" in refusal(zipped(tmp_path / "odd.npz", files))
+
+
+@pytest.mark.parametrize("half_size", [[1.0, 0.0], [1.0], [1.0, 2.0, 3.0]])
+def test_a_polynomial_that_lacks_numbers_is_refused(written, tmp_path, lon_lat, half_size):
+    values = {**asdict(lon_lat), "half_size": half_size}
+    assert "lon_lat has not the numbers" in refusal(with_header(tmp_path / "odd.npz", written, lon_lat=values))
+
+
+def test_a_member_that_is_packed_in_an_unknown_way_is_refused(written, tmp_path):
+    path = tmp_path / "packed.npz"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_BZIP2) as archive:
+        for name, data in members(written).items():
+            archive.writestr(name, data)
+    assert "packed in an unknown way" in refusal(path)
+
+
+def test_what_the_file_says_of_its_errors_is_half_a_step(written):
+    header = json.loads(array(written, "header").tobytes())
+    found = read_onboard(str(written))
+    assert found.position_error == header["position_step"] / 2
+    assert found.area_error == pytest.approx(math.expm1(header["log_area_step"] / 2), rel=1e-12)
+    assert found.vector_error == 0.5 / 255
+    assert found.size_bytes == written.stat().st_size
+    assert found.content_hash == array(written, "content_hash").tobytes().hex()
+    assert found.database.source == str(written)
+
+
+def test_without_the_overview_there_is_none(written):
+    assert read_onboard(str(written), with_overview=False).database.overview is None

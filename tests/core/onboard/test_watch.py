@@ -203,3 +203,32 @@ def test_what_was_removed_from_the_folder_is_forgotten(folder):
     put(folder, "b.png")
     assert next(arriving) == str(folder / "b.png")
     assert list(arriving.gi_frame.f_locals["done"]) == [str(folder / "b.png")]
+
+
+def test_a_folder_that_comes_back_is_told_once_and_its_images_are_new(monkeypatch):
+    """Look by look: it is there, gone twice, and there again."""
+    here, both = {"a": (1, 9)}, {"a": (1, 9), "b": (2, 3)}
+    looks = iter([here, here, None, None, here, both, both, both])
+
+    def look(folder):
+        found = next(looks)
+        if found is None:
+            raise FileNotFoundError(2, "No such file or directory")
+        return found
+
+    said = []
+    monkeypatch.setattr(watch, "_images_in", look)
+    monkeypatch.setattr(watch, "say", lambda level, code, **values: said.append(code))
+    monkeypatch.setattr(watch.time, "sleep", lambda seconds: None)
+    arriving = watch.arriving("folder", once=False)
+    assert [next(arriving), next(arriving)] == ["a", "b"]
+    assert said == ["folder_gone", "folder_back"]
+
+
+def test_images_of_one_look_come_oldest_first_and_empty_ones_wait(monkeypatch):
+    look = {"late": (9, 1), "b": (3, 1), "a": (3, 1), "empty": (1, 0)}
+    monkeypatch.setattr(watch, "_images_in", lambda folder: look)
+    monkeypatch.setattr(watch.time, "sleep", lambda seconds: None)
+    arriving = watch.arriving("folder", once=False)
+    assert [next(arriving) for _ in range(3)] == ["a", "b", "late"]
+    assert list(watch.arriving("folder", once=True)) == ["empty", "a", "b", "late"]

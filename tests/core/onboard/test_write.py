@@ -12,6 +12,7 @@ from onboard_blobs import TABLE
 from semref.core.database.model import Windows
 from semref.core.errors import DatabaseError
 from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.onboard import write
 from semref.core.onboard.read import read_onboard
 from semref.core.onboard.write import write_onboard
 
@@ -78,3 +79,41 @@ def test_a_class_table_that_was_changed_after_the_build_is_not_exported(database
 def test_a_precision_finer_than_the_format_holds_is_refused(database, tmp_path):
     with pytest.raises(DatabaseError, match="too fine"):
         write_onboard(str(tmp_path / "fine.npz"), database, None, precision=1e-9)
+
+
+@pytest.mark.parametrize("precision", [0.0, -1.0, float("nan"), float("inf")])
+def test_a_precision_that_is_no_length_is_refused(database, tmp_path, precision):
+    with pytest.raises(DatabaseError) as refused:
+        write_onboard(str(tmp_path / "odd.npz"), database, None, precision=precision)
+    assert refused.value.sentence.code == "onboard.precision"
+
+
+def landmarks_of(database, **changes):
+    return replace(database, references=replace(database.references, **changes))
+
+
+def test_what_the_format_can_not_hold_is_refused(database, tmp_path, monkeypatch):
+    nothing = {item.name: getattr(database.references, item.name)[:0] for item in fields(database.references)}
+    areas = np.append(database.references.areas_m2[:-1], 0.0)
+    sizes = database.windows.sizes.copy()
+    sizes[0] *= 1.5
+    cases = {
+        "onboard.nothing_to_export": landmarks_of(database, **nothing),
+        "onboard.landmark_without_area": landmarks_of(database, areas_m2=areas),
+        "onboard.window_sizes": replace(database, windows=replace(database.windows, sizes=sizes)),
+        "onboard.header_too_long": database,
+    }
+    for code, odd in cases.items():
+        if code == "onboard.header_too_long":
+            monkeypatch.setattr(write, "MAXIMUM_HEADER_BYTES", 100)
+        with pytest.raises(DatabaseError) as refused:
+            write_onboard(str(tmp_path / "odd.npz"), odd, None)
+        assert refused.value.sentence.code == code
+    assert not list(tmp_path.iterdir())
+
+
+def test_landmarks_of_one_size_come_back(database, tmp_path):
+    one = landmarks_of(database, areas_m2=np.full(len(database.references), 77.0))
+    write_onboard(str(tmp_path / "alike.npz"), one, None)
+    areas = read_onboard(str(tmp_path / "alike.npz")).database.references.areas_m2
+    np.testing.assert_allclose(areas, 77.0, rtol=1e-6)
