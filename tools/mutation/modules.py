@@ -29,9 +29,14 @@ def _mirrored(name: str) -> Module:
 MODULES = (
     *map(_mirrored, ("landmarks/landmarks", "landmarks/regions", "landmarks/joining")),
     *map(_mirrored, ("windows/topology_vector", "windows/matching")),
-    *map(_mirrored, ("constellation/verification", "constellation/solver")),
+    _mirrored("constellation/verification"),
+    Module(
+        "core/constellation/solver.py",
+        ("tests/core/constellation/test_solver_decisions.py", "tests/core/constellation/test_solver.py"),
+    ),
     *map(_mirrored, ("correlation/decision", "localizer/combined")),
-    *map(_mirrored, ("labels/class_table", "onboard/format", "onboard/read", "onboard/write")),
+    *map(_mirrored, ("labels/class_table", "onboard/format", "onboard/write")),
+    Module("core/onboard/read.py", ("tests/core/onboard/test_read.py", "tests/core/onboard/test_signature.py")),
     Module(
         "storage/database/reader.py",
         ("tests/qgis/test_kept_files.py", "tests/qgis/test_hostile_databases.py"),

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from semref.core.windows.topology_vector import class_ranks, topology_vector, topology_vectors
+from semref.core.windows.topology_vector import class_ranks, topology_vector, topology_vectors, vector_objects
 
 CENTER = (50.0, 40.0)
 
@@ -202,3 +202,15 @@ def test_many_images_at_once_equal_each_by_itself(references_per_vector):
     alone = [topology_vector(*polar(*objects), CENTER, (1, 2, 3), references_per_vector) for objects in images]
     assert together.dtype == np.float32
     assert (together == np.array(alone)).all()
+
+
+def test_the_objects_of_a_vector_are_told_in_its_order():
+    """Farthest first, then as the angles grow; those beyond X nearest are left out."""
+    objects = [(10, 200, 1), (40, 100, 2), (30, 350, 3), (20, 20, 1), (90, 5, 2)]
+    points, classes = polar(*objects)
+    kept = vector_objects(points, classes, CENTER, (1, 2, 3), 4)
+    assert kept.tolist() == [1, 0, 2, 3]
+    vector = topology_vector(points, classes, CENTER, (1, 2, 3), 4)
+    np.testing.assert_allclose(vector[8:], classes[kept] / 3, atol=1e-7)
+    nothing = vector_objects(points[:0], classes[:0], CENTER, (1, 2, 3))
+    assert nothing.dtype == np.int64 and nothing.shape == (0,)

@@ -1,0 +1,139 @@
+"""The constellation's decisions: what makes a fix, which poses are one, how sure the best is; on a made catalogue."""
+
+import numpy as np
+import pytest
+
+from semref.core.constellation import solver
+from semref.core.constellation.hypotheses import query_triangles
+from semref.core.constellation.index import build_index
+from semref.core.constellation.settings import CONSTELLATION
+from semref.core.constellation.verification import PoseEvidence
+from semref.core.database.model import MapLandmarks
+from semref.core.geometry.pose import Pose
+from semref.core.landmarks.landmarks import Landmarks
+from semref.core.localization import Prior, Status
+
+EDGE = 640
+SEEN = (900.0, 1100.0, 70.0, 1.1)
+"""East and north of the origin, heading and pixel size of a cut."""
+
+
+@pytest.mark.parametrize(
+    ("log_odds", "rivals", "mirror_fits", "exact", "status", "code"),
+    [
+        (20.6, 0, False, True, Status.NO_MATCH, "localization.log_odds_too_low"),
+        (20.7, 1, True, False, Status.AMBIGUOUS, "localization.rivals"),
+        (20.7, 0, True, False, Status.AMBIGUOUS, "localization.mirror_fits"),
+        (20.7, 0, False, False, Status.NO_MATCH, "localization.position_too_loose"),
+        (20.7, 0, False, True, Status.FIX, None),
+    ],
+)
+def test_a_fix_has_odds_no_rival_no_mirror_and_an_exact_place(log_odds, rivals, mirror_fits, exact, status, code):
+    found, reason = solver._verdict(log_odds, rivals, mirror_fits, exact, CONSTELLATION)
+    assert (found, reason and reason.code) == (status, code)
+
+
+def test_confidence_is_one_half_at_even_odds_and_at_a_rival_as_strong():
+    assert solver.confidence(4.0, -np.inf, CONSTELLATION) == pytest.approx(0.5)
+    assert solver.confidence(100.0, 100.0, CONSTELLATION) == pytest.approx(0.5)
+    assert solver.confidence(7.0, -np.inf, CONSTELLATION) == pytest.approx(1 / (1 + np.exp(-1)))
+    assert solver.confidence(100.0, 97.0, CONSTELLATION) == pytest.approx(1 / (1 + np.exp(-1)))
+    assert solver.confidence(1e9, -np.inf, CONSTELLATION) <= 1 and solver.confidence(-1e9, 0, CONSTELLATION) >= 0
+
+
+def evidence_at(pose, log_odds=100.0, count=10, considered=12, noise_factor=1.0, deviation=1.0):
+    matched, deviations = np.arange(count), np.full(count, deviation)
+    return PoseEvidence(pose, log_odds, matched, matched, deviations, noise_factor, 0, considered)
+
+
+LEVEL = Pose(100 + 50j, 1 + 0j)
+TILTED = Pose(100 + 50j, 1 + 0j, 0.001 + 0j)
+
+
+@pytest.mark.parametrize(
+    ("changes", "agrees"),
+    [
+        ({}, True),
+        ({"log_odds": 20.0}, False),
+        ({"noise_factor": CONSTELLATION.tilted_noise}, False),
+        ({"considered": 17}, False),
+        ({"considered": 16}, True),
+        ({"count": 0, "considered": 0}, False),
+    ],
+)
+def test_a_level_camera_explains_an_image_of_high_odds_little_noise_and_most_objects(changes, agrees):
+    assert solver._agrees(evidence_at(LEVEL, **changes), CONSTELLATION) == agrees
+
+
+def test_poses_are_at_one_place_within_their_noise(cut):
+    query = cut(*SEEN).query
+    for deviation, reach in ((1.0, 5.0), (0.1, 2.0)):
+        one = evidence_at(LEVEL, deviation=deviation)
+        for step, same in ((reach - 0.1, True), (reach + 0.1, False)):
+            other = evidence_at(Pose(LEVEL.center + step, LEVEL.turn), deviation=deviation)
+            assert solver.same_place(query, one, other, CONSTELLATION) == same
+            assert solver.same_place(query, other, one, CONSTELLATION) == same
+    beside = evidence_at(Pose(TILTED.center + 30, TILTED.turn, TILTED.stretch))
+    assert solver.same_place(query, evidence_at(LEVEL), beside, CONSTELLATION)
+
+
+def test_of_poses_at_one_place_the_best_stays_and_a_tilted_one_must_be_clearly_better(cut):
+    query = cut(*SEEN).query
+    far = evidence_at(Pose(LEVEL.center + 500, LEVEL.turn), 40.0)
+    level, better = evidence_at(LEVEL, 100.0), evidence_at(LEVEL, 101.0)
+    found = []
+    for one, left in ((level, [level]), (far, [level, far]), (better, [far, better]), (level, [far, better])):
+        solver._add(query, found, one, CONSTELLATION)
+        assert [id(pose) for pose in found] == [id(pose) for pose in left]
+    hardly, clearly = (evidence_at(TILTED, 101.0 + CONSTELLATION.tilted_margin + more) for more in (0, 0.1))
+    solver._add(query, found, hardly, CONSTELLATION)
+    assert found[-1] is better
+    solver._add(query, found, clearly, CONSTELLATION)
+    assert found[-1] is clearly and len(found) == 2
+
+
+def test_the_first_search_takes_triangles_from_all_over_the_image(cut):
+    triangles = query_triangles(cut(*SEEN).query, CONSTELLATION)
+    (some, cap), (every, all_cap) = solver._rounds(triangles, CONSTELLATION)
+    assert every is triangles and (cap, all_cap) == CONSTELLATION.maximum_hits
+    step = -(-len(triangles) // CONSTELLATION.first_triangles)
+    assert step > 1 and len(some) <= CONSTELLATION.first_triangles
+    np.testing.assert_array_equal(some.members, triangles.members[::step])
+    few = triangles.every(len(triangles) // 100)
+    assert len(solver._rounds(few, CONSTELLATION)[0][0]) == len(few)
+
+
+def test_too_few_objects_are_told_with_how_many_more_the_catalogue_needs(index):
+    needed = solver.objects_needed(index)
+    assert 4 < needed < 12
+    empty = MapLandmarks(np.empty((0, 2)), np.empty(0, np.uint8), np.empty(0), np.empty(0, bool))
+    assert solver.objects_needed(build_index(empty, 1.0)) == CONSTELLATION.minimum_objects
+    centers = np.random.default_rng(0).uniform(50, 600, (3, 2))
+    objects = Landmarks(centers, np.ones(3, np.uint8), np.full(3, 200.0), np.zeros((3, 4), np.int64), np.zeros(3, bool))
+    found = solver.localize(objects, (EDGE, EDGE), index, Prior(pixel_size_range=(0.4, 2.5)))
+    shown, more = (dict(found.reason.values)[name] for name in ("shown", "needed"))
+    assert dict(shown.values)["count"] == 3 and dict(more.values)["count"] == needed - 3
+
+
+def as_landmarks(index, made):
+    """The objects of a cut as extraction gives them."""
+    query = made.query
+    centers = np.column_stack([EDGE / 2 + query.points.real, EDGE / 2 - query.points.imag])
+    areas = (np.exp(query.log_areas / 2) - 1) ** 2
+    bounds = np.zeros((len(areas), 4), np.int64)
+    return Landmarks(centers, index.class_values[query.ranks], areas, bounds, ~query.whole)
+
+
+def test_a_cut_of_the_catalogue_is_found_with_each_object_matched_to_itself(index, cut):
+    made = cut(*SEEN)
+    found = solver.localize(as_landmarks(index, made), (EDGE, EDGE), index, Prior(pixel_size_range=(0.4, 2.5)))
+    true = made.pose.center + index.origin
+    assert found.is_fix and found.position == pytest.approx((true.real, true.imag), abs=1e-3)
+    assert (found.heading_deg, found.pixel_size_m) == (
+        pytest.approx(SEEN[2], abs=1e-3),
+        pytest.approx(SEEN[3], rel=1e-5),
+    )
+    assert found.references == len(made.objects) == found.best.inliers
+    np.testing.assert_array_equal(found.matches.on_map, made.objects)
+    assert found.matches.residuals.max() < 1e-3 and 0 < found.error_95_m < 1
+    assert found.confidence > 0.99 and found.mirror_log_odds < 10 and not found.search_capped
