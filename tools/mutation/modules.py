@@ -29,7 +29,7 @@ def _mirrored(name: str) -> Module:
 MODULES = (
     *map(_mirrored, ("landmarks/landmarks", "landmarks/regions", "landmarks/joining")),
     *map(_mirrored, ("windows/topology_vector", "windows/matching")),
-    _mirrored("constellation/verification"),
+    *map(_mirrored, ("constellation/verification", "constellation/decision")),
     Module(
         "core/constellation/solver.py",
         ("tests/core/constellation/test_solver_decisions.py", "tests/core/constellation/test_solver.py"),

@@ -1,4 +1,4 @@
-"""The constellation's decisions: what makes a fix, which poses are one, how sure the best is; on a made catalogue."""
+"""The constellation's choices between poses: which are one place, which of them stays; on a made catalogue."""
 
 import numpy as np
 import pytest
@@ -11,39 +11,16 @@ from semref.core.constellation.verification import PoseEvidence
 from semref.core.database.model import MapLandmarks
 from semref.core.geometry.pose import Pose
 from semref.core.landmarks.landmarks import Landmarks
-from semref.core.localization import Prior, Status
+from semref.core.localization import Prior
 
 EDGE = 640
 SEEN = (900.0, 1100.0, 70.0, 1.1)
 """East and north of the origin, heading and pixel size of a cut."""
 
 
-@pytest.mark.parametrize(
-    ("log_odds", "rivals", "mirror_fits", "exact", "status", "code"),
-    [
-        (20.6, 0, False, True, Status.NO_MATCH, "localization.log_odds_too_low"),
-        (20.7, 1, True, False, Status.AMBIGUOUS, "localization.rivals"),
-        (20.7, 0, True, False, Status.AMBIGUOUS, "localization.mirror_fits"),
-        (20.7, 0, False, False, Status.NO_MATCH, "localization.position_too_loose"),
-        (20.7, 0, False, True, Status.FIX, None),
-    ],
-)
-def test_a_fix_has_odds_no_rival_no_mirror_and_an_exact_place(log_odds, rivals, mirror_fits, exact, status, code):
-    found, reason = solver._verdict(log_odds, rivals, mirror_fits, exact, CONSTELLATION)
-    assert (found, reason and reason.code) == (status, code)
-
-
-def test_confidence_is_one_half_at_even_odds_and_at_a_rival_as_strong():
-    assert solver.confidence(4.0, -np.inf, CONSTELLATION) == pytest.approx(0.5)
-    assert solver.confidence(100.0, 100.0, CONSTELLATION) == pytest.approx(0.5)
-    assert solver.confidence(7.0, -np.inf, CONSTELLATION) == pytest.approx(1 / (1 + np.exp(-1)))
-    assert solver.confidence(100.0, 97.0, CONSTELLATION) == pytest.approx(1 / (1 + np.exp(-1)))
-    assert solver.confidence(1e9, -np.inf, CONSTELLATION) <= 1 and solver.confidence(-1e9, 0, CONSTELLATION) >= 0
-
-
 def evidence_at(pose, log_odds=100.0, count=10, considered=12, noise_factor=1.0, deviation=1.0):
     matched, deviations = np.arange(count), np.full(count, deviation)
-    return PoseEvidence(pose, log_odds, matched, matched, deviations, noise_factor, 0, considered)
+    return PoseEvidence(pose, log_odds, matched, matched, deviations, noise_factor, matched, np.arange(considered))
 
 
 LEVEL = Pose(100 + 50j, 1 + 0j)
@@ -94,8 +71,8 @@ def test_of_poses_at_one_place_the_best_stays_and_a_tilted_one_must_be_clearly_b
 
 def test_the_first_search_takes_triangles_from_all_over_the_image(cut):
     triangles = query_triangles(cut(*SEEN).query, CONSTELLATION)
-    (some, cap), (every, all_cap) = solver._rounds(triangles, CONSTELLATION)
-    assert every is triangles and (cap, all_cap) == CONSTELLATION.maximum_hits
+    (some, cap), (every, all_cap), (uncapped, no_cap) = solver._rounds(triangles, CONSTELLATION)
+    assert every is uncapped is triangles and (cap, all_cap, no_cap) == (*CONSTELLATION.maximum_hits, None)
     step = -(-len(triangles) // CONSTELLATION.first_triangles)
     assert step > 1 and len(some) <= CONSTELLATION.first_triangles
     np.testing.assert_array_equal(some.members, triangles.members[::step])

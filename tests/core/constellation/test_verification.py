@@ -1,11 +1,30 @@
 """Evidence for poses of a cut of a made catalogue; noise of known size."""
 
+from dataclasses import replace
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from semref.core.constellation.hypotheses import SeenLandmarks
+from semref.core.constellation.index import AREA_BINS
 from semref.core.constellation.settings import CONSTELLATION
-from semref.core.constellation.verification import Verifier, biweight, noise_factor, verify, weigh
-from semref.core.geometry.pose import Pose, fit_similarity
+from semref.core.constellation.verification import (
+    Nearest,
+    Verifier,
+    averaged_log_odds,
+    biweight,
+    center_noise,
+    expected_objects,
+    match_ratios,
+    noise_factor,
+    rough_scores,
+    telling_objects,
+    verify,
+    verify_tilted,
+    weigh,
+)
+from semref.core.geometry.pose import Pose, fit_similarity, fit_tilted, huber
 
 EDGE = 640
 
@@ -66,3 +85,148 @@ def test_noise_is_measured_without_bias_from_few_matches_or_many(count):
 
 def test_a_few_exact_matches_do_not_make_the_noise_vanish():
     assert noise_factor(np.zeros(4), 4, CONSTELLATION) > 0.7 > noise_factor(np.zeros(40), 4, CONSTELLATION)
+
+
+def test_a_match_speaks_for_a_pose_by_its_distance_its_size_and_how_rare_both_are():
+    """The likelihood ratio of docs/method.md, worked out for each object of a catalogue of three."""
+    settings = CONSTELLATION
+    sizes = np.log([100.0, 400.0, 50.0])
+    by_class = np.linspace(0.01, 0.5, 2 * len(AREA_BINS)).reshape(2, -1)
+    densities = np.array([1e-3, 2e-4, 5e-3])
+    index = SimpleNamespace(settings=settings, log_areas=sizes, densities=densities, area_densities=by_class)
+    query = SeenLandmarks(
+        np.zeros(5, complex), np.array([0, 1, 1, 0, 0]), np.log([80.0, 30.0, 9.0, 25.0, 60.0]), None, 900.0
+    )
+    objects, distances = np.array([0, 1, 2, -1, 0]), np.array([1.0, 3.0, 0.0, np.inf, 60.0])
+    deviations = np.array([1.0, 2.0, 0.7, 1.0, 10.0])
+    found = match_ratios(index, query, Nearest(distances, objects, deviations), np.log(2.0))
+
+    def normal(x, deviation):
+        return np.exp(-0.5 * (x / deviation) ** 2) / np.sqrt(2 * np.pi) / deviation
+
+    for k in (0, 1, 2):
+        area = query.log_areas[k] + np.log(4.0)
+        off = area - sizes[objects[k]]
+        size = (1 - settings.area_outliers) * normal(off, settings.area_deviation)
+        size += settings.area_outliers * normal(off, settings.area_outlier_deviation)
+        usual = by_class[query.ranks[k], np.flatnonzero(AREA_BINS <= area)[-1]]
+        place = normal(distances[k], deviations[k]) * normal(0, deviations[k]) / densities[objects[k]]
+        assert found[k] == pytest.approx(place * size / usual)
+    # Without a match, or with one beyond the gate.
+    assert found[3] == found[4] == 0
+
+
+def test_rough_fits_draw_near_poses_to_the_truth_and_leave_far_ones(index, made):
+    query = made.query.select(telling_objects(made.query, CONSTELLATION.rough_objects))
+    gates = [gate * query.diagonal for gate in CONSTELLATION.rough_gates]
+    offsets = np.array([0, 3 - 2j, 400 + 300j])
+    grown = np.array([1, 1.005 * np.exp(0.004j), 1])
+    centers, turns, scores = rough_scores(index, query, made.pose.center + offsets, made.pose.turn * grown, gates)
+    assert np.abs(centers[:2] - made.pose.center).max() < 0.01
+    assert np.abs(turns[:2] / made.pose.turn - 1).max() < 1e-4
+    assert scores[0] == pytest.approx(scores[1], rel=1e-3) and scores[0] > 100 > 0 > scores[2]
+
+
+def test_telling_objects_are_the_largest_whole_ones_of_known_class_in_their_order():
+    areas = np.log([10.0, 90.0, 50.0, 70.0, 80.0, 60.0])
+    ranks, whole = np.array([0, 1, 0, -1, 1, 0]), np.array([1, 1, 1, 1, 0, 1], bool)
+    query = SeenLandmarks(np.arange(6) + 0j, ranks, areas, whole, 100.0)
+    assert telling_objects(query, 2).tolist() == [1, 5]
+    assert telling_objects(query, 99).tolist() == [0, 1, 2, 5]
+
+
+def test_expected_are_whole_objects_well_inside_that_are_large_enough(index, verifier, made):
+    found = expected_objects(verifier, made.query, made.pose)
+    seen = made.pose.in_image(index.points)
+    edges = np.exp(index.log_areas / 2) / 1.1
+    inside = (np.abs(seen.real) < EDGE / 2 - edges) & (np.abs(seen.imag) < EDGE / 2 - edges)
+    assert sorted(found) == np.flatnonzero(inside).tolist()
+    # Of an image that has more objects than are looked at, none smaller than the smallest of these.
+    many = replace(CONSTELLATION, largest_objects=len(made.query.points))
+    smallest = float(np.median(made.query.log_areas))
+    larger = made.query.select(np.flatnonzero(made.query.log_areas >= smallest))
+    fewer = Verifier(replace(index, settings=replace(many, largest_objects=len(larger.points))), EDGE, EDGE, 9.0)
+    limit = larger.log_areas.min() + 2 * np.log(1.1) + CONSTELLATION.area_deviation
+    expected = np.flatnonzero(inside & (index.log_areas > limit))
+    assert sorted(expected_objects(fewer, larger, made.pose)) == expected.tolist()
+    assert 0 < len(expected) < inside.sum()
+
+
+def test_a_tilted_camera_is_verified_from_where_its_pose_holds(index, verifier, made):
+    tilted = Pose(made.pose.center, made.pose.turn, 0.008 - 0.004j, 1.5e-4 + 1e-4j)
+    seen = tilted.in_image(index.points)
+    objects = np.flatnonzero((np.abs(seen.real) < EDGE / 2) & (np.abs(seen.imag) < EDGE / 2))
+    log_areas = index.log_areas[objects] - 2 * np.log(tilted.pixel_sizes(seen[objects]))
+    query = SeenLandmarks(
+        seen[objects], index.ranks[objects], log_areas, np.ones(len(objects), bool), made.query.diagonal
+    )
+    level, found = verify(verifier, query, made.pose), verify_tilted(verifier, query, made.pose, 0j)
+    assert found.log_odds > level.log_odds + 50 and len(found.matched) == len(objects)
+    np.testing.assert_array_equal(found.objects, objects[found.matched])
+    assert np.abs(found.pose.on_map(query.points) - index.points[objects]).max() < 0.5
+    assert abs(found.pose.slope - tilted.slope) < 2e-5
+    lost = verify_tilted(verifier, query, Pose(made.pose.center + 900, made.pose.turn), 0j)
+    assert lost.log_odds < 0
+
+
+def test_noise_is_that_of_pixels_and_of_the_size_together():
+    noise = center_noise(np.log([100.0, 400.0]), 2.0, CONSTELLATION)
+    assert noise == pytest.approx(2.0 * np.hypot(0.7, [1.0, 2.0]))
+
+
+def test_of_objects_that_share_one_of_the_map_the_nearest_alone_is_its_match(verifier, index, made):
+    """An object beside another of its class at the same place of the map is no second match."""
+    near = made.query.select(np.r_[np.arange(len(made.objects)), 0])
+    near.points[-1] += 0.5
+    evidence = weigh(verifier, near, made.pose, 1.0)
+    assert len(evidence.matched) == len(made.objects) and len(near.points) - 1 not in evidence.matched
+    assert len(set(evidence.objects.tolist())) == len(evidence.objects)
+
+
+def noisy(cut_of, index, pose, seed=4, share=1.3):
+    """Objects of a cut whose centers are off by known noise, a share of what is assumed."""
+    rng = np.random.default_rng(seed)
+    objects = cut_of.objects
+    noise = share * center_noise(cut_of.query.log_areas, 1.0, CONSTELLATION)
+    off = noise * (rng.normal(size=len(objects)) + 1j * rng.normal(size=len(objects)))
+    points = pose.in_image(index.points[objects]) + off
+    log_areas = index.log_areas[objects] - 2 * np.log(pose.pixel_sizes(points))
+    return SeenLandmarks(points, index.ranks[objects], log_areas, np.ones(len(objects), bool), cut_of.query.diagonal)
+
+
+TILT = {"stretch": 0.008 - 0.004j, "slope": 1.5e-4 + 1e-4j}
+
+
+@pytest.mark.parametrize(("tilt", "numbers"), [({}, 4), (TILT, 8)], ids=["level", "tilted"])
+def test_a_verified_pose_is_the_fit_of_its_matches_by_hubers_weights(index, verifier, made, tilt, numbers):
+    query = noisy(made, index, replace(made.pose, **tilt))
+    if tilt:
+        found = verify_tilted(verifier, query, made.pose, 0j)
+    else:
+        found = verify(verifier, query, made.pose)
+    assert len(found.matched) == len(made.objects)
+    image, on_map = query.points[found.matched], index.points[found.objects]
+    assumed = center_noise(query.log_areas[found.matched], abs(found.pose.turn), CONSTELLATION)
+    distances = np.abs(found.pose.on_map(image) - on_map)
+    assert found.noise_factor == pytest.approx(noise_factor(distances / assumed, numbers, CONSTELLATION), rel=1e-4)
+    pose = found.pose
+    for _ in range(30):
+        weights = huber(np.abs(pose.on_map(image) - on_map), found.noise_factor * assumed) / assumed**2
+        if tilt:
+            pose = fit_tilted(image, on_map, weights**-0.5, pose, query.diagonal)
+        else:
+            pose = Pose(*(complex(part) for part in fit_similarity(image, on_map, weights)))
+    assert np.abs(pose.on_map(image) - found.pose.on_map(image)).max() < 0.02
+
+
+def test_log_odds_are_those_of_all_objects_that_could_be_on_the_map(index, verifier, made):
+    seen = made.query.select(np.arange(len(made.objects))[6:])
+    count, settings = len(seen.points), CONSTELLATION
+    for tilt, makers in ((0j, settings.assumed_objects), (1e-9 + 0j, settings.assumed_objects_tilted)):
+        evidence = weigh(verifier, seen, replace(made.pose, slope=tilt), 1.0)
+        assert len(evidence.matched) == count == evidence.considered and evidence.missing > 0
+        deviations = center_noise(seen.log_areas, 1.1, settings)
+        nearest = Nearest(np.zeros(count), made.objects[6:], deviations)
+        ratios = match_ratios(index, seen, nearest, np.full(count, np.log(1.1)))
+        expected = averaged_log_odds(ratios, np.ones(count, bool), evidence.missing, makers, settings)
+        assert evidence.log_odds == pytest.approx(expected, rel=1e-4)

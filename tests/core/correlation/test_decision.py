@@ -3,7 +3,16 @@
 import numpy as np
 import pytest
 
-from semref.core.correlation.decision import decide, exact_enough, position_error_95, risk_of_peaks, smaller_lead
+from semref.core.correlation.decision import (
+    decide,
+    exact_enough,
+    fisher_z,
+    over_mirror,
+    over_runner_up,
+    position_error_95,
+    risk_of_peaks,
+    smaller_lead,
+)
 from semref.core.correlation.settings import CORRELATION
 from semref.core.localization import CorrelationPeaks, Status
 
@@ -54,3 +63,28 @@ def test_a_fix_has_to_be_exact_for_the_ground_its_image_shows():
     status, reason = exact_enough(21.26, 800.0)
     assert status == "ambiguous" and "within 21.3 m" in str(reason) and "needs 20 m" in str(reason)
     assert "in all directions" in str(exact_enough(float("inf"), 800.0)[1])
+
+
+def test_leads_are_differences_of_fishers_z_which_has_bounds():
+    peaks = CorrelationPeaks(0.6, 0.2, -0.4)
+    assert over_runner_up(peaks) == pytest.approx(np.arctanh(0.6) - np.arctanh(0.2))
+    assert over_mirror(peaks) == pytest.approx(np.arctanh(0.6))
+    assert smaller_lead(peaks) == over_runner_up(peaks)
+    assert fisher_z(1.0) == fisher_z(0.999) == pytest.approx(np.arctanh(0.999)) and fisher_z(-0.3) == 0
+
+
+def test_the_risk_is_a_logistic_curve_of_the_lead_and_of_the_agreement():
+    offset, slope, own = CORRELATION.confidence_curve
+    for risk in (0.01, 0.3):
+        lead = (np.log(1 / risk - 1) - offset - own * np.arctanh(0.6)) / slope
+        peaks = CorrelationPeaks(0.6, np.tanh(np.arctanh(0.6) - lead), -1.0)
+        assert risk_of_peaks(peaks) == pytest.approx(risk)
+        assert decide(peaks, risk * 1.001)[0] == Status.FIX and decide(peaks, risk * 0.999)[0] != Status.FIX
+
+
+@pytest.mark.parametrize(("score", "noise"), [(0.5, 3.0), (0.95, CORRELATION.least_noise), (0.05, 99.0), (0.1, 99.0)])
+def test_the_error_radius_is_that_of_the_larger_axis_by_the_noise_and_of_the_pixels(score, noise):
+    turn = np.array([[0.6, -0.8], [0.8, 0.6]])
+    spread = turn @ np.diag([4.0, 1.0]) @ turn.T
+    expected = np.hypot(CORRELATION.error_factor * noise * 2, CORRELATION.error_floor_px * 4.0)
+    assert position_error_95(spread, score, 4.0) == pytest.approx(expected)
