@@ -88,3 +88,7 @@ def test_the_error_radius_is_that_of_the_larger_axis_by_the_noise_and_of_the_pix
     spread = turn @ np.diag([4.0, 1.0]) @ turn.T
     expected = np.hypot(CORRELATION.error_factor * noise * 2, CORRELATION.error_floor_px * 4.0)
     assert position_error_95(spread, score, 4.0) == pytest.approx(expected)
+
+
+def test_where_both_opponents_are_as_near_it_is_chance():
+    assert decide(CorrelationPeaks(0.7, 0.65, 0.65))[0] == Status.NO_MATCH
