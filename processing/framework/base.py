@@ -13,6 +13,7 @@ from qgis.core import QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessin
 from qgis.PyQt.QtGui import QIcon
 
 from ...core.errors import SemRefError
+from ...core.sentences import legible
 from ..packages.components import OPENCV, Package, how_to_install, missing
 from ..translation import tr
 from ..version import algorithm_help_url
@@ -140,7 +141,8 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
                     values.require_pictures(definition.name())
             possible, reason = super().checkParameterValues(parameters, context)
             if not possible:
-                return False, reason
+                # QGIS repeats values as they are.
+                return False, legible(reason)
             for definition in self.parameterDefinitions():
                 if values.has(definition.name()):
                     _READ.get(definition.type(), lambda *_: None)(values, definition.name())

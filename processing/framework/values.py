@@ -22,6 +22,7 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...core.labels.class_table import split_list
+from ...core.sentences import legible
 from ...core.values import LONGEST_NAME
 from .destinations import Destination, destination_of, with_destination
 
@@ -178,7 +179,7 @@ class Values:
         """The features that are wanted of a layer; None if it was left out. Raises ParameterError."""
         source = self._read("Source", key)
         if source is None and self.has(key):
-            raise ParameterError(self._algorithm.invalidSourceError(self._parameters, key))
+            raise ParameterError(legible(self._algorithm.invalidSourceError(self._parameters, key)))
         return source
 
     # --- where outputs go: for ``Outputs`` ---

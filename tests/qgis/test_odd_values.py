@@ -127,6 +127,15 @@ def test_a_number_that_is_none_is_refused_by_every_algorithm(qgis_app, name, key
     assert not possible and said
 
 
+@pytest.mark.parametrize("key", ["INPUT", "CLASS_FIELD", "EXTENT", "TARGET_CRS"])
+def test_a_value_of_any_length_does_not_make_a_sentence_of_any_length(qgis_app, key):
+    from qgis.core import QgsApplication, QgsProcessingContext
+
+    algorithm = QgsApplication.processingRegistry().algorithmById("semref:rasterizeannotation").create()
+    possible, said = algorithm.checkParameterValues({key: "[\n" * 50_000}, QgsProcessingContext())
+    assert not possible and len(said) < 1000 and "\n" not in said
+
+
 def test_infinite_places_of_a_layer_are_refused(run_algorithm, tmp_path):
     ring = "[[Infinity, 5000000], [550030, 5000000], [550030, 5000025], [Infinity, 5000000]]"
     feature = '{"type": "Feature", "properties": {"class": "a"}, "geometry": {"type": "Polygon", "coordinates": [%s]}}'

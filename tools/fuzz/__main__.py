@@ -83,7 +83,7 @@ def _keep(path: Path | None, tallies: dict[str, Tally]) -> None:
         path.write_text(json.dumps(stored, indent=1), encoding="utf-8")
 
 
-def _write(tallies: dict[str, Tally], seed: int) -> None:
+def _write(tallies: dict[str, Tally], inputs: int, seed: int) -> None:
     """Puts the table into docs/reliability.md."""
     rows = []
     for door in DOORS:
@@ -92,7 +92,10 @@ def _write(tallies: dict[str, Tally], seed: int) -> None:
     rows.append(("**all**", *(sum(row[n] for row in rows) for n in range(1, 5))))
     shown = [(title, *(f"{number:,}" for number in numbers)) for title, *numbers in rows]
     body = page.table(("door", "inputs", "refused", "accepted", "contract broken"), shown)
-    today, command = datetime.date.today().isoformat(), f".venv/bin/python -m tools.fuzz --seed {seed}"
+    today, command = (
+        datetime.date.today().isoformat(),
+        f".venv/bin/python -m tools.fuzz --inputs {inputs} --seed {seed}",
+    )
     note = f"*`{command}` on {today}, {machine.revision()}. {machine.hardware()}; {machine.versions()}.*"
     page.write_section(TOOLS.parent / "docs" / "reliability.md", "fuzz", f"{body}\n\n{note}")
 
@@ -103,10 +106,10 @@ def main() -> int:
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     tallies = _kept(options.results)
     if options.write:
-        _write(tallies, options.seed)
+        _write(tallies, options.inputs, options.seed)
         return 0
     chosen = [door for door in DOORS if not options.door or door.name in options.door]
-    rounds = 1 if options.door else _ROUNDS
+    rounds = 1 if options.door or options.inputs < _MILLION // 10 else _ROUNDS
     for turn in range(1, rounds + 1):
         for door in chosen:
             wanted = options.inputs if options.door else max(1, door.inputs * options.inputs // _MILLION)
