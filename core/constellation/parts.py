@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -66,12 +67,22 @@ def empty_side(of_image: Agreement, of_map: Agreement, diagonal: float, settings
         The side for which that is the most likely; None where no side is empty.
     """
     best, found = settings.empty_side_log_odds[1], None
-    for direction, cut in itertools.product(DIRECTIONS, CUTS):
-        side = Side(complex(direction), float(cut) * diagonal / 2)
+    for side in _sides(diagonal):
         told = [_told(seen, side, settings) for seen in (of_image, of_map)]
         if min(told) >= settings.empty_side_log_odds[0] and sum(told) >= best:
             best, found = sum(told), side
     return found
+
+
+def is_uneven(of_image: Agreement, diagonal: float, settings: ConstellationSettings) -> bool:
+    """Whether on some side hardly any of the image's landmarks agree, so that another place is worth a search."""
+    return any(_told(of_image, side, settings) >= settings.uneven_log_odds for side in _sides(diagonal))
+
+
+def _sides(diagonal: float) -> Iterator[Side]:
+    """Both sides of every cut of an image whose diagonal has so many pixels."""
+    for direction, cut in itertools.product(DIRECTIONS, CUTS):
+        yield Side(complex(direction), float(cut) * diagonal / 2)
 
 
 def _told(seen: Agreement, side: Side, settings: ConstellationSettings) -> float:

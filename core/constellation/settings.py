@@ -118,8 +118,8 @@ class ConstellationSettings:
             sizes].
         confidence_offset: ln of the odds that a place is right whose lead in log odds is 0 [Liechtenstein, north;
             probability].
-        confidence_slope: How much they grow with the lead: by chance log odds have an exponential tail, of 268 wrong
-            places the highest are 8.9, 8.0 and 7.7 [Liechtenstein, north; probability].
+        confidence_slope: How much they grow with the lead: by chance log odds have an exponential tail, of 650 wrong
+            places the highest are 10.1, 9.4 and 9.1 [Liechtenstein, north; probability].
         confidence_scale: Lead beyond which they grow slower, like its logarithm, because there are mistakes that no
             chance explains [reasoning; probability].
         rival_weight: The lead is the log odds less this many times those of the strongest opponent, another place or
@@ -130,8 +130,10 @@ class ConstellationSettings:
             place [reasoning; probability].
         empty_side_share: On that side this share of the other's, at most, agrees [Liechtenstein, north; probability].
         empty_side_log_odds: How much more likely, ln, two shares have to be than one: of the image's landmarks and of
-            the map's each, and of both together. Of 57 whole images the highest were 1.3 and 15, 5.6 and 11.6; of 13
-            put together 11 have more [Liechtenstein, north; probability].
+            the map's each, and of both together. Of 342 whole images the highest were 16.7 and 13.9; of 81 put together
+            62 have more than 14 [Liechtenstein, north; probability].
+        uneven_log_odds: The same of the image's landmarks alone, from which on those that don't agree are sought
+            elsewhere [reasoning; probability].
     """
 
     scales: tuple[float, float] = (0.4, 2.5)
@@ -188,14 +190,15 @@ class ConstellationSettings:
     repeat_reach: float = 0.5
     largest_error: float = 0.01
     landmarks_of_a_region: int = 10_000
-    confidence_offset: float = -2.7
-    confidence_slope: float = 0.53
+    confidence_offset: float = -3.3
+    confidence_slope: float = 0.76
     confidence_scale: float = 60.0
-    rival_weight: float = 1.2
+    rival_weight: float = 1.0
     capped_log_odds: float = 10.0
     empty_side_landmarks: int = 5
     empty_side_share: float = 0.45
-    empty_side_log_odds: tuple[float, float] = (3.0, 14.0)
+    empty_side_log_odds: tuple[float, float] = (3.0, 17.0)
+    uneven_log_odds: float = 8.0
 
 
 CONSTELLATION = ConstellationSettings()

@@ -24,7 +24,7 @@ from ..sentences import Sentence
 from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
 from .hypotheses import QueryTriangles, SeenLandmarks, find_seeds, query_triangles
 from .index import ConstellationIndex, full_area
-from .parts import Agreement, empty_side
+from .parts import Agreement, empty_side, is_uneven
 from .settings import ConstellationSettings
 from .verification import (
     PoseEvidence,
@@ -79,7 +79,13 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
             searched = replace(searched, decoys=decoys)
             if risk_of_best(searched.opponents(index), settings) <= allowed_risk:
                 break
-    return _decide(objects, query, verifier, searched, allowed_risk)
+    decided = _decide(objects, query, verifier, searched, allowed_risk)
+    other = _other_place(query, verifier, searched.found[0]) if decided.is_fix else None
+    if other is None or decided.best is None:
+        return decided
+    places = decided.best, _place(index, other)
+    told = Sentence("localization.one_side_elsewhere")
+    return replace(decided, status=Status.AMBIGUOUS, reason=told, confidence=None, alternatives=places)
 
 
 def matches_at(
@@ -287,14 +293,32 @@ def _flaw(
 ) -> tuple[Status, Sentence] | None:
     """Status and reason of a place that is no fix however sure it is: of two places, or too loose."""
     index, settings = verifier.index, verifier.index.settings
-    telling = query.select(telling_objects(query, settings.largest_objects))
-    of_image = Agreement(telling.points[best.possible], np.isin(best.possible, best.matched))
+    of_image = _agreement(query, best, settings)
     of_map = Agreement(best.pose.in_image(index.points[best.expected]), np.isin(best.expected, best.objects))
     if empty_side(of_image, of_map, query.diagonal, settings) is not None:
         return Status.AMBIGUOUS, Sentence("localization.one_side_elsewhere")
     if error_95 is None or error_95 > settings.largest_error * query.diagonal * abs(best.pose.turn):
         return Status.NO_MATCH, Sentence("localization.position_too_loose")
     return None
+
+
+def _agreement(query: SeenLandmarks, evidence: PoseEvidence, settings: ConstellationSettings) -> Agreement:
+    """Which of the image's landmarks that could be on the map agree with it."""
+    telling = telling_objects(query, settings.largest_objects)
+    return Agreement(query.points[telling[evidence.possible]], np.isin(evidence.possible, evidence.matched))
+
+
+def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence) -> PoseEvidence | None:
+    """Where the landmarks that don't agree have overwhelming odds, if those are of one side; None where nowhere."""
+    settings = verifier.index.settings
+    agreement = _agreement(query, best, settings)
+    if not is_uneven(agreement, query.diagonal, settings):
+        return None
+    telling = telling_objects(query, settings.largest_objects)
+    others = query.select(np.setdiff1d(telling[best.possible], telling[best.matched]))
+    found, _ = _solve(verifier, others, query_triangles(others, settings), None, settings.maximum_hits[0])
+    evident = found and found[0].log_odds >= settings.minimum_log_odds
+    return found[0] if evident and not same_place(query, found[0], best, settings) else None
 
 
 def _place(index: ConstellationIndex, evidence: PoseEvidence) -> Place:

@@ -183,7 +183,7 @@ def test_results_of_two_dates_are_grouped_by_the_landmarks_in_view(bench):
 
 def test_images_from_elsewhere_come_in_parts(bench):
     parts = bench("elsewhere").parts
-    assert parts(0) == [] and parts(500) == [500] and parts(1200) == [500, 500, 200]
+    assert parts(0) == [] and parts(250) == [250] and parts(600) == [250, 250, 100]
 
 
 def test_astroalign_is_judged_by_the_place_of_the_center(bench):
@@ -205,3 +205,30 @@ def test_an_answer_that_takes_too_long_is_stopped(bench):
     assert in_time(5.0, lambda: 3) == 3
     with pytest.raises(TimeoutError):
         in_time(0.05, endless)
+
+
+def told(bench, risk, is_right, kind="of the map", is_sound=True):
+    reliability = bench("reliability")
+    return reliability.Told(kind, "clean", 640, 30.0, 0.0, risk, is_right, is_sound, is_sound, "")
+
+
+def test_the_told_probability_is_compared_with_how_often_it_was_right(bench):
+    reliability = bench("reliability")
+    trials = [told(bench, 0.04, True)] * 19 + [told(bench, 0.04, False)] + [told(bench, 0.96, False)] * 4
+    text = reliability._curve(trials)
+    assert "0.9–1.0 | 0.960 | 19/20" in text.replace("  ", " ") and "0.0–0.1 | 0.040 | 0/4" in text
+    error = (20 * abs(0.96 - 0.95) + 4 * 0.04) / 24
+    assert f"Expected calibration error: {error:.3f}" in text
+
+
+def test_a_smaller_risk_costs_right_fixes_and_wrong_ones_are_counted(bench):
+    trials = [
+        told(bench, 1e-7, True),
+        told(bench, 1e-3, True),
+        told(bench, 0.3, False),
+        told(bench, 1e-9, True, is_sound=False),
+    ]
+    table = bench("reliability")._costs([*trials, told(bench, 1e-5, False, "mirrored")])
+    (row,) = [line for line in table.splitlines() if line.startswith("| all")]
+    assert [cell.split(",")[0].strip() for cell in row.split("|")[2:-1]] == ["2/4", "2/4", "1/4", "1/4"]
+    assert "; 1 wrong" in row and "1/1" in table.splitlines()[-1]

@@ -37,6 +37,7 @@ NAMES = (
     "localization",
     "two_dates",
     "elsewhere",
+    "reliability",
     "catalogue_sizes",
     "astroalign",
     "correlation",

@@ -7,6 +7,7 @@ NAME is one of
     correlation    map correlation with poor labels: margins, the confidence curve that fits them, radius
     radius         poses refined from beside the right place, also on aerial label maps: error over deviation
     agreement      what each road says of the other's best place, right and wrong
+    probability    right and wrong places of images of all qualities, the curve that fits them, images of two places
 
 They print what a setting is chosen from; nothing is changed. Figures to quote are those of tools/bench, whose images
 come from the southern half.
@@ -26,8 +27,8 @@ ROOT = TOOLS.parent
 # Only packages on the path: a file of ours must not hide a module of the same name.
 sys.path[0] = str(TOOLS)
 
-NAMES = ("constellation", "correlation", "radius", "agreement")
-COUNTS = {"constellation": 300, "correlation": 100, "radius": 50, "agreement": 100}
+NAMES = ("constellation", "correlation", "radius", "agreement", "probability")
+COUNTS = {"constellation": 300, "correlation": 100, "radius": 50, "agreement": 100, "probability": 1000}
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from bench import inputs, localization, page
+from bench import inputs, localization, page, reliability
 from bench.automatic import CASES as AUTOMATIC_CASES
 from bench.automatic import POOR_CASES
 from bench.correlation import AERIAL, COUNTRY, ELSEWHERE, SEED, country, place_is_right, tried_on_tiles
@@ -195,3 +195,32 @@ def _evidence(ground: Ground, case: Case, rng: np.random.Generator) -> list[str]
         apart = f"{np.hypot(*np.subtract(one.position, other.position)) / areas.result.error_95_m:.2f}"
     told = "–" if agrees is None else f"{agrees:.2f}"
     return [cells[0], f"{one.log_odds:.1f}", told, cells[1] if other else "none", apart]
+
+
+# --- probability ---
+
+
+def probability(run: inputs.Run) -> str:
+    """Log odds of right and of wrong places with their strongest rivals', and the curve of the constellation's risk."""
+    ground, rng = Ground.of(run), np.random.default_rng([SEED, 10])
+    other = ground.known_elsewhere()
+    told = [reliability.country(ground, other, rng, n // reliability.PART) for n in range(run.count)]
+    told = [one for one in told if np.isfinite(one.log_odds)]
+    is_right = np.array([one.is_right for one in told])
+    leads = np.array([one.log_odds - CONSTELLATION.rival_weight * max(one.rival, 0.0) for one in told])
+    scale = CONSTELLATION.confidence_scale
+    grown = np.where(leads > 0, scale * np.log1p(np.maximum(leads, 0) / scale), leads)
+    offset, slope = logistic_fit(grown, is_right.astype(float))
+    twos = [reliability.two_places(ground, rng) for _ in range(run.count // 10)]
+    said = "localization.one_side_elsewhere"
+    whole = [one for one in told if one.is_right]
+    return "\n".join(
+        [
+            f"wrong log odds, highest: {np.sort([one.log_odds for one in told if not one.is_right])[::-1][:8].round(1)}"
+            f" of {(~is_right).sum()}",
+            f"right log odds, lowest: {np.sort([one.log_odds for one in whole])[:12].round(1)} of {is_right.sum()}",
+            f"risk: offset {offset:.2f}, slope {slope:.2f}",
+            f"told as of two places: {page.rate(sum(one.reason == said for one in twos), len(twos))} that are, "
+            f"{page.rate(sum(one.reason == said for one in whole), len(whole))} that are not",
+        ]
+    )
