@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.slow  # a QGIS of its own is started
+
 TIMEOUT_S = 600
 
 

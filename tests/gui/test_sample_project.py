@@ -85,6 +85,7 @@ def wait_until_open(iface) -> None:
     settle()
 
 
+@pytest.mark.slow
 def test_the_sample_project_opens_styled_with_the_dock_ready_on_the_first_photo(open_sample, iface, tmp_path):
     from qgis.core import QgsProject
 

@@ -127,7 +127,7 @@ each_map = pytest.mark.parametrize("make_map", MAPS.values(), ids=MAPS)
 @pytest.mark.parametrize("patch_pixels", [10**9, 0, 400], ids=["patched", "traced", "both"])
 def test_bands_of_any_height_give_the_objects_of_the_whole_map(make_map, patch_pixels):
     labels = make_map()
-    for band_rows in (1, 2, 7, 33, 79, 80, 200):
+    for band_rows in (1, 7, 79, 200):
         assert_equal_to_the_whole(catalogue(labels, band_rows, patch_pixels), labels)
 
 

@@ -121,6 +121,7 @@ def twin_houses():
     return built
 
 
+@pytest.mark.slow
 def test_what_is_ambiguous_for_landmarks_is_told_by_class_areas(twin_houses):
     localizer = localizer_of(GROUND, twin_houses)
     for column in (600, 600 + WIDTH // 2):
@@ -164,6 +165,7 @@ def test_an_image_without_pixels_is_an_error(localizer):
         localizer.localize(np.zeros((0, 5), np.uint8), Method.AUTOMATIC)
 
 
+@pytest.mark.slow
 def test_both_methods_search_the_same_range_of_scales_unless_one_is_given(localizer):
     image = view(GROUND, NOTHING_BUILT, scale=2.2)
     found = localizer.localize(image, Method.AUTOMATIC)

@@ -14,6 +14,7 @@ from semref.core.windows.grid import WindowGrid
 
 VALUES = (2, 5, 9)
 WITHIN_FLOAT32 = 2e-6
+SLOW = pytest.mark.slow
 
 
 # The plain computation, from the description of the published method alone.
@@ -163,7 +164,10 @@ each_map = pytest.mark.parametrize("make_map", MAPS, ids=[make.__name__ for make
 
 
 @each_map
-@pytest.mark.parametrize(("size", "stride"), [(32, 1), (24, 3), (33, 7), (32, 8), (20, 20), (48, 5)])
+@pytest.mark.parametrize(
+    ("size", "stride"),
+    [pytest.param(32, 1, marks=SLOW), pytest.param(24, 3, marks=SLOW), (33, 7), (32, 8), (20, 20), (48, 5)],
+)
 def test_windows_are_described_as_the_plain_computation_describes_each_by_itself(make_map, size, stride):
     side = (44, 52) if stride == 1 else (79, 101)
     labels = make_map(size + stride, *side)

@@ -1,0 +1,166 @@
+"""What is asked of pip and of the system for missing packages, and what their failures are told as."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+
+import pytest
+from qgis.PyQt.QtNetwork import QNetworkProxy
+
+from semref.processing.packages import components
+from semref.processing.packages import install as component_install
+from semref.processing.packages.components import ONNXRUNTIME, OPENCV, SHAPELY
+
+needs_pip = pytest.mark.skipif(importlib.util.find_spec("pip") is None, reason="this Python has no pip")
+
+
+def test_the_folder_changes_with_the_versions_of_python_and_numpy():
+    assert components.components_key((3, 11, 2), "1.24.2") == "cp311-numpy1.24"
+    assert components.components_key((3, 11, 2), "2.2.4") == "cp311-numpy2.2"
+    assert components.components_key((3, 13, 5), "2.2.4") == "cp313-numpy2.2"
+
+
+def test_opencv_fits_the_running_numpy():
+    assert OPENCV.requirement("1.24.2") == "opencv-python-headless>=4.5,<4.12"
+    assert OPENCV.requirement("2.2.4") == "opencv-python-headless>=4.10,<5.1"
+
+
+@pytest.mark.parametrize("package", [OPENCV, SHAPELY, ONNXRUNTIME])
+@pytest.mark.parametrize("numpy_version", ["1.24.2", "2.4.6"])
+def test_pip_takes_no_version_that_was_not_tested(package, numpy_version):
+    limits = package.requirement(numpy_version).partition(package.pip_name)[2].split(",")
+    assert [limit[0] for limit in limits] == [">", "<"]
+
+
+def test_pip_gets_no_dependencies_no_sources_and_no_index_of_ours():
+    online = component_install.pip_arguments("a<2", "there", "")
+    assert {"--no-deps", "--only-binary=:all:", "--no-input"} <= set(online)
+    assert not [argument for argument in online if "index" in argument or "http" in argument]
+    assert component_install.pip_arguments("a<2", "there", "wheels")[-4:] == [
+        "--no-index",
+        "--find-links",
+        "wheels",
+        "a<2",
+    ]
+
+
+@pytest.mark.parametrize(
+    "proxy, url",
+    [
+        (QNetworkProxy(QNetworkProxy.ProxyType.NoProxy), ""),
+        (QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy), ""),
+        (QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy, "host", 3128), "http://host:3128"),
+        (
+            QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy, "host", 3128, "me", "p@ss:/w"),
+            "http://me:p%40ss:%2Fw@host:3128",  # pragma: allowlist secret
+        ),
+        (QNetworkProxy(QNetworkProxy.ProxyType.Socks5Proxy, "host", 1080), "socks5://host:1080"),
+    ],
+    ids=["none", "no host", "http", "with password", "socks"],
+)
+def test_the_proxy_is_that_of_qgis(proxy, url):
+    assert component_install.proxy_url(proxy) == url
+
+
+@pytest.mark.parametrize(
+    "output, words",
+    [
+        ("", "pip could not install a<2"),
+        ("WARNING: Retrying (Retry(total=4 …))\nERROR: No matching distribution found for a<2", "can’t be reached"),
+        ("ProxyError('Cannot connect to proxy.')", "proxy can’t be used"),
+        ("CERTIFICATE_VERIFY_FAILED", "certificate is not trusted"),
+        ("ERROR: Missing dependencies for SOCKS support.", "SOCKS proxy"),
+        ("OSError: [Errno 28] No space left on device", "disk is full"),
+        ("ERROR: No matching distribution found for a<2", "The package index has no a<2"),
+        ("one\nERROR: something else.\n\n", "pip could not install a<2: something else."),
+    ],
+)
+def test_every_failure_of_pip_is_one_sentence(qgis_app, output, words):
+    sentence = str(component_install.why_pip_failed("a<2", output, ""))
+    assert words in sentence and sentence.endswith(".") and "\n" not in sentence
+
+
+def test_python_is_looked_for_where_qgis_has_it():
+    linux = component_install.python_candidates("/usr/bin/python3", "/usr", (3, 11), False)
+    assert linux == ["/usr/bin/python3.11", "/usr/bin/python3", "/usr/bin/bin/python3.11", "/usr/bin/bin/python3"]
+    pyenv = component_install.python_candidates("/home/me/.pyenv/shims/python3", "/usr", (3, 11), False)
+    assert pyenv[0] == "/usr/bin/python3.11" and pyenv[-1] == "/home/me/.pyenv/shims/python3"
+    bundle = "/Applications/QGIS.app/Contents/MacOS"
+    mac = component_install.python_candidates(f"{bundle}/QGIS", "/other", (3, 9), False)
+    assert f"{bundle}/bin/python3.9" in mac and f"{bundle}/QGIS" not in mac
+    prefix = "C:/OSGeo4W/apps/Python312"
+    windows = component_install.python_candidates("C:/OSGeo4W/bin/qgis-bin.exe", prefix, (3, 12), True)
+    assert windows[0] == os.path.join(prefix, "python.exe")
+
+
+@pytest.mark.parametrize(
+    "text, family",
+    [
+        ("", ""),
+        ("ID=debian\n", "debian"),
+        ('ID=ubuntu\nID_LIKE="debian"\n', "debian"),
+        ('ID="rhel"\nID_LIKE="fedora"\n', "fedora"),
+        ("ID=manjaro\nID_LIKE=arch\n", "arch"),
+        ("ID=else\n", ""),
+    ],
+)
+def test_the_package_manager_is_known_from_os_release(text, family):
+    assert components.system_family(text) == family
+
+
+def release(identity, codename, **others):
+    return "".join(
+        f'{key}="{text}"\n' for key, text in {"ID": identity, "VERSION_CODENAME": codename, **others}.items()
+    )
+
+
+TRIXIE = release("debian", "trixie")
+PIP = "-m pip install --no-deps"
+
+
+@pytest.mark.parametrize(
+    ("text", "apt", "by_pip"),
+    [
+        (TRIXIE, "sudo apt install python3-opencv python3-shapely python3-onnxruntime", []),
+        (release("debian", "bookworm"), "sudo apt install python3-opencv", [SHAPELY, ONNXRUNTIME]),
+        (release("ubuntu", "jammy", ID_LIKE="debian"), "sudo apt install python3-opencv", [SHAPELY, ONNXRUNTIME]),
+        (
+            release("ubuntu", "noble", ID_LIKE="debian"),
+            "sudo apt install python3-opencv python3-shapely",
+            [ONNXRUNTIME],
+        ),
+        (
+            release("linuxmint", "wilma", ID_LIKE="ubuntu debian", UBUNTU_CODENAME="noble"),
+            "sudo apt install python3-opencv python3-shapely",
+            [ONNXRUNTIME],
+        ),
+        (release("fedora", ""), "sudo dnf install python3-opencv python3-shapely python3-onnxruntime", []),
+        (release("rocky", "", ID_LIKE="rhel fedora"), "", [OPENCV, SHAPELY, ONNXRUNTIME]),
+        ("", "", [OPENCV, SHAPELY, ONNXRUNTIME]),
+    ],
+)
+def test_commands_are_those_of_the_distribution_and_its_release(monkeypatch, text, apt, by_pip):
+    """Debian 12 has no onnxruntime, and a Shapely before 2."""
+    monkeypatch.setattr(components, "_os_release", lambda: text)
+    by_manager, _, rest = components.install_command([OPENCV, SHAPELY, ONNXRUNTIME]).rpartition(" && ")
+    if not by_pip:
+        by_manager, rest = rest, ""
+    assert by_manager == apt
+    assert (PIP in rest) == bool(by_pip)
+    assert [package for package in components.PACKAGES if package.pip_name in rest] == by_pip
+
+
+def test_pip_is_that_of_the_running_python_and_may_install_beside_the_distribution_s(tmp_path, monkeypatch):
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "python3").touch()
+    (tmp_path / "EXTERNALLY-MANAGED").touch()
+    monkeypatch.setattr(sys, "prefix", str(tmp_path))
+    monkeypatch.setattr(sys, "base_prefix", str(tmp_path))
+    monkeypatch.setattr(components.sysconfig, "get_path", lambda name: str(tmp_path))
+    monkeypatch.setattr(components, "_os_release", lambda: "")
+    start = f"{tmp_path}/bin/python3 {PIP} --user --break-system-packages "
+    assert components.install_command([OPENCV]).startswith(start)
+    (tmp_path / "EXTERNALLY-MANAGED").unlink()
+    assert components.install_command([OPENCV]).startswith(f'{tmp_path}/bin/python3 {PIP} "opencv-python-headless')
