@@ -34,12 +34,14 @@ class _Staged:
         final: Its place.
         is_folder: Whether it is a folder.
         lock: Tells others that the run lives, while it is open; None where the system has no locks.
+        mark: Name of a file that an older folder must have to be replaced, see ``Batch.folder``.
     """
 
     workplace: Path
     final: Path
     is_folder: bool
     lock: IO[bytes] | None
+    mark: str = ""
 
     @property
     def made(self) -> Path:
@@ -92,12 +94,9 @@ class Batch:
             ParameterError: For any other ``target`` that exists, and when nothing can be written beside it.
         """
         final = Path(target)
-        if final.exists() and not final.is_dir():
-            raise ParameterError("storage.is_file", path=final)
-        if final.is_dir() and any(final.iterdir()) and not (mark and (final / mark).is_file()):
-            raise ParameterError("storage.folder_not_empty", path=final)
+        _require_free(final, mark)
         final.parent.mkdir(parents=True, exist_ok=True)
-        staged = self._stage(final, is_folder=True)
+        staged = self._stage(final, is_folder=True, mark=mark)
         staged.made.mkdir()
         return str(staged.made)
 
@@ -114,6 +113,10 @@ class Batch:
         for staged in self._staged:
             flush(staged.workplace)
         with folders_held(staged.final.parent for staged in self._staged):
+            for staged in self._staged:
+                if staged.is_folder:
+                    # Once more: others may have filled it meanwhile.
+                    _require_free(staged.final, staged.mark)
             for check in checks:
                 check()
             move_all([_plan(staged) for staged in self._staged])
@@ -127,7 +130,7 @@ class Batch:
                 staged.lock.close()
         self._staged = []
 
-    def _stage(self, final: Path, is_folder: bool) -> _Staged:
+    def _stage(self, final: Path, is_folder: bool, mark: str = "") -> _Staged:
         clear(final.parent)
         try:
             workplace, lock = _workplace(final)
@@ -136,7 +139,7 @@ class Batch:
         except (OSError, TakenError) as error:
             reason = getattr(error, "strerror", None) or os.strerror(errno.EBUSY)
             raise ParameterError("storage.file_unwritable", path=final, reason=reason) from None
-        staged = _Staged(workplace, final, is_folder, lock)
+        staged = _Staged(workplace, final, is_folder, lock, mark)
         self._staged.append(staged)
         return staged
 
@@ -155,6 +158,14 @@ def folder_written_beside(target: str, mark: str = "") -> Iterator[str]:
     with Batch() as batch:
         yield batch.folder(target, mark)
         batch.commit()
+
+
+def _require_free(final: Path, mark: str) -> None:
+    """Raises ParameterError unless a folder may be put there, see ``Batch.folder``."""
+    if final.exists() and not final.is_dir():
+        raise ParameterError("storage.is_file", path=final)
+    if final.is_dir() and any(final.iterdir()) and not (mark and (final / mark).is_file()):
+        raise ParameterError("storage.folder_not_empty", path=final)
 
 
 def _plan(staged: _Staged) -> Plan:

@@ -63,3 +63,17 @@ def feature_count(path: str, layer: str = "") -> int:
         found = None if dataset is None else dataset.GetLayerByName(layer) if layer else dataset.GetLayer(0)
         count = -1 if found is None else sum(1 for _ in found)
     return -1 if dataset is None or failures else count
+
+
+def lacks_spatial_index(path: str) -> bool:
+    """Whether a layer of a GeoPackage has none: on a full disk GDAL leaves it out without a word."""
+    query = (
+        "SELECT count(*) FROM gpkg_geometry_columns WHERE 'rtree_' || table_name || '_' || column_name "
+        "NOT IN (SELECT name FROM sqlite_master)"
+    )
+    try:
+        with contextlib.closing(sqlite3.connect(path)) as connection:
+            return connection.execute(query).fetchone()[0] > 0
+    except sqlite3.Error:
+        # Damaged, or one of no geometry at all.
+        return False

@@ -68,9 +68,10 @@ class _File(Sink):
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or str(error)
             raise ParameterError("onboard.unwritable", where=where, reason=reason) from None
+        self._before = b"\n" if _ends_within_a_line(where) else b""
 
     def _take(self, line: str) -> None:
-        data = line.encode("utf-8", "backslashreplace")
+        data = self._before + line.encode("utf-8", "backslashreplace")
         before = os.fstat(self._file.fileno()).st_size
         written = 0
         try:
@@ -81,9 +82,23 @@ class _File(Sink):
             if written and os.fstat(self._file.fileno()).st_size == before + written:
                 os.ftruncate(self._file.fileno(), before)
             raise
+        self._before = b""
 
     def close(self) -> None:
         self._file.close()
+
+
+def _ends_within_a_line(where: str) -> bool:
+    """Whether a file has a last line without its end: power was cut while it was written."""
+    if not os.path.isfile(where) or not os.path.getsize(where):
+        return False
+    try:
+        with open(where, "rb") as file:
+            file.seek(-1, os.SEEK_END)
+            return file.read(1) != b"\n"
+    except OSError:
+        # It may be written to, and not read.
+        return False
 
 
 class _UdpPort(Sink):

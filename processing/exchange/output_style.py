@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import sqlite3
 from pathlib import Path
 from typing import List
 
@@ -19,17 +21,32 @@ _MOST_KEPT = 20
 """QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
 
 
-def style_in_file(destination: str, renderer: QgsFeatureRenderer) -> None:
-    """Gives a layer in a GeoPackage its style, as its default; other files can't hold one."""
+def style_in_file(destination: str, renderer: QgsFeatureRenderer) -> bool:
+    """Gives a layer in a GeoPackage its style, as its default; other files can't hold one.
+
+    Returns:
+        Whether all is there that should be: on a full disk QGIS leaves a style out without a word.
+    """
     path = destination.split("|")[0]
     if Path(path).suffix.lower() != ".gpkg" or not Path(path).is_file():
-        return
+        return True
     layer = QgsVectorLayer(destination, "output", "ogr")
     if layer.isValid():
         layer.setRenderer(renderer.clone())
         layer.saveStyleToDatabase("SemRef", "", True, "")
     del layer
-    leave_wal(path)
+    try:
+        leave_wal(path)
+        return _has_style(path)
+    except sqlite3.Error:
+        return False
+
+
+def _has_style(path: str) -> bool:
+    """Whether the style that was written last is whole."""
+    with contextlib.closing(sqlite3.connect(path)) as connection:
+        row = connection.execute("SELECT styleQML FROM layer_styles ORDER BY id DESC LIMIT 1").fetchone()
+    return row is not None and str(row[0]).rstrip().endswith("</qgis>")
 
 
 def style_when_loaded(destination: str, renderer: QgsFeatureRenderer, context: QgsProcessingContext) -> None:

@@ -21,11 +21,13 @@ class Destination:
         text: As QGIS states it.
         path: The file; empty where there is none, as in memory or in a database server.
         is_table: Whether the file is a database that the layer is added to, with all else in it kept.
+        has_index: Whether the file is a GeoPackage, which has a spatial index unless the user said otherwise.
     """
 
     text: str
     path: str = ""
     is_table: bool = False
+    has_index: bool = False
 
     def moved(self, path: str) -> str:
         """The same destination in another file."""
@@ -40,8 +42,9 @@ def destination_of(value: Any, context: QgsProcessingContext) -> Destination:
             holds one of these.
         context: Whose expressions count.
     """
+    options = ""
     if isinstance(value, QgsProcessingOutputLayerDefinition):
-        value = value.sink
+        value, options = value.sink, str(value.createOptions)
     if isinstance(value, QgsProperty):
         value, _ = value.valueAsString(context.expressionContext(), "")
     text = str(value or "")
@@ -51,7 +54,8 @@ def destination_of(value: Any, context: QgsProcessingContext) -> Destination:
         found = _DATABASE.search(text)
         path = next((group for group in found.groups() if group), "") if found else ""
         return Destination(text, path, bool(path))
-    return Destination(text) if _PROVIDER.match(text) else Destination(text, text)
+    has_index = text.lower().endswith(".gpkg") and "SPATIAL_INDEX" not in options.upper()
+    return Destination(text) if _PROVIDER.match(text) else Destination(text, text, has_index=has_index)
 
 
 def with_destination(value: Any, text: str) -> QgsProcessingOutputLayerDefinition:

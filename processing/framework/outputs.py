@@ -19,7 +19,7 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...storage.files import Batch
-from ...storage.vector_files import copy_database, feature_count, require_no_other_layers
+from ...storage.vector_files import copy_database, feature_count, lacks_spatial_index, require_no_other_layers
 from ..compat import make_field
 from ..exchange.output_style import style_in_file, style_when_loaded
 
@@ -149,9 +149,9 @@ class Outputs:
         if not written:
             return
         if beside:
-            sink.require_all_in(written)
-            if renderer is not None:
-                style_in_file(written, renderer)
+            if renderer is not None and not style_in_file(written, renderer):
+                raise sink.failure()
+            sink.require_all_in(written, wanted.has_index)
         final = _moved_back(written, wanted) if beside else written
         self._layers.append(_Layer(written, final, renderer))
         self.results[key] = final
@@ -244,9 +244,11 @@ class Sink:
             raise self.failure()
         self._count += 1
 
-    def require_all_in(self, written: str) -> None:
+    def require_all_in(self, written: str, with_index: bool) -> None:
         """Opens what was written and counts it. Raises ParameterError where something is missing."""
         path, _, rest = written.partition("|")
+        if with_index and lacks_spatial_index(path):
+            raise self.failure()
         if feature_count(path, rest.partition("layername=")[2].partition("|")[0]) != self._count:
             raise self.failure()
 

@@ -305,3 +305,13 @@ def test_a_check_that_fails_last_of_all_leaves_all_as_it_was(tmp_path, states):
         batch.commit(changed)
     shutil.rmtree(tmp_path / "sound")
     assert content(tmp_path / "here") == before
+
+
+def test_a_folder_that_others_filled_meanwhile_is_left_alone(tmp_path):
+    target = tmp_path / "labels"
+    with Batch() as batch, pytest.raises(ParameterError, match="holds other files"):
+        (Path(batch.folder(str(target))) / "1.png").write_text(NEW)
+        target.mkdir()
+        (target / "precious.png").write_text(OLD)
+        batch.commit()
+    assert content(tmp_path) == {"labels/precious.png": OLD}

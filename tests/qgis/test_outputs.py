@@ -15,7 +15,11 @@ import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, scattered_objects, square, write_layer, write_raster, write_text
 from osgeo import gdal, ogr
-from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
+from qgis.core import (
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsVectorLayer,
+)
 
 BUILD, DESCRIBE, LOCALIZE = "semref:builddatabase", "semref:describeimage", "semref:localizeimages"
 RASTERIZE, CHECK, REPAIR = "semref:rasterizeannotation", "semref:checkannotation", "semref:repairannotation"
@@ -199,6 +203,33 @@ def test_a_full_disk_is_an_error_and_leaves_the_older_file(run_algorithm, given,
     else:
         assert QgsVectorLayer(str(older), "positions", "ogr").featureCount() == 60
     assert [path.name for path in disk.iterdir()] == ["positions.gpkg"]
+
+
+def test_a_layer_whose_style_found_no_room_is_not_called_whole(run_algorithm, given, monkeypatch):
+    """On a full disk QGIS leaves it out without a word."""
+    target = given / "issues.gpkg"
+    target.write_bytes(b"older")
+    parameters = {"INPUT": str(given / "annotation.gpkg"), "CLASS_FIELD": "class", "ISSUES": str(target)}
+    monkeypatch.setattr(QgsVectorLayer, "saveStyleToDatabase", lambda *_: "")
+    with pytest.raises(QgsProcessingException, match="ISSUES can"):
+        run_algorithm(CHECK, parameters)
+    assert target.read_bytes() == b"older"
+
+
+def test_a_layer_whose_index_found_no_room_is_not_called_whole(run_algorithm, given, monkeypatch):
+    from semref.processing.framework import outputs
+
+    target = given / "landmarks.gpkg"
+    parameters = {"INPUT": str(given / "photo.png"), "DATABASE": str(given / "area.gpkg"), "REFERENCES": str(target)}
+    run_algorithm(DESCRIBE, parameters)
+    assert not outputs.lacks_spatial_index(str(target))
+    without = write_layer(given / "without.gpkg", [(square(0, 0, 9), "field")], options=["SPATIAL_INDEX=NO"])
+    assert outputs.lacks_spatial_index(str(without))
+    before = target.read_bytes()
+    monkeypatch.setattr(outputs, "lacks_spatial_index", lambda _: True)
+    with pytest.raises(QgsProcessingException, match="REFERENCES can"):
+        run_algorithm(DESCRIBE, parameters)
+    assert target.read_bytes() == before
 
 
 PROGRAM = """

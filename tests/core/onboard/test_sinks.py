@@ -59,3 +59,16 @@ def test_a_place_that_cannot_be_opened_is_refused(tmp_path):
     for where in (str(tmp_path), str(tmp_path / "no" / "file"), "a\0b"):
         with pytest.raises(ParameterError, match="can't be written"):
             opened(where)
+
+
+def test_a_line_that_a_power_cut_left_half_is_not_continued(tmp_path):
+    path = tmp_path / "fixes"
+    path.write_bytes(b'{"image": "1.png"}\n{"image": "2.p')
+    sink = opened(str(path))
+    sink.send('{"image": "3.png"}\n')
+    sink.send('{"image": "4.png"}\n')
+    sink.close()
+    assert path.read_bytes().split(b"\n")[1:] == [b'{"image": "2.p', b'{"image": "3.png"}', b'{"image": "4.png"}', b""]
+    sink = opened(str(path))
+    sink.close()
+    assert path.read_bytes().endswith(b'"4.png"}\n')

@@ -1,0 +1,1 @@
+"""Injects faults into everything that SemRef writes; see ``__main__``."""

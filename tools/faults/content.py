@@ -1,0 +1,62 @@
+"""What files hold, so that two states of a folder can be compared: what a date alone changes counts for nothing."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import re
+import sqlite3
+from pathlib import Path
+
+_VOLATILE = ("last_change", "update_time", "timestamp")
+"""Columns of a GeoPackage that hold when it was written."""
+
+_MOMENT = re.compile(rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d(\.\d+)?)?(Z|\+00:00)?|\b\d+(\.\d+)? ?(s|ms)\b")
+"""Dates and durations in reports."""
+
+_STYLED = re.compile(r"\w{3} \w{3} +\d+ \d\d:\d\d:\d\d \d{4}")
+"""When QGIS put a style into a GeoPackage."""
+
+_TEXTS = (".html", ".json", ".qml", ".csv", ".txt")
+
+State = dict[str, str]
+"""Digest of each file by its path."""
+
+
+def state(folder: Path) -> State:
+    """What lies in a folder and can be seen: without what is hidden."""
+    return {str(path.relative_to(folder)): digest(path) for path in sorted(folder.rglob("*")) if _is_seen(path, folder)}
+
+
+def strays(folder: Path) -> list[str]:
+    """What lies in a folder and is none of the user's."""
+    hidden = [str(path.relative_to(folder)) for path in folder.rglob(".*")]
+    return hidden + [str(path.relative_to(folder)) for path in folder.rglob("*-journal")]
+
+
+def digest(path: Path) -> str:
+    """Of what a file holds; raises sqlite3.Error for a GeoPackage that is not whole."""
+    if path.suffix == ".gpkg":
+        return _database_digest(path)
+    data = path.read_bytes()
+    return hashlib.sha256(_MOMENT.sub(b"", data) if path.suffix in _TEXTS else data).hexdigest()
+
+
+def _is_seen(path: Path, folder: Path) -> bool:
+    return path.is_file() and not any(part.startswith(".") for part in path.relative_to(folder).parts)
+
+
+def _database_digest(path: Path) -> str:
+    found = hashlib.sha256()
+    with contextlib.closing(sqlite3.connect(f"{path.as_uri()}?mode=ro", uri=True)) as connection:
+        if connection.execute("PRAGMA integrity_check").fetchone() != ("ok",):
+            raise sqlite3.DatabaseError(f"{path} is damaged")
+        tables = connection.execute("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name").fetchall()
+        for (table,) in tables:
+            if table.startswith("rtree_"):
+                continue
+            cursor = connection.execute(f'SELECT * FROM "{table}"')
+            kept = [n for n, column in enumerate(cursor.description) if column[0] not in _VOLATILE]
+            for row in cursor:
+                found.update(_STYLED.sub("", repr([table, *(row[n] for n in kept)])).encode())
+    return found.hexdigest()

@@ -1,0 +1,36 @@
+"""The table of docs/reliability.md."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .trials import Row
+
+BEGIN, END = "<!-- faults -->", "<!-- end of faults -->"
+
+
+def table(rows: Sequence[Row], machine: str, seconds: float) -> str:
+    """Markdown: a row a writer, with how many faults it survived of those that were injected."""
+    kinds = list(dict.fromkeys(kind for row in rows for kind in row.counts))
+    lines = ["| writer | " + " | ".join(kinds) + " | half moved, taken back |", "|---" * (len(kinds) + 2) + "|"]
+    for row in rows:
+        cells = [row.cell(kind) for kind in kinds]
+        lines.append(f"| {row.name} | " + " | ".join(cells) + f" | {row.taken_back or ''} |")
+    totals = [str(sum(row.counts.get(kind, 0) for row in rows)) for kind in kinds]
+    lines.append("| **together** | " + " | ".join(totals) + f" | {sum(row.taken_back for row in rows)} |")
+    finds = sum(len(row.finds) for row in rows)
+    lines.append("")
+    lines.append(f"{finds or 'None'} of these lost anything, left anything half or ended otherwise than it said.")
+    lines.append(f"{machine}; {seconds / 60:.0f} minutes on two busy cores.")
+    return "\n".join(lines)
+
+
+def write(path: Path, text: str) -> None:
+    """Puts the table between its marks."""
+    page = path.read_text(encoding="utf-8")
+    before, _, rest = page.partition(BEGIN)
+    _, _, after = rest.partition(END)
+    path.write_text(f"{before}{BEGIN}\n{text}\n{END}{after}", encoding="utf-8")
