@@ -68,9 +68,15 @@ class _Sound:
     def _main(self) -> int:
         from semref.core.onboard.command_line import main
 
-        with open(self._out / "stdout.lines", "a", encoding="utf-8") as file:
-            sys.stdout = file
-            return main(self._arguments)
+        # Left open: what a full disk did not take is tried again when it is closed.
+        sys.stdout = open(self._out / "stdout.lines", "a", encoding="utf-8")  # noqa: SIM115
+        code = main(self._arguments)
+        try:
+            sys.stdout.flush()
+        except OSError:
+            # As core/__main__.py ends.
+            return code or 3
+        return code
 
     def check(self, row: Row, ending: Ending, what: str, may_be_cut: bool) -> None:
         """What was there stays; what was added are the first lines of those that come when nothing happens."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from .trials import Row
 
-BEGIN, END = "<!-- faults -->", "<!-- end of faults -->"
+BEGIN, END = "<!-- bench:faults -->", "<!-- /bench:faults -->"
 
 
 def table(rows: Sequence[Row], machine: str, seconds: float) -> str:
