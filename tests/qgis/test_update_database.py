@@ -225,3 +225,31 @@ def test_a_cancel_leaves_nothing(update, old, tmp_path):
     with refused("Canceled"):
         update(feedback)
     assert not list(tmp_path.iterdir())
+
+
+def test_what_others_wrote_meanwhile_is_not_undone(update, old, tmp_path, monkeypatch):
+    from semref.storage.database import editor
+
+    area = tmp_path / "area.gpkg"
+    shutil.copy(old, area)
+    real = editor.DatabaseEditor.steps
+
+    def steps(self):
+        yield from real(self)
+        with contextlib.closing(sqlite3.connect(area)) as connection, connection:
+            connection.execute("UPDATE classes SET color = '#123456'")
+
+    monkeypatch.setattr(editor.DatabaseEditor, "steps", steps)
+    with refused("changed by another program"):
+        update(DATABASE=str(area), OUTPUT=str(area))
+    assert rows(area, "SELECT DISTINCT color FROM classes") == [("#123456",)]
+
+
+def test_an_overview_of_another_state_is_refused(old, rebuilt):
+    from semref.storage.database.connection import DatabaseChangedError
+    from semref.storage.database.reader import read_database, read_overview
+
+    was = read_database(str(old)).parameters
+    assert read_overview(str(old), was).size > 0
+    with pytest.raises(DatabaseChangedError, match="changed by another program"):
+        read_overview(str(rebuilt), was)
