@@ -101,7 +101,8 @@ regular lattices, made-up landscapes: no place is right. Of every image the best
 
 _CHRISTCHURCH = """\
 The same on Christchurch, {count} label images of 2018 against a database of 1996 (another country, other classes, 10 m
-pixels), 3.2, 6.4 and 12.8 km of ground, one in four mirrored:"""
+pixels), 3.2, 6.4 and 12.8 km of ground, one in four mirrored (and counted, so that three of four
+can be right):"""
 
 
 def _kept(run: inputs.Run, ground: Ground | None, name: str, count: int) -> Iterator[Told]:
