@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Dict, List, NamedTuple, Optional, Tuple
+from typing import NamedTuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, QgsVectorLayer
 
@@ -14,7 +14,7 @@ from ..processing.framework.localized_image import ERROR, fixes_per_error, label
 from ..processing.translation import tr
 from ..processing.wording.sentences import worded
 
-Point = Tuple[float, float]
+Point = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -27,9 +27,9 @@ class Matches:
         on_map: (x, y) of the map's.
     """
 
-    pixels: Tuple[Point, ...]
-    seen: Tuple[Point, ...]
-    on_map: Tuple[Point, ...]
+    pixels: tuple[Point, ...]
+    seen: tuple[Point, ...]
+    on_map: tuple[Point, ...]
 
 
 @dataclass(frozen=True)
@@ -41,25 +41,25 @@ class Finding:
 
     image: str
     status: str
-    x: Optional[float]
-    y: Optional[float]
-    longitude: Optional[float]
-    latitude: Optional[float]
-    heading: Optional[float]
-    pixel_size: Optional[float]
-    confidence: Optional[float]
-    distance: Optional[float]
-    references: Optional[int]
-    inliers: Optional[int]
-    error_95: Optional[float]
-    window: Optional[str]
-    method: Optional[str]
-    reason: Optional[str]
-    search_capped: Optional[bool]
+    x: float | None
+    y: float | None
+    longitude: float | None
+    latitude: float | None
+    heading: float | None
+    pixel_size: float | None
+    confidence: float | None
+    distance: float | None
+    references: int | None
+    inliers: int | None
+    error_95: float | None
+    window: str | None
+    method: str | None
+    reason: str | None
+    search_capped: bool | None
     crs: QgsCoordinateReferenceSystem
-    outline: Optional[QgsGeometry]
-    possible: Tuple[QgsGeometry, ...] = ()
-    matches: Optional[Matches] = None
+    outline: QgsGeometry | None
+    possible: tuple[QgsGeometry, ...] = ()
+    matches: Matches | None = None
     labels: str = ""
 
     @property
@@ -78,21 +78,21 @@ class Finding:
         return self.status == Status.FIX and not self.is_verified
 
     @property
-    def fixes_per_error(self) -> Optional[float]:
+    def fixes_per_error(self) -> float | None:
         """In how many fixes as sure as this one is wrong, to two digits; None without a fix that was verified."""
         if self.confidence is None or self.status != Status.FIX or not self.is_verified:
             return None
         return fixes_per_error(self.confidence)
 
     @property
-    def corners(self) -> Optional[Tuple[Point, ...]]:
+    def corners(self) -> tuple[Point, ...] | None:
         """Map (x, y) of the footprint's four corners, the image's upper left first, clockwise; None without heading."""
         if self.center is None or self.heading is None or self.outline is None:
             return None
         return tuple((point.x(), point.y()) for point in self.outline.asPolygon()[0][:4])
 
     @property
-    def center(self) -> Optional[QgsPointXY]:
+    def center(self) -> QgsPointXY | None:
         """In ``crs``; None without a fix."""
         return None if self.x is None or self.y is None else QgsPointXY(self.x, self.y)
 
@@ -105,13 +105,13 @@ _COLUMNS = tuple(
 class ResultLayers(NamedTuple):
     """OUTPUT, FOOTPRINTS, ALTERNATIVES and MATCHES of semref:localizeimages; None for what there is not."""
 
-    positions: Optional[QgsVectorLayer] = None
-    footprints: Optional[QgsVectorLayer] = None
-    places: Optional[QgsVectorLayer] = None
-    matches: Optional[QgsVectorLayer] = None
+    positions: QgsVectorLayer | None = None
+    footprints: QgsVectorLayer | None = None
+    places: QgsVectorLayer | None = None
+    matches: QgsVectorLayer | None = None
 
 
-def read_findings(layers: ResultLayers, labels: str = "") -> List[Finding]:
+def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
     """The findings in the order of the images; none without positions.
 
     Args:
@@ -122,7 +122,7 @@ def read_findings(layers: ResultLayers, labels: str = "") -> List[Finding]:
     if positions is None:
         return []
     outlines = {f["image"]: f.geometry() for f in footprints.getFeatures()} if footprints is not None else {}
-    possible: Dict[str, List[QgsGeometry]] = {}
+    possible: dict[str, list[QgsGeometry]] = {}
     for feature in places.getFeatures() if places is not None else ():
         possible.setdefault(feature["image"], []).append(feature.geometry())
     matches = _read_matches(layers.matches)
@@ -148,9 +148,9 @@ def read_findings(layers: ResultLayers, labels: str = "") -> List[Finding]:
     return findings
 
 
-def _read_matches(layer: Optional[QgsVectorLayer]) -> Dict[str, Matches]:
+def _read_matches(layer: QgsVectorLayer | None) -> dict[str, Matches]:
     """Those of each image, by its path."""
-    found: Dict[str, List[tuple]] = {}
+    found: dict[str, list[tuple]] = {}
     for feature in layer.getFeatures() if layer is not None else ():
         place = feature.geometry().asPoint()
         pixel, seen = (feature["image_column"], feature["image_row"]), (feature["seen_x"], feature["seen_y"])

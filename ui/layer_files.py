@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from typing import Dict, List, Tuple
 
 from qgis.core import QgsMapLayer, QgsMimeDataUtils, QgsProject, QgsProviderRegistry, QgsRasterLayer
 from qgis.PyQt.QtCore import QMimeData
@@ -17,7 +16,7 @@ def layer_file(layer: QgsMapLayer) -> str:
     return _file_of(layer.providerType(), layer.source())
 
 
-def raster_layers(project: QgsProject) -> List[QgsRasterLayer]:
+def raster_layers(project: QgsProject) -> list[QgsRasterLayer]:
     """Those of one file each, in the order of their names."""
     layers = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer)]
     # A database's overview is a raster, too; its file holds other things.
@@ -25,9 +24,9 @@ def raster_layers(project: QgsProject) -> List[QgsRasterLayer]:
     return sorted(found, key=lambda layer: layer.name().lower())
 
 
-def project_databases(project: QgsProject) -> Dict[str, str]:
+def project_databases(project: QgsProject) -> dict[str, str]:
     """Names of the reference databases whose layers the project has, by path: that of the group, else of the file."""
-    found: Dict[str, str] = {}
+    found: dict[str, str] = {}
     for node in project.layerTreeRoot().findLayers():
         layer = node.layer()
         path = "" if layer is None else database_file(layer)
@@ -46,7 +45,7 @@ def database_file(layer: QgsMapLayer) -> str:
     return path if of_one else ""
 
 
-def dropped_files(data: QMimeData) -> Tuple[List[str], List[str]]:
+def dropped_files(data: QMimeData) -> tuple[list[str], list[str]]:
     """(files and folders, names of layers that are no file) of what was dropped: layers, or files from anywhere."""
     if not QgsMimeDataUtils.isUriList(data):
         return [url.toLocalFile() for url in data.urls() if url.isLocalFile()], []

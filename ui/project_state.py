@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Callable, List, Optional, Tuple
+from typing import Callable
 
 from qgis.core import QgsProject, QgsSettings
 from qgis.PyQt.QtCore import QObject, pyqtSignal
@@ -11,7 +11,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 SCOPE = "SemRef"
 DATABASE_SETTING = "semref/dock/database"
 
-Prior = Tuple[float, float, float, float, str]
+Prior = tuple[float, float, float, float, str]
 """x, y of the middle, x, y of the edge, and the authid of their CRS."""
 
 _LISTED_IMAGES = 1000
@@ -41,10 +41,10 @@ class DockState:
     database: str = ""
     model: str = ""
     method: int = 0
-    images: List[str] = field(default_factory=list)
+    images: list[str] = field(default_factory=list)
     opacity: int = 60
     results: str = ""
-    prior: Optional[Prior] = None
+    prior: Prior | None = None
 
 
 def write_state(project: QgsProject, state: DockState) -> None:
@@ -58,7 +58,7 @@ def write_state(project: QgsProject, state: DockState) -> None:
     project.writeEntry(SCOPE, "/prior", [] if state.prior is None else [str(value) for value in state.prior])
 
 
-def read_state(project: QgsProject) -> Optional[DockState]:
+def read_state(project: QgsProject) -> DockState | None:
     """None of a project that was never saved with the dock."""
     database, known = project.readEntry(SCOPE, "/database")
     if not known:
@@ -79,7 +79,7 @@ def read_state(project: QgsProject) -> Optional[DockState]:
     )
 
 
-def _prior_of(entries: List[str]) -> Optional[Prior]:
+def _prior_of(entries: list[str]) -> Prior | None:
     try:
         *numbers, authid = entries
         x, y, edge_x, edge_y = map(float, numbers)
@@ -105,7 +105,7 @@ class ProjectState(QObject):
     opened = pyqtSignal(object)
     cleared = pyqtSignal()
 
-    def __init__(self, state_now: Callable[[], Optional[DockState]], parent: QObject) -> None:
+    def __init__(self, state_now: Callable[[], DockState | None], parent: QObject) -> None:
         """``state_now``: gives None where there is nothing to keep; the project then stays as it is."""
         super().__init__(parent)
         self._state_now = state_now

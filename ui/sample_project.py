@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import List
 
 from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsReferencedRectangle, QgsSettings, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
@@ -64,7 +63,7 @@ class SampleProject(QObject):
         self._iface, self._dock = iface, dock
         self._messages = Messages(iface.messageBar())
         self._folder = Path()
-        self._steps: List[Step] = []
+        self._steps: list[Step] = []
         self._step_count = 0
         self.run = AlgorithmRun(self)
         self.run.progressed.connect(self._show_progress)
@@ -164,7 +163,7 @@ def sample_folder(picked: Path) -> Path:
     return picked / FOLDER
 
 
-def steps(folder: Path) -> List[Step]:
+def steps(folder: Path) -> list[Step]:
     """What makes the sample project, in order."""
     labels, database = folder / LABEL_MAP_FILE, folder / DATABASE_FILE
     return [

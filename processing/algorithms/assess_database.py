@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Dict, List, Sequence, Tuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from qgis.core import QgsGeometry, QgsRectangle
@@ -70,7 +71,7 @@ class AssessDatabase(AssessAlgorithm):
             "localization” tests a database with a label map of another date."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             offers.database(),
             Text(
@@ -117,7 +118,7 @@ class AssessDatabase(AssessAlgorithm):
         footprint_sizes(values.text(self.FOOTPRINT), 1.0)
         super().check(values)
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, float]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...core.assessment.cells import ground_cells
 
         database, crs = self.read_all(values, feedback)
@@ -207,7 +208,7 @@ class AssessDatabase(AssessAlgorithm):
             )
 
 
-def _values(result: AssessedFootprint, n: int, distinctiveness: float, threshold: float) -> Dict[str, Any]:
+def _values(result: AssessedFootprint, n: int, distinctiveness: float, threshold: float) -> dict[str, Any]:
     from ..exchange.assessment_styles import success_classes
 
     estimates = result.estimates
@@ -231,7 +232,7 @@ def _values(result: AssessedFootprint, n: int, distinctiveness: float, threshold
     }
 
 
-def _nearest_distinctiveness(windows: Windows, places: np.ndarray, footprint: float) -> List[float]:
+def _nearest_distinctiveness(windows: Windows, places: np.ndarray, footprint: float) -> list[float]:
     """Of the window nearest to each place, of the level whose size is nearest to the footprint; NaN where unknown."""
     from ...core.constellation.neighbors import nearest
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, Optional, Sequence, Tuple, Type
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from qgis.core import (
@@ -64,7 +65,7 @@ class RouteParameter(QgsProcessingParameterFeatureSource):
 class RouteSource(VectorSource):
     """A route: a line layer or a waypoint file."""
 
-    KIND: ClassVar[Type[QgsProcessingParameterDefinition]] = RouteParameter
+    KIND: ClassVar[type[QgsProcessingParameterDefinition]] = RouteParameter
 
 
 class AssessRoute(AssessAlgorithm):
@@ -96,7 +97,7 @@ class AssessRoute(AssessAlgorithm):
             "database” does, under the noise that you state."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             offers.database(),
             RouteSource(
@@ -134,7 +135,7 @@ class AssessRoute(AssessAlgorithm):
             NumberResult(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
         )
 
-    def _lengths(self) -> Tuple[Declared, ...]:
+    def _lengths(self) -> tuple[Declared, ...]:
         """What may be left out of how the route is flown."""
         lengths = (
             (
@@ -172,7 +173,7 @@ class AssessRoute(AssessAlgorithm):
             raise ParameterError("algorithms.no_route_layer", value=value) from error
         self._route = route_of_source(source)
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, float]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...core.assessment.route import gaps, route_points
         from ..exchange.routes import lines_in
         from ..reports.route_report import AssessedRoute
@@ -211,7 +212,7 @@ class AssessRoute(AssessAlgorithm):
         reach: float,
         count: int,
         feedback: QgsProcessingFeedback,
-        share: Tuple[float, float],
+        share: tuple[float, float],
     ) -> Estimates:
         """What to expect at places (P, 2), from ``count`` images each within ``reach``."""
         queries = assessment.plan(places, reach, count * len(places))
@@ -227,7 +228,7 @@ class AssessRoute(AssessAlgorithm):
         largest: float,
         count: int,
         feedback: QgsProcessingFeedback,
-    ) -> List[Optional[ShiftHint]]:
+    ) -> list[ShiftHint | None]:
         """A hint, or None, for each stretch: all shifts of all stretches are simulated together."""
         from ...core.assessment.route import SHIFTS, best_shift
 
@@ -309,7 +310,7 @@ def _inside(extent: Sequence[float], places: np.ndarray) -> np.ndarray:
     return (x >= x_min) & (x <= x_max) & (y >= y_min) & (y <= y_max)
 
 
-def _values(route: AssessedRoute, n: int, gap: Optional[Gap], hint: Optional[ShiftHint]) -> Dict[str, Any]:
+def _values(route: AssessedRoute, n: int, gap: Gap | None, hint: ShiftHint | None) -> dict[str, Any]:
     points, estimates = route.points, route.estimates
     success, error = float(estimates.success[n]), float(estimates.error[n])
     reason = tr("Outside the database’s map.")

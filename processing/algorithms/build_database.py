@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Dict, Tuple
+from typing import TYPE_CHECKING
 
 from ...core.errors import ClassTableError, ParameterError
 from ..framework import offers
@@ -51,7 +51,7 @@ class BuildDatabase(SemRefAlgorithm):
             "get no vector; the log says how many."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             offers.label_map(
                 tr("Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it.")
@@ -81,7 +81,7 @@ class BuildDatabase(SemRefAlgorithm):
             NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
 
-    def _windows(self) -> Tuple[Declared, ...]:
+    def _windows(self) -> tuple[Declared, ...]:
         """How windows lie and what describes them."""
         return (
             Number(
@@ -129,7 +129,7 @@ class BuildDatabase(SemRefAlgorithm):
     def read_layers(self, values: Values) -> None:
         self._layer = values.label_map(self.LABELS)
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.database.build import DatabaseBuilder
         from ...storage.database.writer import DatabaseWriter
         from ...storage.rasters import GdalLabels, HeldLabels

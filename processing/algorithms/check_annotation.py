@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import TYPE_CHECKING, Dict, List, Tuple
+from typing import TYPE_CHECKING
 
 from ...core.annotation.findings import CHECKED_KINDS, ERROR
 from ..compat import MULTI_POLYGON, wkt_for_gdal
@@ -54,7 +54,7 @@ class CheckAnnotation(AnnotationAlgorithm):
             "mends most of it."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             *offers.annotation(),
             Number(
@@ -93,7 +93,7 @@ class CheckAnnotation(AnnotationAlgorithm):
             NumberResult(self.ERROR_COUNT, tr("Number of errors")),
         )
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ..exchange.styles import issues_renderer
         from ..reports.annotation_report import AnnotationReport
 
@@ -120,11 +120,11 @@ class CheckAnnotation(AnnotationAlgorithm):
     def _checked(
         self,
         values: Values,
-        features: List[AnnotatedFeature],
+        features: list[AnnotatedFeature],
         lookup: ClassLookup,
         crs: QgsCoordinateReferenceSystem,
         feedback: QgsProcessingFeedback,
-    ) -> List[Finding]:
+    ) -> list[Finding]:
         """Findings on how the features lie, and what pixels do to them if their size is given."""
         from ...core.annotation.check import AnnotationCheck, CheckSettings, find_raster_losses
         from ...storage.burning import RegionBurning

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Dict, List, Tuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -56,7 +56,7 @@ class CompareLabels(SemRefAlgorithm):
             "prediction count as wrong."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             RasterLayer(
                 self.REFERENCE,
@@ -91,7 +91,7 @@ class CompareLabels(SemRefAlgorithm):
     def read_layers(self, values: Values) -> None:
         self._layers = [values.label_map(key) for key in (self.REFERENCE, self.PREDICTED)]
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, float]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...core.labels.comparison import LabelComparison
         from ...storage.comparing import DisagreementMap, LabelMapPair
         from ..exchange.layers import require_one_crs
@@ -144,7 +144,7 @@ class CompareLabels(SemRefAlgorithm):
 
     def _polygons(
         self, disagreements: DisagreementMap, minimum_area: float, feedback: QgsProcessingFeedback
-    ) -> List[Tuple[int, float, bytes]]:
+    ) -> list[tuple[int, float, bytes]]:
         """[(code, area, outline as WKB)], the largest first; raises Canceled, also while they are being made."""
 
         def proceed(share: float) -> bool:
@@ -163,7 +163,7 @@ class CompareLabels(SemRefAlgorithm):
         check_canceled(feedback)
         return found
 
-    def _write(self, outputs: Outputs, polygons: List[Tuple[int, float, bytes]], match: ClassMatch) -> None:
+    def _write(self, outputs: Outputs, polygons: list[tuple[int, float, bytes]], match: ClassMatch) -> None:
         from ...core.labels.comparison import decode_disagreement
 
         with outputs.layer(self.DISAGREEMENTS, FIELDS, POLYGON, self._layers[0].crs) as sink:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Tuple
+from typing import TYPE_CHECKING
 
 from ...core.labels.class_table import UNLABELED
 from ..framework import offers
@@ -42,7 +42,7 @@ class DecodeColorLabels(SemRefAlgorithm):
             "black."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             RasterLayer(
                 self.INPUT, tr("Color label image"), tr("Image with at least three bands (red, green, blue) of 8 bits.")

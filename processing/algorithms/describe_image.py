@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from math import hypot
-from typing import TYPE_CHECKING, Callable, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsGeometry, QgsPointXY
 
@@ -62,7 +62,7 @@ class DescribeImage(SemRefAlgorithm):
             "database its classes, minimum area and vector length are used; without one, give them here."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             RasterLayer(
                 self.INPUT,
@@ -90,7 +90,7 @@ class DescribeImage(SemRefAlgorithm):
             NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
 
-    def _without_database(self) -> Tuple[Declared, ...]:
+    def _without_database(self) -> tuple[Declared, ...]:
         """What a database would tell."""
         return (
             offers.class_table(
@@ -123,7 +123,7 @@ class DescribeImage(SemRefAlgorithm):
     def read_layers(self, values: Values) -> None:
         self._layer = values.label_map(self.INPUT)
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.localizer.localizer import describe_image
         from ...storage.rasters import open_raster, read_label_image
 
@@ -144,7 +144,7 @@ class DescribeImage(SemRefAlgorithm):
             feedback.pushWarning(tr("Fewer than three landmarks: the image has no topology vector."))
         return {self.REFERENCE_COUNT: count}
 
-    def _settings(self, values: Values, transform: Tuple[float, ...]) -> Tuple[ClassTable, Callable[[int], float], int]:
+    def _settings(self, values: Values, transform: tuple[float, ...]) -> tuple[ClassTable, Callable[[int], float], int]:
         """(class table, function square size → area fraction, vector length), from the database or the parameters."""
         from ...storage.database.reader import read_database
         from ...storage.rasters import open_raster, stored_class_table
@@ -167,7 +167,7 @@ class DescribeImage(SemRefAlgorithm):
         return table, lambda size: area / pixel_area / max(size, 1) ** 2, length
 
     def _write_points(
-        self, outputs: Outputs, described: DescribedImage, transform: Tuple[float, ...], table: ClassTable
+        self, outputs: Outputs, described: DescribedImage, transform: tuple[float, ...], table: ClassTable
     ) -> None:
         names = {c.value: c.name for c in table}
         x0, dx_column, dx_row, y0, dy_column, dy_row = transform
@@ -194,7 +194,7 @@ class DescribeImage(SemRefAlgorithm):
 
 def _vector(described: DescribedImage, table: ClassTable, length: int) -> dict:
     """The topology vector as it is written."""
-    vector: Optional[List[float]] = None
+    vector: list[float] | None = None
     if described.vector is not None:
         vector = [round(float(v), 7) for v in described.vector]
     return {

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import time
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsGeometry, QgsPointXY
 
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from ..framework.outputs import Outputs
     from ..framework.values import Values
 
-    Job = Tuple[WindowQuery, List[Method]]
+    Job = tuple[WindowQuery, list[Method]]
 
 GRID_CELLS = 16
 MOST_IN_A_CELL = 20
@@ -68,7 +69,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             "another date than the database’s for an honest answer: on its own map a database always does better."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             offers.database(),
             offers.label_map(
@@ -112,7 +113,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             NumberResult(self.FALSE_ACCEPT_RATE, tr("False accept rate")),
         )
 
-    def _numbers(self) -> Tuple[Number, ...]:
+    def _numbers(self) -> tuple[Number, ...]:
         """How many images are tried."""
         return (
             Number(
@@ -140,7 +141,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             ),
         )
 
-    def _ranges_offered(self) -> List[NumberRange]:
+    def _ranges_offered(self) -> list[NumberRange]:
         """What trials draw their values from."""
         defaults = {self.MISSED: "20,20", self.INVENTED: "20,20", self.MISNAMED: "5,5", self.RAGGED: "0,1"}
         ranges = (
@@ -163,7 +164,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             for key, title, text, default in ranges
         ]
 
-    def _judging(self) -> Tuple[Number, ...]:
+    def _judging(self) -> tuple[Number, ...]:
         """Where trials lie, and what is right."""
         return (
             Number(
@@ -200,7 +201,7 @@ class EvaluateLocalization(SemRefAlgorithm):
     def read_layers(self, values: Values) -> None:
         self._layer = values.label_map(self.LABELS)
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, Optional[float]]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float | None]:
         from ...core.evaluation.summary import summarize
 
         methods = self._methods(values)
@@ -221,7 +222,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             self.FALSE_ACCEPT_RATE: first.false_accepts.share,
         }
 
-    def _jobs(self, values: Values, evaluation: Evaluation, methods: List[Method], is_reported: bool) -> List[Job]:
+    def _jobs(self, values: Values, evaluation: Evaluation, methods: list[Method], is_reported: bool) -> list[Job]:
         """What is tried with which methods; reports need more."""
         count = values.integer(self.TRIALS)
         mirrored = min(round(count * values.number(self.MIRRORED) / 100), count - 1)
@@ -233,7 +234,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             jobs += [(query, methods) for query in evaluation.tables()]
         return jobs
 
-    def _methods(self, values: Values) -> Dict[Method, str]:
+    def _methods(self, values: Values) -> dict[Method, str]:
         """Chosen methods with their titles, the one that the outputs are about first."""
         chosen = values.choices(self.METHODS)
         if not chosen:
@@ -244,7 +245,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _evaluation(
         self, values: Values, feedback: QgsProcessingFeedback
-    ) -> Tuple[Evaluation, ReferenceDatabase, QgsCoordinateReferenceSystem]:
+    ) -> tuple[Evaluation, ReferenceDatabase, QgsCoordinateReferenceSystem]:
         """(Evaluation, database, its CRS); raises SemRefError when map and database don't belong together."""
         from ...core.evaluation.evaluation import Evaluation
         from ...storage.database.reader import read_database
@@ -291,7 +292,7 @@ class EvaluateLocalization(SemRefAlgorithm):
                     known=known.name,
                 )
 
-    def _try(self, evaluation: Evaluation, jobs: Sequence[Job], feedback: QgsProcessingFeedback) -> List[Trial]:
+    def _try(self, evaluation: Evaluation, jobs: Sequence[Job], feedback: QgsProcessingFeedback) -> list[Trial]:
         """All trials; raises Canceled within a moment."""
         feedback.pushInfo(tr("{count} images to localize.").format(count=len(jobs)))
         feedback.setProgressText(tr("Localizing"))
@@ -308,7 +309,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         values: Values,
         outputs: Outputs,
         trials: Sequence[Trial],
-        methods: Dict[Method, str],
+        methods: dict[Method, str],
         database: ReferenceDatabase,
     ) -> None:
         """Report and JSON where they are wanted."""
@@ -325,7 +326,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             settings = {self.DATABASE: names[0], self.LABELS: names[1], **given}
             outputs.text(self.JSON, evaluation_json(trials, list(methods), settings))
 
-    def _settings(self, values: Values) -> Dict[str, Any]:
+    def _settings(self, values: Values) -> dict[str, Any]:
         """Values by key as they were used."""
         return {
             self.TRIALS: values.integer(self.TRIALS),
@@ -345,7 +346,7 @@ class EvaluateLocalization(SemRefAlgorithm):
                 if trial.query.kind in (MAP, MIRRORED):
                     sink.add(QgsGeometry.fromPointXY(QgsPointXY(*trial.query.view.position)), values_of(trial, worded))
 
-    def _say(self, trials: Sequence[Trial], methods: Dict[Method, str], feedback: QgsProcessingFeedback) -> None:
+    def _say(self, trials: Sequence[Trial], methods: dict[Method, str], feedback: QgsProcessingFeedback) -> None:
         from ...core.evaluation.summary import summarize
         from ..reports.page import number, rate_text
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import replace
-from typing import TYPE_CHECKING, Dict, Tuple
+from typing import TYPE_CHECKING
 
 from ...core.errors import ParameterError
 from ..framework import offers
@@ -46,7 +46,7 @@ class ExportOnboard(SemRefAlgorithm):
             "the log says; a file of any other kind is never overwritten."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             offers.database(),
             VectorSource(
@@ -108,7 +108,7 @@ class ExportOnboard(SemRefAlgorithm):
 
         self._area = drawn_area(values.source(self.CLIP))
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.onboard.read import read_onboard
         from ...core.onboard.write import write_onboard
         from ...storage.database.reader import read_database, read_overview

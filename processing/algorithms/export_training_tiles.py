@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Dict, Tuple
+from typing import TYPE_CHECKING
 
 from ...core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION
 from ..framework import offers
@@ -44,7 +44,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
             "brought onto the image’s, nearest neighbor."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             RasterLayer(
                 self.IMAGE,
@@ -94,7 +94,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
     def read_layers(self, values: Values) -> None:
         self._image, self._labels = (values.label_map(key) for key in (self.IMAGE, self.LABELS))
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...storage.training_tiles import MANIFEST, TileExport
 
         table = values.class_table(self.CLASS_TABLE)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import replace
-from typing import TYPE_CHECKING, Callable, Dict, List, Tuple
+from typing import TYPE_CHECKING, Callable
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.localization import LEAST_RISK, RISK, Method
@@ -73,7 +73,7 @@ class LocalizeImages(SemRefAlgorithm):
             "vector method finds images centered on a window and accepts images from elsewhere: check what it finds."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             offers.database(),
             Files(
@@ -123,7 +123,7 @@ class LocalizeImages(SemRefAlgorithm):
             ),
         )
 
-    def _flight_parameters(self) -> Tuple[Declared, ...]:
+    def _flight_parameters(self) -> tuple[Declared, ...]:
         """How the images were taken."""
         return (
             File(
@@ -155,7 +155,7 @@ class LocalizeImages(SemRefAlgorithm):
             ),
         )
 
-    def _output_parameters(self) -> Tuple[Declared, ...]:
+    def _output_parameters(self) -> tuple[Declared, ...]:
         """What is written, and the number that is told."""
         left_out = {"optional": True, "by_default": False}
         return (
@@ -209,7 +209,7 @@ class LocalizeImages(SemRefAlgorithm):
     def _method(self, values: Values) -> Method:
         return Method.of_number(values.choice(self.METHOD))
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.localizer.localizer import Localizer
         from ...core.localizer.settings import LOCALIZER
         from ..exchange.reference_systems import database_crs
@@ -255,7 +255,7 @@ class LocalizeImages(SemRefAlgorithm):
 
     def _images(
         self, values: Values, method: Method, feedback: QgsProcessingFeedback
-    ) -> Tuple[List[str], List[Camera]]:
+    ) -> tuple[list[str], list[Camera]]:
         """Paths of the images and how their cameras were held."""
         from ...storage.camera_files import read_cameras
         from ...storage.rasters import image_files

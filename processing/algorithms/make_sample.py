@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Dict, Tuple
+from typing import TYPE_CHECKING
 
 from ...core.sample import DEFAULT_SEED
 from ..framework import offers
@@ -43,7 +43,7 @@ class MakeSample(SemRefAlgorithm):
             "The model that ships with SemRef can read these photos."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             FolderOutput(
                 self.OUTPUT,
@@ -54,7 +54,7 @@ class MakeSample(SemRefAlgorithm):
             NumberResult(self.PHOTO_COUNT, tr("Number of photos")),
         )
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, int]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.sample.landscape import make_landscape
         from ...core.sample.pictures import PHOTO_COUNT
         from ...storage.sample_files import PIXEL_SIZE_M, render_photo, sample_steps

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Dict, List, Tuple
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform
 
@@ -49,7 +49,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             "the class field. Invalid polygons are repaired, empty ones skipped; the log says how many."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             *offers.annotation(),
             Number(
@@ -80,7 +80,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             NumberResult(self.LABELED_FRACTION, tr("Fraction of the map that is labeled")),
         )
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Dict[str, float]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...storage.burning import LabelMapBurning
 
         crs = self.label_map_crs(values, feedback, values.crs(self.TARGET_CRS))
@@ -110,7 +110,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             feedback.pushWarning(tr("No polygon lies in the extent: the label map is empty."))
         return {self.CLASS_COUNT: len(present), self.LABELED_FRACTION: labeled / (width * height)}
 
-    def _frame(self, values: Values, crs: QgsCoordinateReferenceSystem, polygons: List[BurnPolygon]) -> MapFrame:
+    def _frame(self, values: Values, crs: QgsCoordinateReferenceSystem, polygons: list[BurnPolygon]) -> MapFrame:
         """The whole pixels of the extent, of the polygons without one."""
         extent = values.extent(self.EXTENT, crs)
         bounds = (extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum())
@@ -120,7 +120,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
 
     def _polygons(
         self, values: Values, feedback: QgsProcessingFeedback, crs: QgsCoordinateReferenceSystem
-    ) -> Tuple[List[BurnPolygon], ClassTable]:
+    ) -> tuple[list[BurnPolygon], ClassTable]:
         """Polygons to burn and the class table; says what was repaired and skipped."""
         from ..exchange.annotation import AnnotationCounts, burn_polygons, require_known_classes
 

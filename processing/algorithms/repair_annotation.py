@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Tuple
+from typing import TYPE_CHECKING
 
 from ...core.annotation.findings import ERROR, OUTSIDE_CRS
 from ...core.errors import ParameterError
@@ -48,7 +48,7 @@ class RepairAnnotation(AnnotationAlgorithm):
             "layer changes nothing."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             *offers.annotation(),
             Number(

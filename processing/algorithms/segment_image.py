@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from contextlib import closing
-from typing import TYPE_CHECKING, Iterable, Iterator, Optional, Tuple
+from typing import TYPE_CHECKING
 
 from ..framework import offers
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
@@ -47,7 +48,7 @@ class SegmentImage(SemRefAlgorithm):
             "tiles, so that no seams show. The label map lies where the image lies and has the classes of the model."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             RasterLayer(
                 self.INPUT,
@@ -118,7 +119,7 @@ class SegmentImage(SemRefAlgorithm):
         classes = model.classes
         feedback.setProgressText(tr("Segmenting"))
         # The steps are closed first: threads they hold are let go before the file is cleared away.
-        with outputs.raster(self.OUTPUT, classes.table) as path, LabelMapFile(path, *grid, classes.table) as label_map:
+        with outputs.raster(self.OUTPUT, classes.table) as path, LabelMapFile(path, *grid, classes.table) as label_map:  # noqa: SIM117
             with closing(segment(model, image, classes.values, overlap)) as steps:
                 for first, labels_hw in whole_tile_rows(_followed(steps, feedback)):
                     label_map.write_rows(first, labels_hw)
@@ -143,7 +144,7 @@ class SegmentImage(SemRefAlgorithm):
         return image
 
 
-def _resized_transform(transform: Optional[tuple], old_hw: Tuple[int, int], new_hw: Tuple[int, int]) -> Optional[tuple]:
+def _resized_transform(transform: tuple | None, old_hw: tuple[int, int], new_hw: tuple[int, int]) -> tuple | None:
     """The geotransform of an image that was brought to another (height, width); None for None."""
     if transform is None:
         return None
@@ -152,7 +153,7 @@ def _resized_transform(transform: Optional[tuple], old_hw: Tuple[int, int], new_
     return x, x_column * across, x_row * down, y, y_column * across, y_row * down
 
 
-def _followed(steps: Iterable[tuple], feedback: QgsProcessingFeedback) -> Iterator[Tuple[int, np.ndarray]]:
+def _followed(steps: Iterable[tuple], feedback: QgsProcessingFeedback) -> Iterator[tuple[int, np.ndarray]]:
     """The rows that are finished; shows progress and heeds a cancel at every tile."""
     for share, rows in steps:
         check_canceled(feedback)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import ceil, floor
-from typing import TYPE_CHECKING, List, Optional, Tuple
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsCsException
 
@@ -49,7 +49,7 @@ class UpdateDatabase(SemRefAlgorithm):
             "added at the end. The label map must have the pixels, the CRS and the classes of the old one."
         )
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         return (
             File(
                 self.DATABASE,
@@ -129,7 +129,7 @@ class UpdateDatabase(SemRefAlgorithm):
 
     def _areas(
         self, frame: MapFrame, values: Values, feedback: QgsProcessingFeedback
-    ) -> Optional[List[Tuple[int, int, int, int]]]:
+    ) -> list[tuple[int, int, int, int]] | None:
         """(left, top, right, bottom) in pixels around every changed polygon; None without CHANGED."""
         if self._changed is None:
             return None
@@ -162,7 +162,7 @@ class UpdateDatabase(SemRefAlgorithm):
         )
 
 
-def _pixels_around(box: QgsRectangle, frame: MapFrame) -> Tuple[int, int, int, int]:
+def _pixels_around(box: QgsRectangle, frame: MapFrame) -> tuple[int, int, int, int]:
     """(left, top, right, bottom) of all pixels that a rectangle in map units touches, and of a pixel around it."""
     corners = (box.xMinimum(), box.yMaximum()), (box.xMaximum(), box.yMinimum())
     (left, top), (right, bottom) = frame.to_pixels(corners).tolist()

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Callable, Dict, Iterator, List, Optional, Tuple
+from typing import Callable
 
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
@@ -38,7 +39,7 @@ _NO_PRIORITY = float("-inf")
 _NAMED_AT_MOST = 5
 """Unknown class values that a message names."""
 
-StyledClass = Tuple[Tuple[object, ...], str, str]
+StyledClass = tuple[tuple[object, ...], str, str]
 """Raw values of the class field that one class stands for, its name, its color or an empty text."""
 
 
@@ -59,7 +60,7 @@ class AnnotationSource:
     class_index: int
     class_is_number: bool
     priority_index: int
-    styled: Tuple[StyledClass, ...]
+    styled: tuple[StyledClass, ...]
     unstyled_allowed: bool
 
 
@@ -79,7 +80,7 @@ class AnnotationCounts:
     unprojectable: int = 0
     unknown: Counter = field(default_factory=Counter)
 
-    def sentences(self) -> List[Tuple[bool, str]]:
+    def sentences(self) -> list[tuple[bool, str]]:
         """(is a warning, sentence) for everything that is worth saying."""
         said = [(False, f"Used: {_features(self.used)}, {self.multipart} of them multipart.")]
         repaired = f"Repaired invalid geometry: {_features(self.repaired)}, {self.repaired_parts} polygons."
@@ -103,7 +104,7 @@ def _features(number: int) -> str:
 
 
 def annotation_source(
-    layer: Optional[QgsVectorLayer], definition: object, class_field: str, priority_field: str
+    layer: QgsVectorLayer | None, definition: object, class_field: str, priority_field: str
 ) -> AnnotationSource:
     """Takes what is needed out of a layer, in the thread it lives in. Raises AnnotationError.
 
@@ -160,7 +161,7 @@ def _field_index(layer: QgsVectorLayer, name: str, key: str) -> int:
     return index
 
 
-def _styled_classes(layer: QgsVectorLayer, class_field: str) -> Tuple[Tuple[StyledClass, ...], bool]:
+def _styled_classes(layer: QgsVectorLayer, class_field: str) -> tuple[tuple[StyledClass, ...], bool]:
     renderer = layer.renderer()
     if not isinstance(renderer, QgsCategorizedSymbolRenderer):
         return (), False
@@ -180,14 +181,14 @@ def _styled_classes(layer: QgsVectorLayer, class_field: str) -> Tuple[Tuple[Styl
 class ClassLookup:
     """Raw attribute value → class value, as the class table says."""
 
-    def __init__(self, table: ClassTable, by_raw: Optional[Dict[str, int]] = None) -> None:
+    def __init__(self, table: ClassTable, by_raw: dict[str, int] | None = None) -> None:
         """``by_raw``: class values by the text of the raw value; without it the table's own names and values."""
         self.table = table
         self.draw_orders = {c.value: c.draw_order for c in table if c.draw_order is not None}
-        self._known: Dict[object, Optional[int]] = dict(by_raw or {})
+        self._known: dict[object, int | None] = dict(by_raw or {})
         self._fixed = by_raw is not None
 
-    def value(self, raw: object) -> Optional[int]:
+    def value(self, raw: object) -> int | None:
         """The class value of an attribute, or None when the table does not have it."""
         text = raw_text(raw)
         if text not in self._known:
@@ -203,7 +204,7 @@ def raw_text(raw: object) -> str:
     return str(raw).strip()
 
 
-def class_lookup(source: AnnotationSource, given: Optional[ClassTable], canceled: Callable[[], bool]) -> ClassLookup:
+def class_lookup(source: AnnotationSource, given: ClassTable | None, canceled: Callable[[], bool]) -> ClassLookup:
     """The classes of an annotation: from the given table, else the layer's style, else the field's distinct values."""
     if given is not None:
         return ClassLookup(given)
@@ -224,10 +225,10 @@ def class_lookup(source: AnnotationSource, given: Optional[ClassTable], canceled
     return ClassLookup(ClassTable(tuple(classes)), by_raw)
 
 
-def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> List[object]:
+def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> list[object]:
     request = QgsFeatureRequest(source.request)
     request.setFlags(QgsFeatureRequest.NoGeometry)
-    found: Dict[str, object] = {}
+    found: dict[str, object] = {}
     for feature in source.features.getFeatures(request):
         raw = feature.attribute(source.class_index)
         if not is_null(raw) and raw_text(raw):
@@ -241,9 +242,9 @@ def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> 
 def burn_polygons(
     source: AnnotationSource,
     lookup: ClassLookup,
-    transform: Optional[QgsCoordinateTransform],
+    transform: QgsCoordinateTransform | None,
     counts: AnnotationCounts,
-) -> Iterator[List[BurnPolygon]]:
+) -> Iterator[list[BurnPolygon]]:
     """The polygons of each feature, one list a feature (empty when it is skipped); ``counts`` is kept up to date."""
     for feature in source.features.getFeatures(source.request):
         raw = feature.attribute(source.class_index)
@@ -277,8 +278,8 @@ def drawing_priority(feature: QgsFeature, source: AnnotationSource, draw_order: 
 
 
 def _parts(
-    geometry: QgsGeometry, transform: Optional[QgsCoordinateTransform], counts: AnnotationCounts
-) -> List[Tuple[bytes, Tuple[float, float, float, float]]]:
+    geometry: QgsGeometry, transform: QgsCoordinateTransform | None, counts: AnnotationCounts
+) -> list[tuple[bytes, tuple[float, float, float, float]]]:
     """Valid single polygons of a feature. GDAL would fill the parts of a multipolygon by even and odd."""
     if QgsWkbTypes.hasZ(geometry.wkbType()):
         counts.three_dimensional += 1

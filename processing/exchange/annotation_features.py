@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Iterator, List, Optional
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -39,9 +39,9 @@ from .reference_systems import WGS84
 class AnnotationReading:
     """The features of a layer in a metric CRS, what is wrong with them one by one, and their attributes if wanted."""
 
-    features: List[AnnotatedFeature] = field(default_factory=list)
-    findings: List[Finding] = field(default_factory=list)
-    attributes: List[list] = field(default_factory=list)
+    features: list[AnnotatedFeature] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    attributes: list[list] = field(default_factory=list)
 
 
 def read_features(
@@ -84,7 +84,7 @@ def fields_of(source: AnnotationSource) -> QgsFields:
 
 
 def _class_value(
-    feature: QgsFeature, source: AnnotationSource, lookup: ClassLookup, about: dict, findings: List[Finding]
+    feature: QgsFeature, source: AnnotationSource, lookup: ClassLookup, about: dict, findings: list[Finding]
 ) -> int:
     """The class value, NOTHING without one that counts; appends what is wrong with it."""
     raw = feature.attribute(source.class_index)
@@ -100,7 +100,7 @@ def _class_value(
     return value
 
 
-def _placed(geometry: QgsGeometry, transform: Optional[QgsCoordinateTransform]) -> Optional[QgsGeometry]:
+def _placed(geometry: QgsGeometry, transform: QgsCoordinateTransform | None) -> QgsGeometry | None:
     """The geometry without arcs in the metric CRS; None without a geometry or where it can't be reprojected."""
     if geometry.isNull():
         return None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import List, Optional, Tuple
 
 import numpy as np
 from qgis.core import (
@@ -27,11 +26,11 @@ _SEGMENTS = 12
 class DrawnArea:
     """Geometries taken out of a layer, and their CRS."""
 
-    geometries: Tuple[QgsGeometry, ...]
+    geometries: tuple[QgsGeometry, ...]
     crs: QgsCoordinateReferenceSystem
 
 
-def drawn_area(source: Optional[QgsProcessingFeatureSource]) -> Optional[DrawnArea]:
+def drawn_area(source: QgsProcessingFeatureSource | None) -> DrawnArea | None:
     """Takes the geometries out of a layer, in the thread it lives in; None without one."""
     if source is None:
         return None
@@ -43,9 +42,9 @@ def area_rings(
     area: DrawnArea,
     distance: float,
     crs: QgsCoordinateReferenceSystem,
-    extent: Tuple[float, float, float, float],
+    extent: tuple[float, float, float, float],
     transform_context: QgsCoordinateTransformContext,
-) -> List[np.ndarray]:
+) -> list[np.ndarray]:
     """Rings (n, 2) in ``crs`` of all that lies within ``distance`` of an area and in ``extent`` (x_min, y_min, …).
 
     Raises ParameterError when nothing does.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Callable, List, Tuple
+from typing import Callable
 
 from qgis.core import (
     QgsFillSymbol,
@@ -18,7 +18,7 @@ COLORS = ("#00204d", "#46516c", "#7c7b78", "#bcad6c", "#ffea46")
 """Cividis (Nuñez et al. 2018) at even steps, dark to light; told apart by the color-blind and in grey."""
 
 
-def success_classes(threshold: float) -> List[Tuple[float, float, str, str]]:
+def success_classes(threshold: float) -> list[tuple[float, float, str, str]]:
     """(from, to, color, legend text) of five classes of success 0…1; the upper two are good enough."""
     edges = [0.0, threshold / 3, 2 * threshold / 3, threshold, (1 + threshold) / 2, 1.0]
     words = [tr("hardly ever"), tr("sometimes"), tr("often"), tr("reliably"), tr("very reliably")]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from math import hypot
-from typing import Optional, Tuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsDistanceArea, QgsPointXY
 
@@ -17,7 +16,7 @@ def stated_crs(path: str) -> QgsCoordinateReferenceSystem:
     return QgsCoordinateReferenceSystem.fromWkt(open_raster(path).GetProjection())
 
 
-def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> Optional[Tuple[float, float]]:
+def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[float, float] | None:
     """Ground meters along a row and a column of a pixel, measured in the middle; None without georeference."""
     transform = image.geotransform
     if transform is None or not crs.isValid():

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Dict, Optional, Tuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsPalettedRasterRenderer, QgsRasterLayer
 
@@ -21,7 +20,7 @@ class RasterLayer:
 
     path: str
     crs: QgsCoordinateReferenceSystem
-    styled_classes: Tuple[LandCoverClass, ...]
+    styled_classes: tuple[LandCoverClass, ...]
 
     @property
     def file(self) -> RasterFile:
@@ -29,17 +28,17 @@ class RasterLayer:
         return RasterFile(self.path, wkt_for_gdal(self.crs), is_metric(self.crs), self.styled_classes)
 
 
-def label_map_layer(layer: Optional[QgsRasterLayer], name: str) -> RasterLayer:
+def label_map_layer(layer: QgsRasterLayer | None, name: str) -> RasterLayer:
     """Takes what is needed out of a layer. Raises LabelMapError."""
     return _taken(layer, LabelMapError("exchange.no_label_map", key=name))
 
 
-def image_layer(layer: Optional[QgsRasterLayer], name: str) -> RasterLayer:
+def image_layer(layer: QgsRasterLayer | None, name: str) -> RasterLayer:
     """Takes what is needed out of a layer. Raises ImageError."""
     return _taken(layer, ImageError("exchange.no_image", key=name))
 
 
-def _taken(layer: Optional[QgsRasterLayer], unreadable: SemRefError) -> RasterLayer:
+def _taken(layer: QgsRasterLayer | None, unreadable: SemRefError) -> RasterLayer:
     if layer is None or not layer.isValid():
         raise unreadable
     if layer.providerType() != "gdal":
@@ -47,11 +46,11 @@ def _taken(layer: Optional[QgsRasterLayer], unreadable: SemRefError) -> RasterLa
     return RasterLayer(layer.source(), layer.crs(), _styled_classes(layer))
 
 
-def _styled_classes(layer: QgsRasterLayer) -> Tuple[LandCoverClass, ...]:
+def _styled_classes(layer: QgsRasterLayer) -> tuple[LandCoverClass, ...]:
     renderer = layer.renderer()
     if not isinstance(renderer, QgsPalettedRasterRenderer):
         return ()
-    found: Dict[int, LandCoverClass] = {}
+    found: dict[int, LandCoverClass] = {}
     for entry in renderer.classes():
         value = int(entry.value)
         # 0 is unlabeled whatever the palette calls it; labels repeat in palettes that were made automatically.

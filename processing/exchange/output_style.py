@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import sqlite3
 from pathlib import Path
-from typing import List
 
 from qgis.core import (
     QgsFeatureRenderer,
@@ -16,7 +15,7 @@ from qgis.core import (
 
 from ...storage.database.reader import leave_wal
 
-_KEPT: List["_Styler"] = []
+_KEPT: list[_Styler] = []
 _MOST_KEPT = 20
 """QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
 

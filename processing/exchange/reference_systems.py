@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Optional, Tuple
-
 import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -82,7 +80,7 @@ def utm_zone(
 
 def longitudes_latitudes(
     points: np.ndarray, crs: QgsCoordinateReferenceSystem, transform_context: QgsCoordinateTransformContext
-) -> Tuple[np.ndarray, np.ndarray]:
+) -> tuple[np.ndarray, np.ndarray]:
     """(N, 2) map coordinates → longitudes (N,), latitudes (N,) in degrees, EPSG:4326; NaN for an unplaced CRS."""
     transform = QgsCoordinateTransform(crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
     if not transform.isValid():
@@ -93,10 +91,10 @@ def longitudes_latitudes(
 
 
 def fitted_lon_lat(
-    extent: Tuple[float, float, float, float],
+    extent: tuple[float, float, float, float],
     crs: QgsCoordinateReferenceSystem,
     transform_context: QgsCoordinateTransformContext,
-) -> Optional[LonLatPolynomial]:
+) -> LonLatPolynomial | None:
     """Longitude and latitude over ``extent`` (x_min, y_min, x_max, y_max) as polynomials; None where that can't be."""
     try:
         return fit_lon_lat(lambda points: longitudes_latitudes(points, crs, transform_context), extent)

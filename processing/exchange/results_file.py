@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Optional, Tuple
-
 from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
 
 from ...core.errors import ParameterError
@@ -12,7 +10,7 @@ from ...storage.files import written_beside
 TABLES = ("positions", "footprints", "possible_places", "matches")
 
 
-def write_results(path: str, layers: Tuple[Optional[QgsVectorLayer], ...]) -> None:
+def write_results(path: str, layers: tuple[QgsVectorLayer | None, ...]) -> None:
     """``layers``: one for each of TABLES, None for one that there is not. Raises ParameterError."""
     with written_beside(path) as temporary:
         action = QgsVectorFileWriter.CreateOrOverwriteFile
@@ -28,7 +26,7 @@ def write_results(path: str, layers: Tuple[Optional[QgsVectorLayer], ...]) -> No
             action = QgsVectorFileWriter.CreateOrOverwriteLayer
 
 
-def open_results(path: str) -> Tuple[Optional[QgsVectorLayer], ...]:
+def open_results(path: str) -> tuple[QgsVectorLayer | None, ...]:
     """The layers of TABLES, None for one that the file lacks. Raises ParameterError for a file without positions."""
     layers = [QgsVectorLayer(f"{path}|layername={table}", table, "ogr") for table in TABLES]
     found = tuple(layer if layer.isValid() else None for layer in layers)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import List, Tuple
 
 import numpy as np
 from qgis.core import (
@@ -25,7 +24,7 @@ from .reference_systems import WGS84, describe_crs
 class Route:
     """Lines, each (n, 2) x, y of ``crs``; longitude, latitude of waypoint files."""
 
-    lines: Tuple[np.ndarray, ...]
+    lines: tuple[np.ndarray, ...]
     crs: QgsCoordinateReferenceSystem
 
 
@@ -48,7 +47,7 @@ def read_route(path: str) -> Route:
 
 def lines_in(
     route: Route, crs: QgsCoordinateReferenceSystem, transform_context: QgsCoordinateTransformContext
-) -> List[np.ndarray]:
+) -> list[np.ndarray]:
     """The route's lines in another CRS. Raises ParameterError when they can't be there."""
     if not route.crs.isValid():
         raise ParameterError("exchange.route_without_crs")

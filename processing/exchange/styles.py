@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Dict
 from uuid import uuid4
 
 from osgeo import gdal
@@ -38,7 +37,7 @@ _OURS = "semref/style"
 """Custom property that marks a style file as written by SemRef, so that it may be replaced."""
 
 
-def database_styles(table: ClassTable) -> Dict[str, str]:
+def database_styles(table: ClassTable) -> dict[str, str]:
     """QML of the default style of each layer of a database, by table name."""
     return {
         "windows": _qml("Polygon", "reference_count:integer", windows_renderer()),

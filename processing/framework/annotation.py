@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from typing import TYPE_CHECKING, Iterable, Optional, Tuple
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from ..exchange.annotation_features import AnnotationReading
     from .values import Values
 
-Bounds = Tuple[float, float, float, float]
+Bounds = tuple[float, float, float, float]
 """Left, bottom, right, top."""
 
 MAXIMUM_PIXELS = 1_000_000_000_000
@@ -59,7 +60,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         return lookup
 
     def label_map_crs(
-        self, values: Values, feedback: QgsProcessingFeedback, asked: Optional[QgsCoordinateReferenceSystem] = None
+        self, values: Values, feedback: QgsProcessingFeedback, asked: QgsCoordinateReferenceSystem | None = None
     ) -> QgsCoordinateReferenceSystem:
         """A label map's metric CRS: the one asked for, the layer's own, else (and it says so) a UTM zone."""
         from ..exchange.reference_systems import describe_crs, metric_crs
@@ -102,7 +103,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         require_known_classes(AnnotationCounts(unknown=Counter(unknown)), self._source, lookup.table)
 
 
-def geometry_of(wkb: Optional[bytes], multi: bool = False) -> Optional[QgsGeometry]:
+def geometry_of(wkb: bytes | None, multi: bool = False) -> QgsGeometry | None:
     """A geometry for a sink; ``multi``: as a multi-geometry."""
     if wkb is None:
         return None

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Iterator, List
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsMapLayer,
@@ -51,7 +52,7 @@ def require_outputs_apart(algorithm: QgsProcessingAlgorithm, values: Values, may
     Raises:
         ParameterError: With both titles and the path.
     """
-    seen: List[tuple[QgsProcessingParameterDefinition, Destination]] = []
+    seen: list[tuple[QgsProcessingParameterDefinition, Destination]] = []
     inputs = list(_inputs(algorithm, values))
     for definition in algorithm.parameterDefinitions():
         if not definition.isDestination():

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Dict, List, Sequence, Tuple
+from typing import TYPE_CHECKING
 
 from ...core.errors import DatabaseError, ParameterError
 from ...core.localization import Method, Status
@@ -37,7 +38,7 @@ class AssessAlgorithm(SemRefAlgorithm):
     MAP_CORRELATION = "MAP_CORRELATION"
     THRESHOLD = "THRESHOLD"
 
-    def noise_parameters(self) -> Tuple[Parameter, ...]:
+    def noise_parameters(self) -> tuple[Parameter, ...]:
         """What is good enough, how images are localized, and how poor their labels are."""
         limits = {self.MISSED: (20.0, 100.0), self.INVENTED: (20.0, 100.0), self.MISNAMED: (5.0, 100.0)}
         limits[self.RAGGED] = 1.0, None
@@ -84,7 +85,7 @@ class AssessAlgorithm(SemRefAlgorithm):
 
     def read_all(
         self, values: Values, feedback: QgsProcessingFeedback
-    ) -> Tuple[ReferenceDatabase, QgsCoordinateReferenceSystem]:
+    ) -> tuple[ReferenceDatabase, QgsCoordinateReferenceSystem]:
         """(database with bounds and, if it has one, overview; its CRS)."""
         from ...storage.database.connection import DatabaseChangedError
         from ...storage.database.reader import read_overview, read_stored_database
@@ -145,7 +146,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         feedback: QgsProcessingFeedback,
         first: float,
         last: float,
-    ) -> Tuple[List[Trial], Dict[int, Trial]]:
+    ) -> tuple[list[Trial], dict[int, Trial]]:
         """The trials, and those that map correlation was tried on by their numbers in ``queries``."""
         feedback.setProgressText(tr("Localizing simulated images"))
         middle = first + (last - first) * (0.3 if assessment.correlation else 1.0)
@@ -169,7 +170,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         return trials, correlated
 
 
-def setting_rows(noise: LabelNoise, threshold: float, correlation: bool, seed: int) -> List[Tuple[str, str]]:
+def setting_rows(noise: LabelNoise, threshold: float, correlation: bool, seed: int) -> list[tuple[str, str]]:
     """What both reports list: (what, value)."""
     method = Method.AUTOMATIC if correlation else Method.CONSTELLATION
     return [
@@ -183,7 +184,7 @@ def setting_rows(noise: LabelNoise, threshold: float, correlation: bool, seed: i
     ]
 
 
-def footprint_sizes(text: str, default: float) -> List[float]:
+def footprint_sizes(text: str, default: float) -> list[float]:
     """Numbers of a list separated by ``;``; the default for an empty one. Raises ParameterError."""
     sizes = []
     for part in (text or "").split(";"):

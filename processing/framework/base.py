@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import errno
+from collections.abc import Generator, Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Callable, ClassVar, Dict, Generator, List, Mapping, Optional, Tuple, TypeVar, Union
+from typing import Any, Callable, ClassVar, TypeVar, Union
 
 from qgis.core import QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
 from qgis.PyQt.QtGui import QIcon
@@ -43,13 +44,13 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
 
     ID = ""
     GROUP = ""
-    TAGS: Tuple[str, ...] = ()
-    PACKAGES: Tuple[Package, ...] = (OPENCV,)
+    TAGS: tuple[str, ...] = ()
+    PACKAGES: tuple[Package, ...] = (OPENCV,)
     """Python packages that it needs beside QGIS's own."""
     MAY_REPLACE: ClassVar[Mapping[str, str]] = MappingProxyType({})
     """Outputs that may be the file of an input, by key: it is read whole before, and replaced when all is done."""
 
-    _refusal: Optional[SemRefError] = None
+    _refusal: SemRefError | None = None
 
     def title(self) -> str:
         raise NotImplementedError
@@ -58,7 +59,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         """One or two paragraphs of help; the parameters bring their own."""
         raise NotImplementedError
 
-    def parameters(self) -> Tuple[Declared, ...]:
+    def parameters(self) -> tuple[Declared, ...]:
         """What it asks for, what it writes and the numbers that it tells, in the dialog's order."""
         raise NotImplementedError
 
@@ -68,7 +69,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     def read_layers(self, values: Values) -> None:
         """Takes what belongs to the main thread out of layers; raises SemRefError."""
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> Optional[Dict[str, Any]]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any] | None:
         """Does the work and writes ``outputs``; raises SemRefError for what the user can mend and Canceled.
 
         Returns:
@@ -85,7 +86,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     def createInstance(self) -> SemRefAlgorithm:
         return type(self)()
 
-    def initAlgorithm(self, config: Optional[Dict[str, Any]] = None) -> None:
+    def initAlgorithm(self, config: dict[str, Any] | None = None) -> None:
         for declared in self.parameters():
             if isinstance(declared, NumberResult):
                 self.addOutput(declared.definition())
@@ -104,7 +105,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     def group(self) -> str:
         return group_title(self.GROUP)
 
-    def tags(self) -> List[str]:
+    def tags(self) -> list[str]:
         return [*self.TAGS, "semref"]
 
     def icon(self) -> QIcon:
@@ -125,13 +126,13 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     def helpUrl(self) -> str:
         return algorithm_help_url(self.ID)
 
-    def canExecute(self) -> Tuple[bool, str]:
+    def canExecute(self) -> tuple[bool, str]:
         lacking = missing(self.PACKAGES)
         if lacking:
             return False, worded(how_to_install(lacking))
         return True, ""
 
-    def checkParameterValues(self, parameters: Dict[str, Any], context: QgsProcessingContext) -> Tuple[bool, str]:
+    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         values = Values(self, parameters, context)
         clear_beside_inputs(self, values)
         try:
@@ -153,7 +154,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return True, ""
 
     def prepareAlgorithm(
-        self, parameters: Dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> bool:
         self._refusal = None
         try:
@@ -167,8 +168,8 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return True
 
     def processAlgorithm(
-        self, parameters: Dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> Dict[str, Any]:
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
         try:
             if self._refusal is not None:
                 raise self._refusal
@@ -228,8 +229,8 @@ def cancelable(function: Callable[..., Result], *arguments: Any, feedback: QgsPr
 
 
 def interruptible(
-    steps: Generator[Tuple[str, float], None, None], feedback: QgsProcessingFeedback
-) -> Generator[Tuple[str, float], None, None]:
+    steps: Generator[tuple[str, float], None, None], feedback: QgsProcessingFeedback
+) -> Generator[tuple[str, float], None, None]:
     """The same steps, each in a thread of its own: a cancel is heeded in the midst of a long one."""
     while True:
         step = cancelable(next, steps, None, feedback=feedback)
@@ -239,7 +240,7 @@ def interruptible(
 
 
 def follow(
-    steps: Generator[Tuple[str, float], None, None],
+    steps: Generator[tuple[str, float], None, None],
     feedback: QgsProcessingFeedback,
     first: float = 0.0,
     last: float = 100.0,

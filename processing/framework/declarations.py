@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, Optional, Sequence, Tuple, Type
+from typing import Any, ClassVar
 
 from qgis.core import (
     QgsProcessingOutputNumber,
@@ -43,7 +44,7 @@ class Parameter:
         default: The value when nothing is given.
     """
 
-    KIND: ClassVar[Type[QgsProcessingParameterDefinition]]
+    KIND: ClassVar[type[QgsProcessingParameterDefinition]]
 
     key: str
     title: str
@@ -69,10 +70,10 @@ class Parameter:
 class Number(Parameter):
     """A number, or with ``is_integer`` a whole one, from minimum to maximum; ``decimals`` if its box needs more."""
 
-    minimum: Optional[float] = None
-    maximum: Optional[float] = None
+    minimum: float | None = None
+    maximum: float | None = None
     is_integer: bool = False
-    decimals: Optional[int] = None
+    decimals: int | None = None
 
     def made(self) -> QgsProcessingParameterNumber:
         """QGIS's own parameter without its help."""
@@ -150,8 +151,8 @@ class Crs(Parameter):
 class VectorSource(Parameter):
     """Features of a layer; ``kinds``: those of ``compat.SOURCE_…`` that it may have, any without."""
 
-    KIND: ClassVar[Type[QgsProcessingParameterDefinition]] = QgsProcessingParameterFeatureSource
-    kinds: Tuple[Any, ...] = ()
+    KIND: ClassVar[type[QgsProcessingParameterDefinition]] = QgsProcessingParameterFeatureSource
+    kinds: tuple[Any, ...] = ()
 
     def made(self) -> QgsProcessingParameterFeatureSource:
         """QGIS's own parameter without its help."""
@@ -229,7 +230,7 @@ class FolderOutput(Output):
 class FileOutput(Output):
     """A file; ``filter`` as file dialogs have it."""
 
-    KIND: ClassVar[Type[QgsProcessingParameterDefinition]] = QgsProcessingParameterFileDestination
+    KIND: ClassVar[type[QgsProcessingParameterDefinition]] = QgsProcessingParameterFileDestination
     filter: str = ""
 
     def more(self) -> dict:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Any
 
 from ...core.labels.class_table import ClassTable
 from ...core.localization import Localization
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
     from ...core.database.model import ReferenceDatabase, Windows
 
-PlacedRow = Tuple[Any, Dict[str, Any]]
+PlacedRow = tuple[Any, dict[str, Any]]
 """(map coordinates of a point or of corners, values by name of field)."""
 
 ERROR = "error"
@@ -80,11 +81,11 @@ class LocalizedImage:
     """
 
     path: str
-    result: Optional[Localization] = None
+    result: Localization | None = None
     error: str = ""
-    shape_hw: Tuple[int, int] = (0, 0)
+    shape_hw: tuple[int, int] = (0, 0)
     remark: str = ""
-    jump: Optional[bool] = None
+    jump: bool | None = None
 
 
 class LabelImages:
@@ -108,10 +109,10 @@ class LabelImages:
             label_map.write_rows(0, labels_hw)
 
 
-def label_image_names(paths: Sequence[str]) -> Dict[str, str]:
+def label_image_names(paths: Sequence[str]) -> dict[str, str]:
     """File names of the label images by the images' paths: the stem and ``.tif``; of several images with one stem the
     second ``stem_2.tif`` and so on. The same for the same images in the same order."""
-    names: Dict[str, str] = {}
+    names: dict[str, str] = {}
     taken = set()
     for path in paths:
         if path in names:
@@ -128,11 +129,11 @@ def label_image_names(paths: Sequence[str]) -> Dict[str, str]:
 
 def with_jumps(
     localized: Sequence[LocalizedImage],
-    times_s: Sequence[Optional[float]],
+    times_s: Sequence[float | None],
     windows: Windows,
     speed: float,
     feedback: QgsProcessingFeedback,
-) -> List[LocalizedImage]:
+) -> list[LocalizedImage]:
     """The images, fixes of known time marked as jumps or not; says what was found."""
     import numpy as np
 
@@ -161,7 +162,7 @@ def with_jumps(
     return checked
 
 
-def row(item: LocalizedImage) -> Dict[str, Any]:
+def row(item: LocalizedImage) -> dict[str, Any]:
     """Values of FIELDS by name, without longitude and latitude."""
     result = item.result
     if result is None:
@@ -178,7 +179,7 @@ def row(item: LocalizedImage) -> Dict[str, Any]:
     }
 
 
-def footprint_rows(item: LocalizedImage) -> List[PlacedRow]:
+def footprint_rows(item: LocalizedImage) -> list[PlacedRow]:
     """((4, 2) map coordinates, values of FOOTPRINT_FIELDS) of an image with a fix, else nothing."""
     if item.result is None or item.result.footprint is None:
         return []
@@ -186,7 +187,7 @@ def footprint_rows(item: LocalizedImage) -> List[PlacedRow]:
     return [(item.result.footprint, {name: values[name] for name, _ in FOOTPRINT_FIELDS})]
 
 
-def match_rows(item: LocalizedImage, database: ReferenceDatabase) -> List[PlacedRow]:
+def match_rows(item: LocalizedImage, database: ReferenceDatabase) -> list[PlacedRow]:
     """(map position, values of MATCH_FIELDS) of each landmark of the map that agrees with one of the image."""
     if item.result is None or not item.result.is_fix or item.result.matches is None:
         return []
@@ -202,7 +203,7 @@ def match_rows(item: LocalizedImage, database: ReferenceDatabase) -> List[Placed
     return rows
 
 
-def alternatives(item: LocalizedImage) -> List[PlacedRow]:
+def alternatives(item: LocalizedImage) -> list[PlacedRow]:
     """((4, 2) map coordinates, values of ALTERNATIVE_FIELDS) of each place that an image without a fix may show."""
     from ...core.geometry.footprint import image_corners
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import isnan
-from typing import TYPE_CHECKING, Sequence, Tuple
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsGeometry, QgsPointXY
 
@@ -48,7 +49,7 @@ def write_positions(
 
 
 def write_grounds(
-    outputs: Outputs, keys: Tuple[str, str], localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
+    outputs: Outputs, keys: tuple[str, str], localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
 ) -> None:
     """Writes the ground of fixes and that of possible places where they are wanted; ``keys``: of the two outputs."""
     kinds = (FOOTPRINT_FIELDS, footprint_rows), (ALTERNATIVE_FIELDS, alternatives)

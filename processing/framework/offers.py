@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Tuple
-
 from ..compat import SOURCE_POLYGON
 from ..translation import tr
 from .declarations import FieldOf, File, FileOutput, Number, Parameter, RasterLayer, Text, VectorSource
@@ -53,7 +51,7 @@ def seed(text: str = "", default: int = 1) -> Number:
     return Number(SEED, tr("Seed"), text, advanced=True, default=default, minimum=0, is_integer=True)
 
 
-def annotation() -> Tuple[Parameter, ...]:
+def annotation() -> tuple[Parameter, ...]:
     """An annotation layer: its polygons, their classes, and what decides where they overlap."""
     return (
         VectorSource(
@@ -87,7 +85,7 @@ def annotation() -> Tuple[Parameter, ...]:
     )
 
 
-def noises() -> Tuple[Tuple[str, str, str], ...]:
+def noises() -> tuple[tuple[str, str, str], ...]:
     """(key, title, help) of each share of landmarks that noise spoils, and of how far it moves edges."""
     return (
         (MISSED, tr("Landmarks missed (%)"), tr("Share of the landmarks that are taken away.")),

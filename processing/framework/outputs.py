@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Union
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     from .destinations import Destination
     from .values import Values
 
-Schema = Union[Sequence[Tuple[str, str]], QgsFields]
+Schema = Union[Sequence[tuple[str, str]], QgsFields]
 """(name, kind) of each field, kinds as in ``compat.make_field``; or the fields of another layer."""
 
 _NEW_KEYS = QgsFeatureSink.RegeneratePrimaryKey
@@ -48,10 +49,10 @@ class Outputs:
     def __init__(self, values: Values) -> None:
         self._values = values
         self._batch = Batch()
-        self._layers: List[_Layer] = []
-        self._copies: Dict[str, str] = {}
-        self._checks: List[Callable[[], None]] = []
-        self.results: Dict[str, Any] = {}
+        self._layers: list[_Layer] = []
+        self._copies: dict[str, str] = {}
+        self._checks: list[Callable[[], None]] = []
+        self.results: dict[str, Any] = {}
 
     def __enter__(self) -> Outputs:
         return self
@@ -70,7 +71,7 @@ class Outputs:
         self._checks.append(check)
 
     @contextmanager
-    def raster(self, key: str, table: Optional[ClassTable] = None) -> Iterator[str]:
+    def raster(self, key: str, table: ClassTable | None = None) -> Iterator[str]:
         """Gives a path to write a raster to; with ``table`` it gets the style of a label map."""
         from ...storage.rasters import require_whole_raster
         from ..exchange.styles import write_label_map_style
@@ -122,7 +123,7 @@ class Outputs:
         schema: Schema,
         geometry: Any,
         crs: QgsCoordinateReferenceSystem,
-        renderer: Optional[QgsFeatureRenderer] = None,
+        renderer: QgsFeatureRenderer | None = None,
     ) -> Iterator[Sink]:
         """Gives a sink to fill; one that is not wanted takes features and forgets them.
 
@@ -192,7 +193,7 @@ class _Layer:
 
     written: str
     final: str
-    renderer: Optional[QgsFeatureRenderer]
+    renderer: QgsFeatureRenderer | None
 
     def announce(self, context: QgsProcessingContext) -> None:
         """Lets QGIS load it from its final place."""
@@ -209,10 +210,10 @@ class Sink:
 
     def __init__(self, name: str, fields: QgsFields) -> None:
         self._name, self._fields = name, fields
-        self._sink: Optional[QgsFeatureSink] = None
+        self._sink: QgsFeatureSink | None = None
         self._count = 0
 
-    def open(self, sink: Optional[QgsFeatureSink], destination: str) -> str:
+    def open(self, sink: QgsFeatureSink | None, destination: str) -> str:
         """Takes the only reference to QGIS's sink, so that ``close`` closes its file; returns the destination."""
         self._sink = sink
         return destination
@@ -222,7 +223,7 @@ class Sink:
         """Whether somebody asked for it."""
         return self._sink is not None
 
-    def add(self, geometry: Optional[QgsGeometry], values: Dict[str, Any]) -> None:
+    def add(self, geometry: QgsGeometry | None, values: dict[str, Any]) -> None:
         """Adds a feature; fields without a value (or None) are NULL."""
         feature = QgsFeature(self._fields)
         if geometry is not None:
@@ -261,7 +262,7 @@ class Sink:
         return ParameterError("framework.not_written", name=self._name)
 
 
-def _fields(schema: Sequence[Tuple[str, str]]) -> QgsFields:
+def _fields(schema: Sequence[tuple[str, str]]) -> QgsFields:
     fields = QgsFields()
     for name, kind in schema:
         fields.append(make_field(name, kind))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional, Tuple
+from typing import TYPE_CHECKING
 
 from ...core.errors import ParameterError
 from ...core.localization import Method, Prior
@@ -19,7 +19,7 @@ PRIOR_HEADING, PRIOR_HEADING_RANGE = "PRIOR_HEADING", "PRIOR_HEADING_RANGE"
 SCALE_MINIMUM, SCALE_MAXIMUM = "SCALE_MINIMUM", "SCALE_MAXIMUM"
 
 
-def parameters() -> Tuple[Parameter, ...]:
+def parameters() -> tuple[Parameter, ...]:
     """Position, heading and scale; none is ever needed."""
     scale = tr(
         "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are "
@@ -73,7 +73,7 @@ def parameters() -> Tuple[Parameter, ...]:
     )
 
 
-def scales(values: Values, method: Method) -> Optional[Tuple[float, float]]:
+def scales(values: Values, method: Method) -> tuple[float, float] | None:
     """What the scales are searched in.
 
     Args:

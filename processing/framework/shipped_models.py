@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Dict, List
 
 from qgis.core import QgsProcessingModelAlgorithm
 from qgis.PyQt.QtGui import QIcon
@@ -23,8 +22,8 @@ class ModelTexts:
     title: str
     group: str
     summary: str
-    helps: Dict[str, str]
-    names: Dict[str, str] = field(default_factory=dict)
+    helps: dict[str, str]
+    names: dict[str, str] = field(default_factory=dict)
 
 
 def model_texts(name: str) -> ModelTexts:
@@ -150,7 +149,7 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         return str(ICON_PATH)
 
 
-def shipped_models() -> List[ShippedModel]:
+def shipped_models() -> list[ShippedModel]:
     """Those that can be read."""
     models = []
     for path in sorted(MODELS.glob("*.model3")):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -39,7 +39,7 @@ class Values:
     """
 
     def __init__(
-        self, algorithm: QgsProcessingAlgorithm, parameters: Dict[str, Any], context: QgsProcessingContext
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
     ) -> None:
         self._algorithm, self._parameters, self.context = algorithm, parameters, context
 
@@ -65,7 +65,7 @@ class Values:
         """A number, its default if it was left out. Raises ParameterError for NaN and infinity, which QGIS takes."""
         return _finite(self._read("Double", key), key)
 
-    def optional_number(self, key: str, default: Optional[float] = None) -> Optional[float]:
+    def optional_number(self, key: str, default: float | None = None) -> float | None:
         """A number; ``default`` if it was left out."""
         return self.number(key) if self.has(key) else default
 
@@ -81,11 +81,11 @@ class Values:
         """The number of the option that was chosen."""
         return self._read("Enum", key)
 
-    def choices(self, key: str) -> List[int]:
+    def choices(self, key: str) -> list[int]:
         """The numbers of the options that were chosen."""
         return self._read("Enums", key)
 
-    def range(self, key: str) -> Tuple[float, float]:
+    def range(self, key: str) -> tuple[float, float]:
         """Lowest and highest value. Raises ParameterError as ``number`` does."""
         low, high = self._read("Range", key)
         return _finite(low, key), _finite(high, key)
@@ -94,11 +94,11 @@ class Values:
         """A text; empty if it was left out."""
         return self._read("String", key)
 
-    def parts(self, key: str) -> List[str]:
+    def parts(self, key: str) -> list[str]:
         """The parts of a list that is given as text, separated by “;”."""
         return split_list(self.text(key))
 
-    def numbers(self, key: str) -> List[float]:
+    def numbers(self, key: str) -> list[float]:
         """The numbers of such a list. Raises ParameterError."""
         try:
             return [float(part.replace(",", ".")) for part in self.parts(key)]
@@ -107,7 +107,7 @@ class Values:
 
     # --- places ---
 
-    def point(self, key: str, crs: QgsCoordinateReferenceSystem) -> Optional[Tuple[float, float]]:
+    def point(self, key: str, crs: QgsCoordinateReferenceSystem) -> tuple[float, float] | None:
         """(x, y) in ``crs``; None if it was left out."""
         if not self.has(key):
             return None
@@ -128,14 +128,14 @@ class Values:
         """The path of a file; empty if it was left out."""
         return self._read("File", key)
 
-    def files(self, key: str) -> List[str]:
+    def files(self, key: str) -> list[str]:
         """Paths, given as a list, as one path, or several separated by “;” as text."""
         value = self.raw(key)
         if isinstance(value, str) and not os.path.exists(value):
             return split_list(value)
         return [path for path in self._read("FileList", key) if path]
 
-    def class_table(self, key: str) -> Optional[ClassTable]:
+    def class_table(self, key: str) -> ClassTable | None:
         """The class table of a CSV; None if it was left out. Raises ClassTableError."""
         from ...storage.rasters import read_class_table
 
@@ -144,7 +144,7 @@ class Values:
 
     # --- layers ---
 
-    def raster(self, key: str) -> Optional[QgsRasterLayer]:
+    def raster(self, key: str) -> QgsRasterLayer | None:
         """A raster layer; None for one that can't be read. Raises LabelMapError as ``require_pictures`` does."""
         self.require_pictures(key)
         return self._read("RasterLayer", key)
@@ -168,14 +168,14 @@ class Values:
 
         return image_layer(self.raster(key), key)
 
-    def vector(self, key: str) -> Optional[QgsVectorLayer]:
+    def vector(self, key: str) -> QgsVectorLayer | None:
         """A vector layer, also where only some of its features are wanted; None for one that can't be read."""
         value = self.raw(key)
         if not isinstance(value, QgsProcessingFeatureSourceDefinition):
             return self._read("VectorLayer", key)
         return self._algorithm.parameterAsVectorLayer({key: value.source}, key, self.context)
 
-    def source(self, key: str) -> Optional[QgsProcessingFeatureSource]:
+    def source(self, key: str) -> QgsProcessingFeatureSource | None:
         """The features that are wanted of a layer; None if it was left out. Raises ParameterError."""
         source = self._read("Source", key)
         if source is None and self.has(key):
@@ -198,7 +198,7 @@ class Values:
 
     def sink(
         self, key: str, target: str, fields: QgsFields, geometry: Any, crs: QgsCoordinateReferenceSystem, flags: Any
-    ) -> Tuple[Optional[QgsFeatureSink], str]:
+    ) -> tuple[QgsFeatureSink | None, str]:
         """Opens a sink; ``target``: where it really writes, empty for where the user said.
 
         Returns:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Optional, Tuple
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsProcessingFeedback
 
@@ -33,7 +33,7 @@ class ImageQuery:
     image: str
     labels: str = ""
     model: str = ""
-    pixel_size_m: Optional[float] = None
+    pixel_size_m: float | None = None
     by_vector: bool = False
 
 
@@ -50,7 +50,7 @@ class RunnerUp:
 
     name: str
     distance: float
-    center_xy: Tuple[float, float]
+    center_xy: tuple[float, float]
     size: float
 
 
@@ -70,9 +70,9 @@ class InspectedImage:
     labels_hw: np.ndarray
     landmarks: Landmarks
     star_xy: np.ndarray
-    square: Tuple[int, int, int]
-    vector: Optional[np.ndarray]
-    runners_up: Tuple[RunnerUp, ...] = ()
+    square: tuple[int, int, int]
+    vector: np.ndarray | None
+    runners_up: tuple[RunnerUp, ...] = ()
 
 
 class ImageInspector:
@@ -82,7 +82,7 @@ class ImageInspector:
     """
 
     def __init__(self) -> None:
-        self._network: Tuple[tuple, Optional[PhotoLabels]] = ((), None)
+        self._network: tuple[tuple, PhotoLabels | None] = ((), None)
 
     def inspect(self, query: ImageQuery, database: ReferenceDatabase) -> InspectedImage:
         """Reads an image and describes it.
@@ -135,7 +135,7 @@ def _smallest_px2(query: ImageQuery, database: ReferenceDatabase, size: int) -> 
     return max(parameters.minimum_area / query.pixel_size_m**2, CONSTELLATION.smallest_object_px)
 
 
-def _runners_up(labels_hw: np.ndarray, database: ReferenceDatabase) -> Tuple[RunnerUp, ...]:
+def _runners_up(labels_hw: np.ndarray, database: ReferenceDatabase) -> tuple[RunnerUp, ...]:
     from ...core.localizer.localizer import Localizer
 
     windows = database.windows

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Optional, Tuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -38,7 +38,7 @@ class LookAlike:
     index: int
     name: str
     distance: float
-    center_xy: Tuple[float, float]
+    center_xy: tuple[float, float]
     size: float
 
 
@@ -60,13 +60,13 @@ class InspectedWindow:
 
     index: int
     name: str
-    center_xy: Tuple[float, float]
+    center_xy: tuple[float, float]
     size: float
     landmark_count: int
-    vector: Optional[np.ndarray]
-    rays: Tuple[Ray, ...]
-    ends_xy: Tuple[Tuple[float, float], ...]
-    look_alikes: Tuple[LookAlike, ...]
+    vector: np.ndarray | None
+    rays: tuple[Ray, ...]
+    ends_xy: tuple[tuple[float, float], ...]
+    look_alikes: tuple[LookAlike, ...]
 
 
 @dataclass(frozen=True)
@@ -82,17 +82,17 @@ class Comparison:
 
     distance: float
     confidence: float
-    rays: Tuple[Ray, ...]
-    apart: Tuple[float, ...]
+    rays: tuple[Ray, ...]
+    apart: tuple[float, ...]
 
 
-def window_named(database: ReferenceDatabase, name: str) -> Optional[int]:
+def window_named(database: ReferenceDatabase, name: str) -> int | None:
     """Index of the window of this name, None where there is none."""
     found = np.flatnonzero(database.windows.names == name)
     return int(found[0]) if len(found) else None
 
 
-def window_under(database: ReferenceDatabase, x: float, y: float) -> Optional[int]:
+def window_under(database: ReferenceDatabase, x: float, y: float) -> int | None:
     """Index of the smallest window around map (x, y), of several the one with the nearest center; None without one."""
     from ...core.database.look_alikes import window_at
 
@@ -123,7 +123,7 @@ def inspect_window(database: ReferenceDatabase, index: int) -> InspectedWindow:
     )
 
 
-def compare(window: InspectedWindow, vector: np.ndarray, table: ClassTable) -> Optional[Comparison]:
+def compare(window: InspectedWindow, vector: np.ndarray, table: ClassTable) -> Comparison | None:
     """Compares an image's vector with a window's; None where one of them has none, or they differ in length."""
     from ...core.windows.matching import vector_confidence, vector_distances
 
@@ -136,7 +136,7 @@ def compare(window: InspectedWindow, vector: np.ndarray, table: ClassTable) -> O
     )
 
 
-def rays_of(vector: np.ndarray, table: ClassTable) -> Tuple[Ray, ...]:
+def rays_of(vector: np.ndarray, table: ClassTable) -> tuple[Ray, ...]:
     """The rays of a (3·X,) vector. The steps are known but for their largest: they sum up to a whole turn."""
     from ...core.database.look_alikes import vector_rows
 
@@ -151,5 +151,5 @@ def rays_of(vector: np.ndarray, table: ClassTable) -> Tuple[Ray, ...]:
     return tuple(rays)
 
 
-def _center(database: ReferenceDatabase, index: int) -> Tuple[float, float]:
+def _center(database: ReferenceDatabase, index: int) -> tuple[float, float]:
     return tuple(database.windows.centers[index].tolist())

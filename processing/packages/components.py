@@ -11,10 +11,10 @@ import os
 import shutil
 import sys
 import sysconfig
+from collections.abc import Iterable
 from dataclasses import dataclass
 from importlib.machinery import PathFinder
 from pathlib import Path
-from typing import Dict, Iterable, List, Set
 
 import numpy as np
 from qgis.core import QgsApplication
@@ -116,7 +116,7 @@ def is_too_old(package: Package) -> bool:
     return PathFinder.find_spec(package.needed_module, spec.submodule_search_locations) is None
 
 
-def missing(packages: Iterable[Package] = PACKAGES) -> List[Package]:
+def missing(packages: Iterable[Package] = PACKAGES) -> list[Package]:
     return [package for package in packages if is_missing(package)]
 
 
@@ -163,7 +163,7 @@ def remove_components() -> None:
 # --- what to type ---
 
 
-def how_to_install(packages: List[Package]) -> Sentence:
+def how_to_install(packages: list[Package]) -> Sentence:
     """What algorithms say that lack packages."""
     commands = dict.fromkeys([install_command(packages), _pip_install(packages)])
     return Sentence(
@@ -173,7 +173,7 @@ def how_to_install(packages: List[Package]) -> Sentence:
     )
 
 
-def install_command(packages: List[Package]) -> str:
+def install_command(packages: list[Package]) -> str:
     """What installs packages without SemRef: the system's package manager for what it has, pip for the rest."""
     manager = _package_manager()
     if manager not in _INSTALL:
@@ -185,7 +185,7 @@ def install_command(packages: List[Package]) -> str:
     return " && ".join(commands + ([_pip_install(others)] if others else []))
 
 
-def _pip_install(packages: List[Package]) -> str:
+def _pip_install(packages: list[Package]) -> str:
     # Without dependencies: pip must not replace QGIS's numpy.
     requirements = (f'"{package.requirement(np.__version__)}"' for package in packages)
     python = os.path.join(sys.prefix, "bin", "python3")
@@ -237,12 +237,12 @@ def _os_release() -> str:
     return release.read_text(encoding="utf-8") if release.is_file() else ""
 
 
-def _release_fields(os_release: str) -> Dict[str, str]:
+def _release_fields(os_release: str) -> dict[str, str]:
     lines = (line.split("=", 1) for line in os_release.splitlines() if "=" in line)
     return {name: text.strip().strip("\"'") for name, text in lines}
 
 
-def lacking_in_release(os_release: str) -> Set[str]:
+def lacking_in_release(os_release: str) -> set[str]:
     """Modules that the archive of a release does not have in a version for SemRef, from the text of /etc/os-release."""
     fields = _release_fields(os_release)
     if fields.get("ID") in _ENTERPRISE:

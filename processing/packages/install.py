@@ -12,9 +12,9 @@ import os
 import re
 import sys
 import sysconfig
+from collections.abc import Generator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Dict, Generator, List
 
 import numpy as np
 from qgis.core import QgsNetworkAccessManager
@@ -34,9 +34,9 @@ class Command:
 
     title: str
     program: str
-    arguments: List[str]
+    arguments: list[str]
     folder: str
-    variables: Dict[str, str] = field(default_factory=dict)
+    variables: dict[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Answer:
 Commands = Generator[Command, Answer, None]
 
 
-def installing(packages: List[Package], wheels: str = "") -> Commands:
+def installing(packages: list[Package], wheels: str = "") -> Commands:
     """Installs packages one after the other, from the package index or from a folder of wheels.
 
     Raises ComponentError with the reason; the packages before stay installed, of the one that failed nothing does.
@@ -77,12 +77,12 @@ print(json.dumps({"build": build, "pip": importlib.util.find_spec("pip") is not 
 """
 
 
-def running_build() -> List[str]:
+def running_build() -> list[str]:
     """What tells QGIS's Python from others: version with date and compiler of its build, ending of its binaries."""
     return [sys.version, sysconfig.get_config_var("EXT_SUFFIX")]
 
 
-def _find_python(packages: List[Package]) -> Generator[Command, Answer, str]:
+def _find_python(packages: list[Package]) -> Generator[Command, Answer, str]:
     """The path of QGIS's own Python, if it has pip.
 
     Another build of the same version – of pyenv or conda, first on PATH – would take wheels that QGIS can't load.
@@ -110,7 +110,7 @@ def _find_python(packages: List[Package]) -> Generator[Command, Answer, str]:
     )
 
 
-def _answer_of(answer: Answer) -> Dict[str, object]:
+def _answer_of(answer: Answer) -> dict[str, object]:
     """What _ASK printed; nothing when it did not."""
     lines = answer.output.strip().splitlines()
     try:
@@ -120,7 +120,7 @@ def _answer_of(answer: Answer) -> Dict[str, object]:
     return found if isinstance(found, dict) else {}
 
 
-def python_candidates(executable: str, prefix: str, version: tuple, windows: bool) -> List[str]:
+def python_candidates(executable: str, prefix: str, version: tuple, windows: bool) -> list[str]:
     """Where QGIS's Python may lie, likeliest first.
 
     Args:
@@ -190,7 +190,7 @@ _PIP_VARIABLES = {
 }
 
 
-def pip_arguments(requirement: str, folder: str, wheels: str) -> List[str]:
+def pip_arguments(requirement: str, folder: str, wheels: str) -> list[str]:
     """pip's command line; its index is the user's. Without dependencies: numpy must stay QGIS's."""
     options = ["--no-deps", "--only-binary=:all:", "--no-input", "--disable-pip-version-check", "--progress-bar=off"]
     offline = ["--no-index", "--find-links", wheels] if wheels else []

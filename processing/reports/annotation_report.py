@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Dict, List, Sequence
 
 from ...core.annotation.findings import CHECKED_KINDS, ERROR, NOTHING, SEVERITIES, Finding
 from ..translation import tr
@@ -23,7 +23,7 @@ class AnnotationReport:
     layer: str
     features: int
     findings: Sequence[Finding]
-    class_names: Dict[int, str]
+    class_names: dict[int, str]
 
     def html(self) -> str:
         """The whole page."""
@@ -40,7 +40,7 @@ class AnnotationReport:
         counts = Counter(finding.severity for finding in self.findings)
         return page.key_figures([(str(counts[severity]), severity_title(severity), "") for severity in SEVERITIES])
 
-    def _kinds(self) -> List[str]:
+    def _kinds(self) -> list[str]:
         found = {finding.kind for finding in self.findings}
         return [kind for kind in CHECKED_KINDS if kind in found]
 
@@ -80,7 +80,7 @@ class AnnotationReport:
         ]
         return page.table([tr("class"), *(severity_title(s) for s in SEVERITIES)], rows, numbers=(1, 2, 3))
 
-    def _examples(self) -> List[str]:
+    def _examples(self) -> list[str]:
         parts = []
         for kind in self._kinds():
             own = sorted((f for f in self.findings if f.kind == kind), key=lambda f: -(f.area or 0.0))

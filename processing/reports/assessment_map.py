@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
-from typing import List, Sequence, Tuple
 
 import numpy as np
 
@@ -14,7 +14,7 @@ def cell_map(
     columns: np.ndarray,
     rows: np.ndarray,
     success: np.ndarray,
-    classes: Sequence[Tuple[float, float, str, str]],
+    classes: Sequence[tuple[float, float, str, str]],
     name: str,
 ) -> str:
     """Squares at columns (C,) and rows (C,) colored by success (C,) 0…1; classes: (from, to, color, text)."""
@@ -32,7 +32,7 @@ def cell_map(
     )
 
 
-def legend(classes: Sequence[Tuple[float, float, str, str]]) -> str:
+def legend(classes: Sequence[tuple[float, float, str, str]]) -> str:
     """The classes beside each other, from good to bad."""
     entries = "".join(
         f'<span style="white-space:nowrap;margin-right:18px"><svg viewBox="0 0 12 12" style="display:inline-block;'
@@ -43,7 +43,7 @@ def legend(classes: Sequence[Tuple[float, float, str, str]]) -> str:
     return f'<p style="max-width:none">{entries}</p>'
 
 
-def _runs(columns: np.ndarray, rows: np.ndarray, kinds: np.ndarray) -> List[Tuple[int, int, int, int]]:
+def _runs(columns: np.ndarray, rows: np.ndarray, kinds: np.ndarray) -> list[tuple[int, int, int, int]]:
     """(first column, row, length, kind) of neighbors of one kind in a row."""
     order = np.lexsort((columns, rows))
     columns, rows, kinds = columns[order], rows[order], kinds[order]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Dict, List, Sequence, Tuple
 
 import numpy as np
 
@@ -31,7 +31,7 @@ class AssessedFootprint:
     footprint: float
     estimates: Estimates
     trials: Sequence[Trial]
-    correlated: Dict[int, Trial]
+    correlated: dict[int, Trial]
     model: SuccessModel
 
     def title(self) -> str:
@@ -48,7 +48,7 @@ class AssessmentReport:
     noise: LabelNoise
     threshold: float
     correlation: bool
-    settings: Sequence[Tuple[str, str]]
+    settings: Sequence[tuple[str, str]]
 
     def html(self, name: str) -> str:
         """The whole page; ``name``: the database's."""
@@ -78,7 +78,7 @@ class AssessmentReport:
             ]
         ) + (page.paragraph(first.title() + ".") if len(self.results) > 1 else "")
 
-    def _maps(self) -> List[str]:
+    def _maps(self) -> list[str]:
         classes = success_classes(self.threshold)
         maps = [
             page.figure(
@@ -165,7 +165,7 @@ class AssessmentReport:
         return page.table([tr("Class"), tr("landmarks"), tr("share"), tr("median area")], rows, [1, 2, 3])
 
 
-def trust(results: Sequence[AssessedFootprint]) -> List[str]:
+def trust(results: Sequence[AssessedFootprint]) -> list[str]:
     """Predicted against simulated success, each image predicted from all others."""
     series, scores = [], []
     for r in results:
@@ -200,7 +200,7 @@ def assumed(noise: LabelNoise, correlation: bool) -> str:
     )
 
 
-def reason_titles() -> Dict[str, str]:
+def reason_titles() -> dict[str, str]:
     """By status, and of wrong fixes."""
     return {
         Status.TOO_FEW_REFERENCES.key: tr("too few landmarks"),

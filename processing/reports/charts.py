@@ -6,9 +6,9 @@ Series differ in color, dash and marker, so they can be told apart by everyone a
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
-from typing import List, Optional, Sequence, Tuple
 
 from ...core.evaluation.rates import RateAt
 
@@ -39,8 +39,8 @@ class Series:
     name: str
     x: Sequence[float]
     y: Sequence[float]
-    low: Optional[Sequence[float]] = None
-    high: Optional[Sequence[float]] = None
+    low: Sequence[float] | None = None
+    high: Sequence[float] | None = None
     marked: bool = True
     stepped: bool = False
 
@@ -61,8 +61,8 @@ class Axis:
     """title; limits (smallest, largest); ticks with their texts; logarithmic or not."""
 
     title: str
-    limits: Tuple[float, float]
-    ticks: Sequence[Tuple[float, str]]
+    limits: tuple[float, float]
+    ticks: Sequence[tuple[float, str]]
     logarithmic: bool = False
 
     def place(self, value: float) -> float:
@@ -126,7 +126,7 @@ def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_a
 
 
 def heat_map(
-    values: Sequence[Sequence[Optional[float]]],
+    values: Sequence[Sequence[float | None]],
     texts: Sequence[Sequence[str]],
     row_names: Sequence[str],
     column_names: Sequence[str],
@@ -159,7 +159,7 @@ def reliability_diagram(series: Sequence[Series], x_title: str, y_title: str, na
     return line_chart(series, percent_axis(x_title), percent_axis(y_title), name, diagonal=True)
 
 
-def ramp(value: float) -> Tuple[str, str]:
+def ramp(value: float) -> tuple[str, str]:
     """(color of a cell, color of the text on it) for a value of 0…1."""
     place = min(max(value, 0.0), 1.0) * (len(CIVIDIS) - 1)
     first = min(int(place), len(CIVIDIS) - 2)
@@ -169,7 +169,7 @@ def ramp(value: float) -> Tuple[str, str]:
     return "#" + "".join(f"{channel:02x}" for channel in mixed), "#000000" if brightness > 130 else "#ffffff"
 
 
-def _channels(color: str) -> List[int]:
+def _channels(color: str) -> list[int]:
     return [int(color[n : n + 2], 16) for n in (1, 3, 5)]
 
 
@@ -182,13 +182,13 @@ class _Frame:
         self.bottom = self.top + HEIGHT - TOP - BOTTOM
         self.height = self.bottom + BOTTOM
 
-    def point(self, x: float, y: float) -> Tuple[float, float]:
+    def point(self, x: float, y: float) -> tuple[float, float]:
         return (
             LEFT + self.x_axis.place(x) * (WIDTH - LEFT - RIGHT),
             self.bottom - self.y_axis.place(y) * (self.bottom - self.top),
         )
 
-    def axes(self, x_grid: bool = True, y_grid: bool = True) -> List[str]:
+    def axes(self, x_grid: bool = True, y_grid: bool = True) -> list[str]:
         parts = []
         for value, text in self.y_axis.ticks:
             _, y = self.point(self.x_axis.limits[0], value)
@@ -216,7 +216,7 @@ class _Frame:
         return _svg(parts, name, WIDTH, self.height)
 
 
-def _ends(x_axis: Axis, y_axis: Axis) -> Tuple[float, float]:
+def _ends(x_axis: Axis, y_axis: Axis) -> tuple[float, float]:
     return x_axis.limits[1], y_axis.limits[1]
 
 
@@ -229,7 +229,7 @@ def _stroke(color: str, dash: str, width: float) -> str:
     return f'style="fill:none;stroke:{color};stroke-width:{width}{dashes}"'
 
 
-def _line(frame: _Frame, one: Series, number: int) -> List[str]:
+def _line(frame: _Frame, one: Series, number: int) -> list[str]:
     points = [frame.point(x, y) for x, y in zip(one.x, one.y)]
     if not points:
         return []
@@ -253,7 +253,7 @@ def _marker(x: float, y: float, number: int) -> str:
     return f'<path d="M{x:.1f} {y:.1f}m{corners[number % SERIES]}" style="fill:{_color(number)}"/>'
 
 
-def _legend(frame: _Frame, names: Sequence[str], lines: bool = True) -> List[str]:
+def _legend(frame: _Frame, names: Sequence[str], lines: bool = True) -> list[str]:
     """Two entries a row, above the chart."""
     parts = []
     for number, name in enumerate(names):
@@ -283,7 +283,7 @@ def _room(name: str) -> float:
     return sum(2 if ord(character) > 0x2E80 else 1 for character in name)
 
 
-def _cell(x: float, y: float, value: Optional[float], text: str) -> str:
+def _cell(x: float, y: float, value: float | None, text: str) -> str:
     fill, ink = ("none", "var(--text)") if value is None else ramp(value)
     return (
         f'<rect x="{x + 1:.1f}" y="{y + 1:.1f}" width="{CELL_WIDTH - 2}" height="{CELL_HEIGHT - 2}" '

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import asdict
-from typing import Any, Callable, Dict, Sequence
+from typing import Any, Callable
 
 from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING
 from ...core.evaluation.rates import Rate, RateAt
@@ -55,7 +56,7 @@ FIELDS = (
 """Columns of the trials as a layer, with their types."""
 
 
-def evaluation_json(trials: Sequence[Trial], methods: Sequence[str], settings: Dict[str, Any]) -> str:
+def evaluation_json(trials: Sequence[Trial], methods: Sequence[str], settings: dict[str, Any]) -> str:
     """settings: as they were given; methods: the most important first, whose grid of noise it is."""
     content = {
         "format": FORMAT,
@@ -73,7 +74,7 @@ def evaluation_json(trials: Sequence[Trial], methods: Sequence[str], settings: D
     return json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False)
 
 
-def values_of(trial: Trial, wording: Callable[[Sentence], str] = english) -> Dict[str, Any]:
+def values_of(trial: Trial, wording: Callable[[Sentence], str] = english) -> dict[str, Any]:
     """One trial by the names of OUTPUT's columns; ``wording``: how its reason is said."""
     query, view, known = trial.query, trial.query.view, record(trial.result, wording)
     return {
@@ -104,7 +105,7 @@ def values_of(trial: Trial, wording: Callable[[Sentence], str] = english) -> Dic
     }
 
 
-def _method(trials: Sequence[Trial], method: str) -> Dict[str, Any]:
+def _method(trials: Sequence[Trial], method: str) -> dict[str, Any]:
     summary = summarize(trials, method)
     values = {name: _rate(value) if isinstance(value, Rate) else value for name, value in vars(summary).items()}
     values["success_by_offset"] = [_rate_at(one) for one in success_by_offset(trials, method)]
@@ -113,10 +114,10 @@ def _method(trials: Sequence[Trial], method: str) -> Dict[str, Any]:
     return values
 
 
-def _rate(rate: Rate) -> Dict[str, Any]:
+def _rate(rate: Rate) -> dict[str, Any]:
     low, high = rate.interval
     return {**asdict(rate), "share": rate.share, "low": low, "high": high}
 
 
-def _rate_at(one: RateAt) -> Dict[str, Any]:
+def _rate_at(one: RateAt) -> dict[str, Any]:
     return {"mean": one.at, "from": one.low, **_rate(one.rate)}

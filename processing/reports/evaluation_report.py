@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -34,8 +34,8 @@ class EvaluationReport:
     database: str
     labels: str
     trials: Sequence[Trial]
-    methods: Dict[str, str]
-    settings: Sequence[Tuple[str, str]]
+    methods: dict[str, str]
+    settings: Sequence[tuple[str, str]]
 
     def html(self) -> str:
         """The whole page."""
@@ -199,7 +199,7 @@ class EvaluationReport:
         ]
         return page.table(header, rows, numbers)
 
-    def _found(self, same: Sequence[Trial], by_method: Sequence[Sequence[Trial]]) -> List[str]:
+    def _found(self, same: Sequence[Trial], by_method: Sequence[Sequence[Trial]]) -> list[str]:
         cells = []
         for one, trials in zip(same, by_method):
             result = one.result
@@ -228,16 +228,16 @@ def _has_distances(trials: Sequence[Trial]) -> bool:
     return any(one.result.distance is not None for one in trials)
 
 
-def _fixed(value: Optional[float], decimals: int) -> str:
+def _fixed(value: float | None, decimals: int) -> str:
     return page.NOTHING if value is None else f"{value:.{decimals}f}"
 
 
-def _turn_order(query) -> Tuple[float, float]:
+def _turn_order(query) -> tuple[float, float]:
     """Rows go down in scale and up in angle, as in the paper."""
     return -query.scale, query.view.heading_deg
 
 
-def _thinned(x: np.ndarray, y: np.ndarray, most: int = 400) -> Tuple[np.ndarray, np.ndarray]:
+def _thinned(x: np.ndarray, y: np.ndarray, most: int = 400) -> tuple[np.ndarray, np.ndarray]:
     """At most so many of the points, the first and the last among them: keeps reports small."""
     index = np.unique(np.linspace(0, len(x) - 1, min(len(x), most)).round().astype(int)) if len(x) else []
     return np.maximum(x[index], 0.01) if len(x) else x, y[index] if len(x) else y

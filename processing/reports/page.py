@@ -5,8 +5,8 @@ Functions take plain text and escape it; what they return is HTML and is put tog
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
-from typing import Sequence, Tuple
 
 from ...core.evaluation.rates import Rate
 
@@ -86,7 +86,7 @@ def columns(*parts: str) -> str:
     return '<div class="columns">\n' + "\n".join(f"<div>{part}</div>" for part in parts) + "\n</div>"
 
 
-def key_figures(figures: Sequence[Tuple[str, str, str]]) -> str:
+def key_figures(figures: Sequence[tuple[str, str, str]]) -> str:
     """The numbers that matter most: (value, what it is, a note)."""
     cells = (
         f"<div><span>{escape(name)}</span><b>{escape(value)}</b><span>{escape(note)}</span></div>"
@@ -100,7 +100,7 @@ class Marked(str):
 
     is_good: bool
 
-    def __new__(cls, text: str, is_good: bool) -> "Marked":
+    def __new__(cls, text: str, is_good: bool) -> Marked:
         made = super().__new__(cls, text)
         made.is_good = is_good
         return made

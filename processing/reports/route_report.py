@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
-from typing import List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -29,11 +29,11 @@ class AssessedRoute:
     estimates: Estimates
     inside: np.ndarray
     stretches: Sequence[Gap]
-    hints: Sequence[Optional[ShiftHint]]
+    hints: Sequence[ShiftHint | None]
     footprint: float
     spacing: float
     threshold: float
-    speed: Optional[float]
+    speed: float | None
 
 
 def route_html(
@@ -41,7 +41,7 @@ def route_html(
     name: str,
     noise: LabelNoise,
     correlation: bool,
-    settings: Sequence[Tuple[str, str]],
+    settings: Sequence[tuple[str, str]],
 ) -> str:
     """The whole page; ``name``: the database's."""
     profiles = []
@@ -133,7 +133,7 @@ def _key_figures(route: AssessedRoute) -> str:
     )
 
 
-def _gap_table(route: AssessedRoute) -> List[str]:
+def _gap_table(route: AssessedRoute) -> list[str]:
     if not route.stretches:
         return [page.paragraph(tr("None: a fix is expected everywhere."))]
     header = [
@@ -175,7 +175,7 @@ def _reason(route: AssessedRoute, gap: Gap) -> str:
     return reason_titles().get(max(reasons, key=reasons.count), page.NOTHING)
 
 
-def _hint(hint: Optional[ShiftHint]) -> str:
+def _hint(hint: ShiftHint | None) -> str:
     if hint is None:
         return tr("no better line found beside it")
     text = (
@@ -193,7 +193,7 @@ def _round_up(value: float) -> float:
     return next(step * 4 * decade for step in (1, 2, 5, 10) if value <= step * 4 * decade)
 
 
-def _ticks(length: float) -> List[float]:
+def _ticks(length: float) -> list[float]:
     """Some six round distances, meters."""
     raw = length / 6
     decade = 10 ** math.floor(math.log10(raw))

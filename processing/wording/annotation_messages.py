@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Dict
-
 from ...core.annotation import findings as kinds
 from ...core.annotation.findings import Finding
 from ..translation import tr
@@ -31,7 +29,7 @@ def row_of(finding: Finding, message: str) -> dict:
     }
 
 
-def sentence(finding: Finding, class_names: Dict[int, str]) -> str:
+def sentence(finding: Finding, class_names: dict[int, str]) -> str:
     """What a finding of a check says; ``class_names``: by class value."""
     return _filled(_check_template(finding), finding, class_names)
 
@@ -41,12 +39,12 @@ def severity_title(severity: str) -> str:
     return {kinds.ERROR: tr("errors"), kinds.WARNING: tr("warnings"), kinds.INFORMATION: tr("information")}[severity]
 
 
-def change_sentence(finding: Finding, class_names: Dict[int, str]) -> str:
+def change_sentence(finding: Finding, class_names: dict[int, str]) -> str:
     """What a repair says it has done about a finding."""
     return _filled(_change_templates()[finding.kind], finding, class_names)
 
 
-def _filled(template: str, finding: Finding, class_names: Dict[int, str]) -> str:
+def _filled(template: str, finding: Finding, class_names: dict[int, str]) -> str:
     return template.format(
         id=finding.feature_id,
         other=finding.other_id,
@@ -99,7 +97,7 @@ def _check_template(finding: Finding) -> str:
     }[finding.kind]
 
 
-def _change_templates() -> Dict[str, str]:
+def _change_templates() -> dict[str, str]:
     return {
         kinds.INVALID: tr("The geometry of feature {id} was made valid: {reason}."),
         kinds.NO_GEOMETRY: tr("Feature {id} was left out: it has no geometry."),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Tuple
+from typing import TYPE_CHECKING
 
 from ..translation import tr
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from ...core.geometry.camera import Camera
 
 
-def camera_remark(camera: Camera, shape_hw: Tuple[int, int]) -> str:
+def camera_remark(camera: Camera, shape_hw: tuple[int, int]) -> str:
     """Says whether an image of this shape is leveled; empty when nothing is known of its attitude."""
     if camera.attitude is None:
         return ""

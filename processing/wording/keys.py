@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Dict, Tuple
-
 EVERYWHERE = ""
 """Instead of a key: said by every algorithm and window, since what helps is in reach of all."""
 
-SENTENCES_BY_KEY: Dict[str, Tuple[str, str]] = {
+SENTENCES_BY_KEY: dict[str, tuple[str, str]] = {
     "segmentation.no_class_names": (
         "CLASS_TABLE",
         "{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Collection, Union
+from collections.abc import Collection
 
 from ...core.errors import SemRefError
 from ...core.sentences import Sentence, filled, template_of
@@ -10,7 +10,7 @@ from ..translation import tr
 from .keys import EVERYWHERE, SENTENCES_BY_KEY
 
 
-def worded(said: Union[SemRefError, Sentence], keys: Collection[str] = ()) -> str:
+def worded(said: SemRefError | Sentence, keys: Collection[str] = ()) -> str:
     """One sentence in the user's language.
 
     Args:

@@ -92,7 +92,7 @@ def shipped_files() -> list[Path]:
     return sorted(ROOT.glob("*.py")) + [path for room in ROOMS for path in source_files(room)]
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def imported_modules(path: Path) -> set[str]:
     """Full names of all modules and names that a file imports; ours begin with the room's name."""
     package = path.relative_to(ROOT).parent.parts

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Iterable, Optional, Sequence, Tuple
 
 import cv2
 import numpy as np
@@ -24,7 +24,7 @@ CLASSES_CSV = (
 _FIELD_TYPES = {"text": ogr.OFTString, "integer": ogr.OFTInteger, "real": ogr.OFTReal}
 
 
-def spatial_reference(crs) -> Optional[osr.SpatialReference]:
+def spatial_reference(crs) -> osr.SpatialReference | None:
     """From an EPSG number or WKT; None for None."""
     if crs is None:
         return None
@@ -46,12 +46,12 @@ def rectangle(column: float, row: float, width: float, height: float) -> str:
     return polygon([(column, row), (column + width, row), (column + width, row + height), (column, row + height)])
 
 
-def polygon(corners: Iterable[Tuple[float, float]]) -> str:
+def polygon(corners: Iterable[tuple[float, float]]) -> str:
     """WKT of a polygon of (column, row) corners, closed here."""
     return f"POLYGON ({ring(corners)})"
 
 
-def ring(corners: Iterable[Tuple[float, float]]) -> str:
+def ring(corners: Iterable[tuple[float, float]]) -> str:
     corners = list(corners)
     return "(" + ", ".join(f"{WEST + x} {NORTH - y}" for x, y in [*corners, corners[0]]) + ")"
 
@@ -59,7 +59,7 @@ def ring(corners: Iterable[Tuple[float, float]]) -> str:
 def write_layer(
     path: Path,
     features: Sequence[tuple],
-    fields: Sequence[Tuple[str, str]] = (("class", "text"),),
+    fields: Sequence[tuple[str, str]] = (("class", "text"),),
     crs=METRIC_CRS,
     geometry: int = ogr.wkbUnknown,
     options: Sequence[str] = (),
@@ -86,9 +86,9 @@ def write_raster(
     pixels: np.ndarray,
     *,
     crs=METRIC_CRS,
-    transform: Optional[tuple] = (WEST, 1.0, 0.0, NORTH, 0.0, -1.0),
+    transform: tuple | None = (WEST, 1.0, 0.0, NORTH, 0.0, -1.0),
     kind: int = gdal.GDT_Byte,
-    nodata: Optional[float] = None,
+    nodata: float | None = None,
     names: Sequence[str] = (),
 ) -> Path:
     """A GeoTIFF or PNG (by suffix) of (H, W) or (bands, H, W) pixels; no georeference without ``transform``."""

@@ -41,7 +41,7 @@ def metadata(**more) -> dict:
     return {key: json.dumps(value) for key, value in found.items() if value is not None}
 
 
-def brightest_color(kernel: int = 1, external: str = "", bands: int = 3, bias=(0, 0, 0)) -> "writer.Network":
+def brightest_color(kernel: int = 1, external: str = "", bands: int = 3, bias=(0, 0, 0)) -> writer.Network:
     """(1, 3, H, W) → (1, 3, H, W): red, blue, green; with a larger kernel, the mean of a square of that edge."""
     kernels = np.zeros((3, bands, kernel, kernel), np.float32)
     for channel, band in enumerate((0, 2, 1)):

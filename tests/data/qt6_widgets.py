@@ -72,7 +72,7 @@ def image_view():
     colors = {1: (227, 33, 28), 2: (31, 111, 214)}
     photo = np.full((200, 300, 4), 255, np.uint8)
     photo[..., 1] = np.arange(300, dtype=np.uint16) % 256
-    names = {value: "#%02x%02x%02x" % rgb for value, rgb in colors.items()}
+    names = {value: "#{:02x}{:02x}{:02x}".format(*rgb) for value, rgb in colors.items()}
     shown = picture.ImagePicture(
         "photo.png", picture.picture_of(photo), picture.label_picture(labels, colors), seen, names
     )

@@ -46,18 +46,18 @@ def maps(tmp_path):
 def test_figures_equal_those_counted_by_hand(compare, maps):
     annotated, predicted, wrong = maps
     _, results = compare(annotated, predicted)
-    assert results["OVERALL_ACCURACY"] == pytest.approx((LABELS == wrong).mean())
-    ious = [((LABELS == v) & (wrong == v)).sum() / ((LABELS == v) | (wrong == v)).sum() for v in (1, 2, 3, 4)]
+    assert results["OVERALL_ACCURACY"] == pytest.approx((wrong == LABELS).mean())
+    ious = [((v == LABELS) & (wrong == v)).sum() / ((v == LABELS) | (wrong == v)).sum() for v in (1, 2, 3, 4)]
     assert results["MEAN_IOU"] == pytest.approx(np.mean(ious))
 
 
 def test_polygons_cover_what_disagrees_and_nothing_else(compare, maps):
     annotated, predicted, wrong = maps
     found, _ = compare(annotated, predicted)
-    assert sum(row["area"] for row in found) == (LABELS != wrong).sum()
+    assert sum(row["area"] for row in found) == (wrong != LABELS).sum()
     assert [row["area"] for row in found] == [row["own_area"] for row in found]
     pairs = {(row["annotated_value"], row["predicted_value"]) for row in found}
-    assert pairs == {(int(a), int(b)) for a, b in zip(LABELS[LABELS != wrong], wrong[LABELS != wrong])}
+    assert pairs == {(int(a), int(b)) for a, b in zip(LABELS[wrong != LABELS], wrong[wrong != LABELS])}
     names = {(row["annotated_class"], row["predicted_class"]) for row in found}
     assert names == {(NAMES[a], NAMES[b]) for a, b in pairs}
 
@@ -79,8 +79,8 @@ def test_a_polygon_lies_where_the_maps_disagree(compare, tmp_path):
 
 def test_small_disagreements_give_no_polygon_but_count(compare, maps):
     found, results = compare(*maps[:2], MINIMUM_AREA=150)
-    assert 0 < len(found) and min(row["area"] for row in found) >= 150
-    assert results["OVERALL_ACCURACY"] == pytest.approx((LABELS == maps[2]).mean())
+    assert len(found) > 0 and min(row["area"] for row in found) >= 150
+    assert results["OVERALL_ACCURACY"] == pytest.approx((maps[2] == LABELS).mean())
 
 
 def test_noise_gives_valid_polygons_of_the_whole_area(compare, tmp_path):
@@ -128,8 +128,8 @@ def test_a_prediction_of_other_pixels_and_extent_is_compared_on_the_annotated_on
     annotated = write_raster(tmp_path / "a.tif", LABELS)
     predicted = write_raster(tmp_path / "b.tif", fine, transform=(WEST + 20, 0.5, 0, NORTH - 10, 0, -0.5))
     found, results = compare(annotated, predicted)
-    assert results["OVERALL_ACCURACY"] == pytest.approx((LABELS == wrong)[10:, 20:].mean())
-    assert sum(row["area"] for row in found) == (LABELS != wrong)[10:, 20:].sum()
+    assert results["OVERALL_ACCURACY"] == pytest.approx((wrong == LABELS)[10:, 20:].mean())
+    assert sum(row["area"] for row in found) == (wrong != LABELS)[10:, 20:].sum()
     assert found[0]["box"][0] >= WEST + 100
 
 

@@ -140,7 +140,7 @@ def test_infinite_places_of_a_layer_are_refused(run_algorithm, tmp_path):
     ring = "[[Infinity, 5000000], [550030, 5000000], [550030, 5000025], [Infinity, 5000000]]"
     feature = '{"type": "Feature", "properties": {"class": "a"}, "geometry": {"type": "Polygon", "coordinates": [%s]}}'
     crs = '"crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}'
-    text = '{"type": "FeatureCollection", %s, "features": [%s]}' % (crs, feature % ring)
+    text = f'{{"type": "FeatureCollection", {crs}, "features": [{feature % ring}]}}'
     (tmp_path / "odd.geojson").write_text(text, encoding="ascii")
     given = {"INPUT": str(tmp_path / "odd.geojson"), "CLASS_FIELD": "class", "OUTPUT": str(tmp_path / "x.gpkg")}
     with pytest.raises(QgsProcessingException) as refused:

@@ -110,7 +110,19 @@ def test_metadata_names_all_that_the_plugin_repository_requires(package):
     metadata = configparser.ConfigParser(interpolation=None)
     metadata.read_string(zipfile.ZipFile(package).read("semref/metadata.txt").decode("utf-8"))
     general = metadata["general"]
-    required = "name description about version qgisMinimumVersion author email tracker repository license icon".split()
+    required = [
+        "name",
+        "description",
+        "about",
+        "version",
+        "qgisMinimumVersion",
+        "author",
+        "email",
+        "tracker",
+        "repository",
+        "license",
+        "icon",
+    ]
     assert [key for key in required if not general.get(key)] == []
     assert (general["qgisMinimumVersion"], general["qgisMaximumVersion"]) == ("3.22", "4.99")
     assert general["hasProcessingProvider"] == "yes"

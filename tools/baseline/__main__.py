@@ -15,7 +15,6 @@ import os
 import sys
 import tempfile
 from pathlib import Path
-from typing import List, Optional
 
 from .compare import compare
 from .store import RecordingError
@@ -24,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 
 
-def main(arguments: Optional[List[str]] = None) -> int:
+def main(arguments: list[str] | None = None) -> int:
     """Runs one command; gives its exit status."""
     options = parse(arguments)
     try:
@@ -36,7 +35,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
         return 2
 
 
-def parse(arguments: Optional[List[str]] = None) -> argparse.Namespace:
+def parse(arguments: list[str] | None = None) -> argparse.Namespace:
     """The command line."""
     parser = argparse.ArgumentParser("tools.baseline", description=__doc__.splitlines()[0])
     commands = parser.add_subparsers(dest="command", required=True)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Tuple
+from typing import Any
 
 
-def without_additions(a: Any, b: Any) -> Tuple[Any, int]:
+def without_additions(a: Any, b: Any) -> tuple[Any, int]:
     """(b without what a lacks, the number of things taken out).
 
     Taken out are entries of dicts, fields that no row of a list has, and lines of texts; never a row of a list.
@@ -21,7 +21,7 @@ def without_additions(a: Any, b: Any) -> Tuple[Any, int]:
     return _rows(a, b)
 
 
-def _rows(a: List[Any], b: List[Any]) -> Tuple[List[Any], int]:
+def _rows(a: list[Any], b: list[Any]) -> tuple[list[Any], int]:
     known = {key for row in a if isinstance(row, dict) for key in row}
     added = {key for row in b if isinstance(row, dict) for key in row} - known
     if not known or not added:
@@ -29,7 +29,7 @@ def _rows(a: List[Any], b: List[Any]) -> Tuple[List[Any], int]:
     return [{key: row[key] for key in row if key in known} if isinstance(row, dict) else row for row in b], len(added)
 
 
-def _in_order(a: List[str], b: List[str]) -> bool:
+def _in_order(a: list[str], b: list[str]) -> bool:
     """Whether b has all lines of a, in their order."""
     rest = iter(b)
     return all(line in rest for line in a)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Tuple
+from typing import Any
 
 from osgeo import gdal
 
@@ -17,7 +17,7 @@ BELGRADE = "osm_belgrade/landuse.shp"
 BERLIN = "berlin_urban_gradient/LandCov_BerlinUrbanGradient.shp"
 
 
-def record(recorder: Recorder, places: Dict[str, Any]) -> None:
+def record(recorder: Recorder, places: dict[str, Any]) -> None:
     """Records issues, repaired layers and changes."""
     for name, (settings, pixel_size) in _layers(recorder, places).items():
         issues, report = recorder.path(f"checked/{name}.gpkg"), recorder.path(f"checked/{name}.html")
@@ -32,7 +32,7 @@ def record(recorder: Recorder, places: Dict[str, Any]) -> None:
         recorder.put_layer(f"repaired/{name}/changes", changes)
 
 
-def _layers(recorder: Recorder, places: Dict[str, Any]) -> Dict[str, Tuple[Dict[str, Any], float]]:
+def _layers(recorder: Recorder, places: dict[str, Any]) -> dict[str, tuple[dict[str, Any], float]]:
     """Parameters that name a layer and its classes, and a pixel size, by name."""
     folder = recorder.path("sample")
     sample = {"INPUT": f"{folder}/landcover.shp", "CLASS_FIELD": "class", "CLASS_TABLE": f"{folder}/classes.csv"}

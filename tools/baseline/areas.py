@@ -6,7 +6,7 @@ import csv
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Dict
+from typing import Any
 
 import numpy as np
 from osgeo import gdal, ogr, osr
@@ -61,9 +61,9 @@ class Area:
         return sorted(row["value"] for row in found if row["role"] == "reference")
 
 
-def make(recorder: Recorder) -> Dict[str, Any]:
+def make(recorder: Recorder) -> dict[str, Any]:
     """Makes and records the areas; gives them by name, with the file of another place, of Liechtenstein's south."""
-    places: Dict[str, Any] = {"sample": _sample(recorder)}
+    places: dict[str, Any] = {"sample": _sample(recorder)}
     for name in (LIECHTENSTEIN, CHRISTCHURCH):
         if not (recorder.data / name).exists():
             print(f"Not here and not recorded: {recorder.data / name}")

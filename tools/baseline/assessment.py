@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any, Dict
+from typing import Any
 
 from . import dumps
 from .areas import write_geojson
@@ -14,7 +14,7 @@ TRIALS, TRIALS_OF_MAP = 16, 4
 """Of the evaluation by landmarks, which has a report, and by map correlation: reports take a hundred more images."""
 
 
-def record(recorder: Recorder, places: Dict[str, Any]) -> None:
+def record(recorder: Recorder, places: dict[str, Any]) -> None:
     """Records rows, reports' figures and JSON."""
     area = places.get("liechtenstein", places["sample"])
     _evaluate(recorder, area)
@@ -55,13 +55,13 @@ def _route(recorder: Recorder, sample) -> None:
     _put(recorder, "assessed/route", outputs)
 
 
-def _outputs(recorder: Recorder, name: str) -> Dict[str, str]:
+def _outputs(recorder: Recorder, name: str) -> dict[str, str]:
     return {
         "OUTPUT": recorder.path(f"assessment/{name}.gpkg"),
         "REPORT": recorder.path(f"assessment/{name}.html"),
     }
 
 
-def _put(recorder: Recorder, what: str, outputs: Dict[str, str]) -> None:
+def _put(recorder: Recorder, what: str, outputs: dict[str, str]) -> None:
     recorder.put_layer(what, outputs["OUTPUT"])
     recorder.put(f"{what}/report", dumps.report_numbers(outputs["REPORT"]))

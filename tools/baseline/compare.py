@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import fnmatch
 import json
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from pathlib import Path
-from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
+from typing import Any
 
 import numpy as np
 
@@ -39,8 +40,8 @@ SAME, CLOSE, DIFFERENT = range(3)
 class Tally:
     """How one thing compares: number of items by SAME, CLOSE, DIFFERENT, and what the differences are."""
 
-    counts: List[int] = field(default_factory=lambda: [0, 0, 0])
-    notes: List[str] = field(default_factory=list)
+    counts: list[int] = field(default_factory=lambda: [0, 0, 0])
+    notes: list[str] = field(default_factory=list)
     added: int = 0
 
     def add(self, verdict: int, note: str = "", items: int = 1) -> None:
@@ -85,9 +86,9 @@ def compare(
     return 1 if totals[DIFFERENT] else 0
 
 
-def _lines(tallies: Dict[str, Tally], every: bool) -> Iterator[Tuple[str, Tally]]:
+def _lines(tallies: dict[str, Tally], every: bool) -> Iterator[tuple[str, Tally]]:
     """Lines of the table: what is identical is summed up by the first two parts of its name."""
-    sums: Dict[str, Tally] = {}
+    sums: dict[str, Tally] = {}
     for what, tally in tallies.items():
         apart = every or tally.counts[CLOSE] or tally.counts[DIFFERENT]
         group = sums.setdefault(what if apart else "/".join(what.split("/")[:2]), Tally())
@@ -102,7 +103,7 @@ def _numbers(counts: Sequence[int]) -> str:
 
 def tallies_of(
     folder_a: Path, folder_b: Path, ignore: Sequence[str] = (), additions: bool = False
-) -> Iterator[Tuple[str, Tally]]:
+) -> Iterator[tuple[str, Tally]]:
     """(what, Tally) of everything that either recording has."""
     (values_a, arrays_a), (values_b, arrays_b) = (read_recording(folder) for folder in (folder_a, folder_b))
     for what in names({**values_a, **values_b}, {**arrays_a, **arrays_b}):
@@ -123,7 +124,7 @@ def tallies_of(
         yield what, tally
 
 
-def _compare_arrays(a: Optional[np.ndarray], b: Optional[np.ndarray], tally: Tally) -> None:
+def _compare_arrays(a: np.ndarray | None, b: np.ndarray | None, tally: Tally) -> None:
     if a is None or b is None:
         tally.add(DIFFERENT, "only in " + ("B" if a is None else "A"))
         return
@@ -159,7 +160,7 @@ def _compare_values(a: Any, b: Any, tally: Tally) -> None:
         tally.add(verdict, note.lstrip(": "))
 
 
-def _compare_rows(a: List[Any], b: List[Any], tally: Tally) -> None:
+def _compare_rows(a: list[Any], b: list[Any], tally: Tally) -> None:
     """Rows by their order; a row too many or too few doesn't shift the others."""
     texts_a, texts_b = (
         [json.dumps(_without_ignored(row), sort_keys=True, ensure_ascii=False) for row in rows] for rows in (a, b)
@@ -178,7 +179,7 @@ def _compare_rows(a: List[Any], b: List[Any], tally: Tally) -> None:
                 tally.add(DIFFERENT, f"row only in {letter}: {_short(row)}")
 
 
-def _blocks(a: List[str], b: List[str]) -> Iterator[Tuple[int, int, int, int]]:
+def _blocks(a: list[str], b: list[str]) -> Iterator[tuple[int, int, int, int]]:
     """Parts of two lists that belong together: equal ones and those between."""
     if max(len(a), len(b)) > LONGEST_ALIGNED or len(a) == len(b) and sum(x != y for x, y in zip(a, b)) > len(a) // 2:
         yield 0, len(a), 0, len(b)
@@ -193,7 +194,7 @@ def _without_ignored(value: Any) -> Any:
     return [_without_ignored(part) for part in value] if isinstance(value, list) else value
 
 
-def difference(a: Any, b: Any) -> Tuple[int, str]:
+def difference(a: Any, b: Any) -> tuple[int, str]:
     """(SAME, CLOSE or DIFFERENT, where the worst difference is) of two values of JSON."""
     if isinstance(a, dict) and isinstance(b, dict):
         keys = sorted({*a, *b} - set(IGNORED))
@@ -208,13 +209,13 @@ def difference(a: Any, b: Any) -> Tuple[int, str]:
     return (SAME, "") if type(a) is type(b) and a == b else (DIFFERENT, f": {_short(a)} is {_short(b)}")
 
 
-def _parts(a: Dict[str, Any], b: Dict[str, Any], key: str) -> Tuple[int, str]:
+def _parts(a: dict[str, Any], b: dict[str, Any], key: str) -> tuple[int, str]:
     if key not in a or key not in b:
         return DIFFERENT, f": only in {'A' if key in a else 'B'}"
     return difference(a[key], b[key])
 
 
-def _worst(verdicts: Iterator[Tuple[str, int, str]]) -> Tuple[int, str]:
+def _worst(verdicts: Iterator[tuple[str, int, str]]) -> tuple[int, str]:
     """The first DIFFERENT one with its place, else whether all are SAME."""
     worst = SAME
     for place, verdict, note in verdicts:

@@ -5,8 +5,8 @@ Only numpy and OpenCV are used, so that a change of the plugin never changes the
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Dict, List, Sequence, Tuple
 
 import cv2
 import numpy as np
@@ -44,14 +44,14 @@ class View:
     pixel: float
     size: int
     noise: Noise
-    tilt: Tuple[float, float] = (0.0, 0.0)
+    tilt: tuple[float, float] = (0.0, 0.0)
     bare: float = 0.0
     mirrored: bool = False
 
 
 def plan(
-    counts: Dict[str, int], map_hw: Sequence[int], window_px: float, stride_px: float, size: int, seed: int
-) -> List[View]:
+    counts: dict[str, int], map_hw: Sequence[int], window_px: float, stride_px: float, size: int, seed: int
+) -> list[View]:
     """Views of each kind; a view depends on its kind, its number and the seed only."""
     views = []
     for kind, count in counts.items():
@@ -92,7 +92,7 @@ def cut(labels_hw: np.ndarray, view: View, references: Sequence[int]) -> np.ndar
     return np.ascontiguousarray(image[:, ::-1]) if view.mirrored else image
 
 
-def _ground(view: View) -> Tuple[np.ndarray, np.ndarray]:
+def _ground(view: View) -> tuple[np.ndarray, np.ndarray]:
     """(H, W) column and row on the map of each pixel's centre."""
     steps = np.arange(view.size) + 0.5 - view.size / 2
     right, top = np.meshgrid(steps, -steps)
@@ -103,7 +103,7 @@ def _ground(view: View) -> Tuple[np.ndarray, np.ndarray]:
     return columns, view.row + view.pixel * (right * sine - top * cosine)
 
 
-def _level(right, top, tilt, focal) -> Tuple[np.ndarray, np.ndarray]:
+def _level(right, top, tilt, focal) -> tuple[np.ndarray, np.ndarray]:
     """Where a tilted camera's rays meet the ground, from where its axis does: docs/file-formats.md has the signs."""
     roll, pitch = np.radians(tilt)
     down = np.array([-np.sin(roll) * np.cos(pitch), -np.sin(pitch), np.cos(roll) * np.cos(pitch)])

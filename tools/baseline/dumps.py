@@ -9,7 +9,7 @@ import sqlite3
 from contextlib import closing
 from html.parser import HTMLParser
 from pathlib import Path
-from typing import Any, Dict, List, Tuple
+from typing import Any
 from xml.etree.ElementTree import canonicalize
 
 import numpy as np
@@ -33,7 +33,7 @@ def style_digest(text: str) -> str:
     return digest(canonicalize(text).encode())
 
 
-def layer_rows(path: str) -> List[Dict[str, Any]]:
+def layer_rows(path: str) -> list[dict[str, Any]]:
     """Features of a file's only layer in their order, fields by name and every coordinate."""
     dataset = ogr.Open(str(path))
     rows = []
@@ -44,7 +44,7 @@ def layer_rows(path: str) -> List[Dict[str, Any]]:
     return rows
 
 
-def coordinates(shape: ogr.Geometry) -> List[Any]:
+def coordinates(shape: ogr.Geometry) -> list[Any]:
     """Coordinates of a geometry: x, y, x, y, … of each of its parts."""
     if shape.GetGeometryCount():
         return [coordinates(shape.GetGeometryRef(n)) for n in range(shape.GetGeometryCount())]
@@ -53,7 +53,7 @@ def coordinates(shape: ogr.Geometry) -> List[Any]:
     return [number for point in shape.GetPoints() for number in point]
 
 
-def fields_of(path: str) -> List[str]:
+def fields_of(path: str) -> list[str]:
     """Layer name, geometry type, CRS and fields with their types, of a file's only layer."""
     dataset = ogr.Open(str(path))
     layer = dataset.GetLayer(0)
@@ -68,7 +68,7 @@ def fields_of(path: str) -> List[str]:
     ]
 
 
-def geopackage_tables(path: str) -> Dict[str, Any]:
+def geopackage_tables(path: str) -> dict[str, Any]:
     """Rows of every table, `parameters` by key with their JSON read, and the SQL that made the tables."""
     with closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as connection:
         schema = connection.execute("SELECT type, name, sql FROM sqlite_master ORDER BY type, name").fetchall()
@@ -80,7 +80,7 @@ def geopackage_tables(path: str) -> Dict[str, Any]:
     return tables
 
 
-def _table(connection: sqlite3.Connection, name: str) -> List[Dict[str, Any]]:
+def _table(connection: sqlite3.Connection, name: str) -> list[dict[str, Any]]:
     found = connection.execute(f'SELECT * FROM "{name}" ORDER BY rowid')
     columns = [column[0] for column in found.description]
     return [{column: _cell(column, value) for column, value in zip(columns, row)} for row in found]
@@ -94,7 +94,7 @@ def _cell(column: str, value: Any) -> Any:
     return digest(value.encode()) if isinstance(value, str) and len(value) > 2_000 else value
 
 
-def raster(path: str) -> Tuple[Dict[str, Any], np.ndarray]:
+def raster(path: str) -> tuple[dict[str, Any], np.ndarray]:
     """(grid, bands, classes, metadata; pixels) of a raster and of the style beside it."""
     dataset = gdal.Open(str(path))
     bands = [dataset.GetRasterBand(n + 1) for n in range(dataset.RasterCount)]
@@ -114,7 +114,7 @@ def raster(path: str) -> Tuple[Dict[str, Any], np.ndarray]:
     return about, dataset.ReadAsArray()
 
 
-def onboard_file(path: str) -> Tuple[Dict[str, Any], Dict[str, np.ndarray]]:
+def onboard_file(path: str) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """(header and whether the content hash is right, the other members) of an onboard file."""
     import zipfile
 
@@ -130,7 +130,7 @@ def onboard_file(path: str) -> Tuple[Dict[str, Any], Dict[str, np.ndarray]]:
     return {**header, "content hash is right": right, "members": sorted(members)}, members
 
 
-def report_numbers(path: str) -> List[str]:
+def report_numbers(path: str) -> list[str]:
     """All numbers of an HTML page in their order, without those of its markup."""
     reader = _TextOfPage()
     reader.feed(Path(path).read_text(encoding="utf-8"))
@@ -142,7 +142,7 @@ class _TextOfPage(HTMLParser):
 
     def __init__(self) -> None:
         super().__init__()
-        self.texts: List[str] = []
+        self.texts: list[str] = []
         self._hidden = 0
 
     def handle_starttag(self, tag: str, attrs: Any) -> None:
@@ -156,7 +156,7 @@ class _TextOfPage(HTMLParser):
             self.texts.append(data)
 
 
-def folder_files(folder: str) -> Dict[str, str]:
+def folder_files(folder: str) -> dict[str, str]:
     """Size and hash of every file below a folder, by its path there."""
     root = Path(folder)
     files = sorted(path for path in root.rglob("*") if path.is_file())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Dict, List
+from typing import Any
 
 import cv2
 import numpy as np
@@ -31,7 +31,7 @@ QUICK_KINDS = {0: "clean noisy poor mirrored colored", 3: "noisy mirrored"}
 """Kinds that these methods get in a quick recording."""
 
 
-def record(recorder: Recorder, places: Dict[str, Any]) -> None:
+def record(recorder: Recorder, places: dict[str, Any]) -> None:
     """Records every column of positions, footprints and alternatives."""
     counted = {}
     for name, counts in COUNTS.items():
@@ -57,7 +57,7 @@ def record(recorder: Recorder, places: Dict[str, Any]) -> None:
         _localize(recorder, f"photos {METHODS[method]}", places["sample"], some, METHOD=method, MODEL=model)
 
 
-def _images(recorder: Recorder, name: str, places: Dict[str, Any], counts: Dict[str, int]) -> List[str]:
+def _images(recorder: Recorder, name: str, places: dict[str, Any], counts: dict[str, int]) -> list[str]:
     """Writes the images of an area; gives their paths."""
     area = places[name]
     labels, references, colors = area.pixels(), area.reference_values(), area.colors()
@@ -78,7 +78,7 @@ def _images(recorder: Recorder, name: str, places: Dict[str, Any], counts: Dict[
     return sorted(paths)
 
 
-def _localize(recorder: Recorder, what: str, area, images: List[str], **settings: Any) -> None:
+def _localize(recorder: Recorder, what: str, area, images: list[str], **settings: Any) -> None:
     """One run; positions are kept by image."""
     outputs = {key: recorder.path(f"fixes/{what}/{key}.gpkg") for key in ("OUTPUT", "FOOTPRINTS", "ALTERNATIVES")}
     recorder.run(what, "localizeimages", {"DATABASE": area.database, "IMAGES": images, **settings, **outputs})
@@ -89,7 +89,7 @@ def _localize(recorder: Recorder, what: str, area, images: List[str], **settings
     recorder.put_layer(f"{what}/alternatives", outputs["ALTERNATIVES"])
 
 
-def _with_priors(recorder: Recorder, area, images: List[str]) -> None:
+def _with_priors(recorder: Recorder, area, images: list[str]) -> None:
     """Something known before: right for some of the images, wrong for the others."""
     left, pixel, _, top, _, _ = area.geotransform()
     height, width = area.pixels().shape
@@ -107,7 +107,7 @@ def _with_priors(recorder: Recorder, area, images: List[str]) -> None:
     _localize(recorder, f"{area.name} all known, map correlation", area, few, METHOD=3, **place, **heading, **scales)
 
 
-def _with_attitude(recorder: Recorder, area, images: List[str]) -> None:
+def _with_attitude(recorder: Recorder, area, images: list[str]) -> None:
     """Leveled by a camera table with times; the same flight at a speed that makes jumps of most fixes."""
     kinds = {"tilted": len(images)}
     window, stride = (length / area.geotransform()[1] for length in (area.window, area.stride))

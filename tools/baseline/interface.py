@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict
+from typing import Any
 
 from .recorder import Recorder
 
@@ -13,7 +13,7 @@ ATTRIBUTES = (
 """What some kinds of parameters tell beside type, default and flags."""
 
 
-def record(recorder: Recorder, places: Dict[str, Any]) -> None:
+def record(recorder: Recorder, places: dict[str, Any]) -> None:
     """Records every algorithm's parameters and outputs, the help of `python -m core`, and errors."""
     from qgis.core import QgsApplication
 
@@ -34,9 +34,9 @@ def record(recorder: Recorder, places: Dict[str, Any]) -> None:
     _refusals(recorder, places["sample"])
 
 
-def _parameter(definition) -> Dict[str, Any]:
+def _parameter(definition) -> dict[str, Any]:
     """Type, default, flags and, where a parameter has them, choices and limits."""
-    found: Dict[str, Any] = {"type": definition.type(), "default": definition.defaultValue()}
+    found: dict[str, Any] = {"type": definition.type(), "default": definition.defaultValue()}
     found["flags"] = int(definition.flags())
     for name in ATTRIBUTES:
         value = getattr(definition, name, None)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Dict
+from typing import Any
 
 import cv2
 import numpy as np
@@ -18,7 +18,7 @@ CROP = (1000, 800, 900, 700)
 """First column and row, width and height of the orthophoto's part that is segmented."""
 
 
-def record(recorder: Recorder, places: Dict[str, Any]) -> None:
+def record(recorder: Recorder, places: dict[str, Any]) -> None:
     """Records the answers on label maps."""
     for name in ("sample", "liechtenstein"):
         if name in places:
@@ -73,7 +73,7 @@ def _segment(recorder: Recorder, sample) -> str:
     return recorder.path("segmented/sample.tif")
 
 
-def _compare(recorder: Recorder, places: Dict[str, Any], predicted: str) -> None:
+def _compare(recorder: Recorder, places: dict[str, Any], predicted: str) -> None:
     pairs = {"segmented": (places["sample"].labels, predicted)}
     if "liechtenstein" in places:
         pairs["edited"] = (places["liechtenstein"].labels, recorder.path("liechtenstein/edited.tif"))

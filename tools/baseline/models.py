@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from typing import Any, Dict
+from typing import Any
 
 import numpy as np
 from osgeo import gdal
@@ -12,7 +12,7 @@ from .labels import MODEL
 from .recorder import Recorder
 
 
-def record(recorder: Recorder, places: Dict[str, Any]) -> None:
+def record(recorder: Recorder, places: dict[str, Any]) -> None:
     """Records what the models' children write."""
     folder = recorder.path("sample")
     polygons = {"INPUT": f"{folder}/landcover.shp", "CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder"}
@@ -34,7 +34,7 @@ def record(recorder: Recorder, places: Dict[str, Any]) -> None:
     recorder.put_raster("orthophoto to disagreements/label map", predicted)
 
 
-def _correct(recorder: Recorder, polygons: Dict[str, Any], labels: str, database: str) -> None:
+def _correct(recorder: Recorder, polygons: dict[str, Any], labels: str, database: str) -> None:
     """An old label map with a hole, which the annotation mends."""
     old, updated = recorder.path("models/old.tif"), recorder.path("models/old.gpkg")
     shutil.copyfile(labels, old)

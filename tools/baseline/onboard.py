@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Any, Dict, List
+from typing import Any
 
 import cv2
 
@@ -18,7 +18,7 @@ METHODS = {"automatic": 12, "constellation": 40, "topology-vector": 40, "map-cor
 """Methods of the command line, with the number of images."""
 
 
-def record(recorder: Recorder, places: Dict[str, Any]) -> None:
+def record(recorder: Recorder, places: dict[str, Any]) -> None:
     """Records files and fixes."""
     for name in ("sample", "liechtenstein", "christchurch"):
         if name in places:
@@ -37,7 +37,7 @@ def record(recorder: Recorder, places: Dict[str, Any]) -> None:
     _localize(recorder, sample)
 
 
-def _export(recorder: Recorder, name: str, area, settings: Dict[str, Any]) -> None:
+def _export(recorder: Recorder, name: str, area, settings: dict[str, Any]) -> None:
     output = recorder.path(f"onboard/{name}.npz")
     recorder.run(f"file/{name}", "exportonboard", {"DATABASE": area.database, **settings, "OUTPUT": output})
     header, members = dumps.onboard_file(output)
@@ -75,11 +75,11 @@ def _localize(recorder: Recorder, sample) -> None:
         recorder.put("watched", _by_image(file.read().splitlines()))
 
 
-def _put(recorder: Recorder, what: str, found: Dict[str, Any]) -> None:
+def _put(recorder: Recorder, what: str, found: dict[str, Any]) -> None:
     recorder.put(what, _by_image(found["out"]))
     recorder.put(f"{what}/status", [found["status"], found["err"]])
 
 
-def _by_image(lines: List[str]) -> Dict[str, Any]:
+def _by_image(lines: list[str]) -> dict[str, Any]:
     rows = [json.loads(line) for line in lines]
     return {row["image"]: row for row in rows}

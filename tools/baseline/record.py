@@ -7,7 +7,7 @@ import subprocess
 import time
 import traceback
 from pathlib import Path
-from typing import Any, Dict, List, Optional
+from typing import Any
 
 from . import annotation, areas, assessment, fixes, interface, labels, models, onboard
 from .recorder import Recorder
@@ -26,9 +26,7 @@ SECTIONS = {
 """What is recorded after the areas, by name."""
 
 
-def record(
-    target: Path, work: Path, repository: Path, data: Path, quick: bool, only: Optional[List[str]] = None
-) -> int:
+def record(target: Path, work: Path, repository: Path, data: Path, quick: bool, only: list[str] | None = None) -> int:
     """Writes a recording into ``target``; gives the exit status: 1 when a section failed.
 
     Args:
@@ -43,7 +41,7 @@ def record(
     if unknown:
         raise RecordingError(f"There is no section {', '.join(sorted(unknown))}; there are {', '.join(SECTIONS)}.")
     about = {"quick": quick, "commit": _commit(repository)}
-    seconds: Dict[str, float] = _kept(target, about) if only else {}
+    seconds: dict[str, float] = _kept(target, about) if only else {}
     if not seconds:
         empty_folder(target)
     write_json(target / MANIFEST, {"complete": False})
@@ -77,7 +75,7 @@ def record(
     return 1 if failed else 0
 
 
-def _kept(target: Path, about: Dict[str, Any]) -> Dict[str, float]:
+def _kept(target: Path, about: dict[str, Any]) -> dict[str, float]:
     """Seconds of the sections of a recording that is there, when some are recorded anew; none if it is another's."""
     if not (target / MANIFEST).exists():
         return {}

@@ -7,8 +7,9 @@ import re
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Dict, List, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -32,9 +33,9 @@ class Recorder:
     def __init__(self, target: Path, work: Path, repository: Path, data: Path, quick: bool) -> None:
         self.work, self.repository, self.data, self.quick = work, repository, data, quick
         self._target = target
-        self._values: Dict[str, Any] = {}
-        self._arrays: Dict[str, np.ndarray] = {}
-        self._log: Dict[str, List[str]] = {}
+        self._values: dict[str, Any] = {}
+        self._arrays: dict[str, np.ndarray] = {}
+        self._log: dict[str, list[str]] = {}
 
     def path(self, name: str) -> str:
         """A file of the work folder; its folder is made."""
@@ -52,7 +53,7 @@ class Recorder:
         """Keeps an array, whose elements are compared one by one."""
         self._arrays[what] = array
 
-    def put_layer(self, what: str, path: str) -> List[Dict[str, Any]]:
+    def put_layer(self, what: str, path: str) -> list[dict[str, Any]]:
         """Keeps a layer's columns and rows; gives the rows."""
         rows = dumps.layer_rows(path)
         self.put(f"{what}/columns", dumps.fields_of(path))
@@ -73,7 +74,7 @@ class Recorder:
         self.put(f"{what}/overview raster", about)
         self.put_array(f"{what}/overview raster/pixels", pixels)
 
-    def run(self, what: str, name: str, parameters: Dict[str, Any]) -> Dict[str, Any]:
+    def run(self, what: str, name: str, parameters: dict[str, Any]) -> dict[str, Any]:
         """Runs `semref:name`, keeps its numbers and what it said; gives its results."""
         import processing
         from qgis.core import QgsProcessingFeedback
@@ -87,7 +88,7 @@ class Recorder:
         self._log[what] = [line for line in said if line.strip()]
         return results
 
-    def command(self, arguments: Sequence[str]) -> Dict[str, Any]:
+    def command(self, arguments: Sequence[str]) -> dict[str, Any]:
         """Exit status and output of `python -m core …`, run in the checkout."""
         environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": ""}
         started = time.perf_counter()

@@ -8,8 +8,8 @@ import importlib.util
 import os
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Iterator
 
 THREADS = 2
 """The same on every machine; users set it in QGIS's options."""

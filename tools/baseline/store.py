@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Tuple
+from typing import Any, Callable
 
 import numpy as np
 
@@ -34,7 +34,7 @@ def write_json(path: Path, content: Any) -> None:
     path.write_text(json.dumps(content, sort_keys=True, indent=0, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
-def write_section(folder: Path, name: str, values: Dict[str, Any], arrays: Dict[str, np.ndarray]) -> None:
+def write_section(folder: Path, name: str, values: dict[str, Any], arrays: dict[str, np.ndarray]) -> None:
     """Writes what one section recorded."""
     write_json(folder / f"{name}.json", values)
     if arrays:
@@ -52,7 +52,7 @@ def empty_folder(folder: Path) -> None:
             path.unlink(missing_ok=True)
 
 
-def read_manifest(folder: Path) -> Dict[str, Any]:
+def read_manifest(folder: Path) -> dict[str, Any]:
     """What was recorded, when and with what."""
     path = folder / MANIFEST
     manifest = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
@@ -61,11 +61,11 @@ def read_manifest(folder: Path) -> Dict[str, Any]:
     return manifest
 
 
-def read_recording(folder: Path) -> Tuple[Dict[str, Any], Dict[str, np.ndarray]]:
+def read_recording(folder: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """(values, arrays) of all sections by “section/what”."""
     read_manifest(folder)
-    values: Dict[str, Any] = {}
-    arrays: Dict[str, np.ndarray] = {}
+    values: dict[str, Any] = {}
+    arrays: dict[str, np.ndarray] = {}
     for path in sorted(folder.glob("*.json")):
         if path.name != MANIFEST:
             content = json.loads(path.read_text(encoding="utf-8"))
@@ -86,6 +86,6 @@ def same_float(a: float, b: float) -> bool:
     return a == b and math.copysign(1, a) == math.copysign(1, b) or a != a and b != b
 
 
-def names(values: Dict[str, Any], arrays: Dict[str, np.ndarray]) -> List[str]:
+def names(values: dict[str, Any], arrays: dict[str, np.ndarray]) -> list[str]:
     """Names of everything in a recording, in order."""
     return sorted({*values, *arrays})

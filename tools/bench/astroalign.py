@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
@@ -79,7 +79,7 @@ class Query:
 class Answer:
     """Where the image's center is said to lie (complex map pixels; None without an answer), and processor seconds."""
 
-    place: Optional[complex]
+    place: complex | None
     seconds: float
     timed_out: bool = False
 

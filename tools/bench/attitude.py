@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 import time
-from typing import Optional
 
 import numpy as np
 
@@ -52,7 +51,7 @@ pitch, or with errors of σ {error:g}° in each. Right: within 2 % of the footpr
 in the three rows of a tilt. Leveling takes {low:.0f}–{high:.0f} ms of processor time an image (5–95 %)."""
 
 
-def _tried(ground: Ground, image: Image, errors_deg: Optional[np.ndarray]) -> tuple[Trial, list[float]]:
+def _tried(ground: Ground, image: Image, errors_deg: np.ndarray | None) -> tuple[Trial, list[float]]:
     """One image, leveled unless ``errors_deg`` of roll and pitch is None; the seconds that leveling took."""
     if errors_deg is None:
         return ground.try_image(image, Method.CONSTELLATION), []

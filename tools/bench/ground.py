@@ -8,7 +8,6 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Optional
 
 import numpy as np
 
@@ -103,7 +102,7 @@ class Case:
     method: Method = Method.CONSTELLATION
     in_meters: bool = False
     as_landmarks: bool = False
-    right_within: Optional[float] = None
+    right_within: float | None = None
     is_of_map: bool = True
 
 
@@ -119,7 +118,7 @@ class Ground:
     """
 
     def __init__(
-        self, labels_hw: np.ndarray, database: ReferenceDatabase, half: str = "", size_px: Optional[int] = None
+        self, labels_hw: np.ndarray, database: ReferenceDatabase, half: str = "", size_px: int | None = None
     ) -> None:
         parameters = database.parameters
         self.labels_hw, self.database = labels_hw, database
@@ -128,7 +127,7 @@ class Ground:
         self.frame = parameters.frame.of_shape(labels_hw.shape)
         self.size_px = size_px or round(parameters.window_size / parameters.pixel_size)
         self.spoiled_values = database.class_table.reference_values
-        self.prior: Optional[Prior] = None
+        self.prior: Prior | None = None
         self.meters = 1.0
         left, bottom, right, top = self.frame.extent
         self.middle = float(np.median(database.references.positions[:, 1]))
@@ -136,7 +135,7 @@ class Ground:
         self.extent = halves.get(half, self.frame.extent)
 
     @classmethod
-    def of(cls, run: inputs.Run, half: Optional[str] = None) -> Ground:
+    def of(cls, run: inputs.Run, half: str | None = None) -> Ground:
         """The area's own, images from one half of it; constants were fitted on the northern half of Liechtenstein."""
         database = read_database(str(run.database(run.area.stride)), with_overview=True)
         half = run.half if half is None else half
@@ -228,7 +227,7 @@ class Ground:
         found = self.landmarks_in(image.labels_hw, view.pixel_size)
         return spoil_landmarks(found, noise, rng, population, (view.width_px, view.height_px))
 
-    def try_image(self, image: Image, method: Method, right_within: Optional[float] = None) -> Trial:
+    def try_image(self, image: Image, method: Method, right_within: float | None = None) -> Trial:
         """A label image in, what came of it out."""
         started = time.process_time()
         found = self.localizer.localize(image.labels_hw, method, self.prior)
@@ -239,8 +238,8 @@ class Ground:
         self,
         image: Image,
         landmarks: Landmarks,
-        right_within: Optional[float] = None,
-        index: Optional[ConstellationIndex] = None,
+        right_within: float | None = None,
+        index: ConstellationIndex | None = None,
     ) -> Trial:
         """The constellation from landmarks on, in the database's catalogue or another index."""
         view, index = image.view, index or self.localizer.index
@@ -251,7 +250,7 @@ class Ground:
         seconds = time.process_time() - started
         return judge(image.query, Method.CONSTELLATION, found, right_within, image.landmarks, seconds)
 
-    def attempt(self, case: Case, rng: np.random.Generator, index: Optional[ConstellationIndex] = None) -> Trial:
+    def attempt(self, case: Case, rng: np.random.Generator, index: ConstellationIndex | None = None) -> Trial:
         """One image of a case: drawn, spoiled, localized, judged."""
         image = self.draw(case.wanted, rng, case.is_of_map)
         noise = case.noise.in_pixels(image.view.pixel_size * self.meters) if case.in_meters else case.noise
@@ -259,9 +258,7 @@ class Ground:
             return self.try_landmarks(image, self.spoiled_landmarks(image, noise, rng), case.right_within, index)
         return self.try_image(self.spoiled(image, noise, rng), case.method, case.right_within)
 
-    def try_vector(
-        self, view: View, labels_hw: Optional[np.ndarray] = None, localizer: Optional[Localizer] = None
-    ) -> Trial:
+    def try_vector(self, view: View, labels_hw: np.ndarray | None = None, localizer: Localizer | None = None) -> Trial:
         """A view by its topology vector; right is the window nearest to its center."""
         nearest = np.hypot(*(self.database.windows.centers - view.position).T).min()
         labels_hw = self.cut(view) if labels_hw is None else labels_hw

@@ -8,7 +8,6 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Optional
 
 import numpy as np
 
@@ -65,13 +64,13 @@ class Run:
     work: Path
     repetitions: int
     quick: bool
-    count: Optional[int] = None
+    count: int | None = None
     only: tuple[str, ...] = ()
     half: str = "south"
-    model: Optional[Path] = None
+    model: Path | None = None
     tile: int = 6
     python: str = sys.executable
-    pictures: Optional[Path] = None
+    pictures: Path | None = None
 
     def wants(self, case: str) -> bool:
         """Whether a case is among those to be measured."""

@@ -11,7 +11,6 @@ import sys
 from collections import defaultdict
 from math import hypot
 from pathlib import Path
-from typing import Dict, List, Optional
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from qgis_session import ROOT, qgis_session
@@ -48,7 +47,7 @@ def main() -> None:
     print(f"\nOpen {OUTPUT / 'semref_demo.qgz'} in QGIS, or look at {OUTPUT / 'map.png'}.")
 
 
-def run_algorithms(sample: Path) -> Dict[str, str]:
+def run_algorithms(sample: Path) -> dict[str, str]:
     """Runs the shipped model and the localization as any user of Processing would; gives the outputs' paths."""
     import processing
 
@@ -107,7 +106,7 @@ def _printing_feedback():
     return Printing(False)
 
 
-def read_positions(path: str) -> Dict[str, dict]:
+def read_positions(path: str) -> dict[str, dict]:
     """Rows of the positions layer by image name."""
     from qgis.core import QgsVectorLayer
 
@@ -117,15 +116,15 @@ def read_positions(path: str) -> Dict[str, dict]:
     return {Path(row["image"]).name: row for row in rows}
 
 
-def read_truth(path: Path) -> List[dict]:
+def read_truth(path: Path) -> list[dict]:
     with open(path, newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
 
 
-def print_fixes(found: Dict[str, Dict[str, dict]], truth: List[dict], methods) -> None:
+def print_fixes(found: dict[str, dict[str, dict]], truth: list[dict], methods) -> None:
     """One line a picture, then how many of each kind were found where they are."""
     print(f"\n   {'picture':32s}" + "".join(f" | {title:38s}" for _, _, title in methods))
-    right: Dict[str, List[List[bool]]] = defaultdict(list)
+    right: dict[str, list[list[bool]]] = defaultdict(list)
     for row in truth:
         name = Path(row["image"]).name
         errors = [_error(found[method][name], row) for method, _, _ in methods]
@@ -138,14 +137,14 @@ def print_fixes(found: Dict[str, Dict[str, dict]], truth: List[dict], methods) -
         print(f"   {kind:32s}" + "".join(f" | {cell:38s}" for cell in cells))
 
 
-def _error(fix: dict, truth: dict) -> Optional[float]:
+def _error(fix: dict, truth: dict) -> float | None:
     """Meters between fix and truth, None without a fix."""
     if fix["status"] != "fix":
         return None
     return hypot(fix["x"] - float(truth["x"]), fix["y"] - float(truth["y"]))
 
 
-def _cell(fix: dict, error: Optional[float]) -> str:
+def _cell(fix: dict, error: float | None) -> str:
     if error is None:
         return fix["status"]
     wrong = "" if error <= RIGHT_WITHIN_M else "  WRONG PLACE"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Dict
 
 from osgeo import gdal
 from qgis.core import (
@@ -37,7 +36,7 @@ MILLIMETERS = QgsUnitTypes.LayoutMillimeters
 PAGE_MM = (297, 210)
 
 
-def write_project_and_picture(folder: Path, paths: Dict[str, str], fix: dict, image: Path) -> None:
+def write_project_and_picture(folder: Path, paths: dict[str, str], fix: dict, image: Path) -> None:
     """Writes semref_demo.qgz and map.png into ``folder``; ``fix`` is the highlighted row of the positions layer."""
     project = QgsProject.instance()
     project.clear()

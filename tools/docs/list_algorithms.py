@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import List
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "guide" / "toolbox.md"
 BEGIN, END = "<!-- algorithms: tools/docs/list_algorithms.py -->", "<!-- /algorithms -->"
@@ -57,7 +56,7 @@ def with_listing(page: str, text: str) -> str:
     return f"{before}{BEGIN}\n\n{text}\n\n{END}{after}"
 
 
-def sections(page: str) -> List[str]:
+def sections(page: str) -> list[str]:
     """Ids of the algorithms that have a heading on the page."""
     return [line[5:] for line in page.splitlines() if line.startswith("#### ")]
 

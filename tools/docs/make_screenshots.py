@@ -23,7 +23,6 @@ import time
 import zipfile
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Dict, List, Tuple
 
 from palette_png import shrink
 
@@ -41,7 +40,7 @@ CHINESE_FONT = "fonts-wqy-microhei"
 class Variant:
     """One session of QGIS; ``scenes``: name of a picture → (scene, suffix that makes the picture's name)."""
 
-    scenes: Tuple[Tuple[str, str], ...]
+    scenes: tuple[tuple[str, str], ...]
     theme: str = "default"
     language: str = "en_US"
     scale: int = 1
@@ -60,7 +59,7 @@ LIGHT = (
     "narrow",
 )
 
-VARIANTS: Dict[str, Variant] = {
+VARIANTS: dict[str, Variant] = {
     "light": Variant(tuple((scene, "") for scene in LIGHT)),
     "dark": Variant((("whole_window", "_dark"),), theme="Night Mapping"),
     "chinese": Variant((("whole_window", "_chinese"),), language="zh-Hans"),
@@ -102,7 +101,7 @@ def sample_folder(samples: Path, language: str) -> Path:
     return folder
 
 
-def chosen(only: List[str], languages: List[str]) -> List[Variant]:
+def chosen(only: list[str], languages: list[str]) -> list[Variant]:
     if languages:
         return [Variant((("all_tabs", f"_{language}"),), language=language) for language in languages]
     if not only:
@@ -115,7 +114,7 @@ def chosen(only: List[str], languages: List[str]) -> List[Variant]:
     return [*variants, Variant(scenes)] if scenes else variants
 
 
-def say_what_is_missing(variants: List[Variant]) -> None:
+def say_what_is_missing(variants: list[Variant]) -> None:
     for program, source in (("qgis", "qgis"), ("xvfb-run", "xvfb")):
         if shutil.which(program) is None:
             sys.exit(f"{program} is missing; apt-get install {source}")
@@ -125,7 +124,7 @@ def say_what_is_missing(variants: List[Variant]) -> None:
             sys.exit(f"No font has Chinese characters; apt-get install {CHINESE_FONT}")
 
 
-def take(variant: Variant, package: Path, sample: Path, home: Path) -> List[Path]:
+def take(variant: Variant, package: Path, sample: Path, home: Path) -> list[Path]:
     """The pictures of one session, as large as they came from the screen."""
     profile = home / "profiles" / "default"
     pictures = home / "pictures"
@@ -194,7 +193,7 @@ def settings(variant: Variant) -> str:
     )
 
 
-def run(command: List[str], environment: Dict[str, str], log: Path, result: Path) -> str:
+def run(command: list[str], environment: dict[str, str], log: Path, result: Path) -> str:
     """What the command printed; once its result is there it has a little time to end, and is ended then."""
     with log.open("wb") as stream:
         process = subprocess.Popen(

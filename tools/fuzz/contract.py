@@ -10,9 +10,10 @@ import signal
 import socket
 import sys
 import traceback
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Callable, Iterator, Optional, Set
+from typing import Any, Callable
 
 LONGEST_S = 5.0
 MOST_BYTES = 1 << 30
@@ -59,7 +60,7 @@ class World:
     folder: Path
     secret: Path
     listener: socket.socket
-    _names: Set[str] = field(default_factory=set)
+    _names: set[str] = field(default_factory=set)
 
     @classmethod
     def made(cls, folder: Path) -> World:
@@ -156,7 +157,7 @@ def _where(error: BaseException) -> str:
     """The innermost place in the plugin that the error came through; the same place is the same find."""
     frames = traceback.extract_tb(error.__traceback__)
     own = [frame for frame in frames if "/tools/fuzz/contract" not in frame.filename and _is_own(frame.filename)]
-    last: Optional[traceback.FrameSummary] = own[-1] if own else (frames[-1] if frames else None)
+    last: traceback.FrameSummary | None = own[-1] if own else (frames[-1] if frames else None)
     kept = str(error).split(":")[0][:80] if isinstance(error, Broken) else ""
     return f"{Path(last.filename).name}:{last.lineno} {kept}" if last else ""
 

@@ -6,11 +6,11 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 from random import Random
-from typing import Any, Callable, Tuple
+from typing import Any, Callable
 
 from .contract import World, require
 
-Tools = Tuple[Callable[[Random], Any], Callable[[Any], Any]]
+Tools = tuple[Callable[[Random], Any], Callable[[Any], Any]]
 """Makes an input; gives it to the door, and looks at what comes out."""
 
 

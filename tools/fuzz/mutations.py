@@ -5,8 +5,9 @@ from __future__ import annotations
 import copy
 import json
 import struct
+from collections.abc import Sequence
 from random import Random
-from typing import Any, Callable, List, Sequence
+from typing import Any, Callable
 
 NUMBERS = (
     *("NaN", "nan", "-nan", "inf", "-inf", "Infinity", "1e308", "-1e308", "1e400", "1e-320", "0", "-0", "-1", "0.5"),
@@ -184,7 +185,7 @@ def _change_part(random: Random, holder: list, words: Sequence[Any]) -> None:
         parent[key] = word(random)
 
 
-def _places(value: Any, most: int = 200) -> List[tuple]:
+def _places(value: Any, most: int = 200) -> list[tuple]:
     """(parent, key) of all parts of a value."""
     found, waiting = [], [value]
     while waiting and len(found) < most:

@@ -15,7 +15,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 from random import Random
-from typing import Any, Callable, Dict, Optional
+from typing import Any, Callable
 
 from .contract import ACCEPTED, REFUSED, Verdict, World, limit_memory, tried
 from .door import Door
@@ -36,7 +36,7 @@ class Tally:
     """
 
     outcomes: Counter = field(default_factory=Counter)
-    finds: Dict[str, Any] = field(default_factory=dict)
+    finds: dict[str, Any] = field(default_factory=dict)
 
     def add(self, number: int, verdict: Verdict) -> None:
         self.outcomes[verdict.outcome] += 1
@@ -151,7 +151,7 @@ def _watched(child: int, shared: mmap.mmap) -> str:
     while True:
         ended, status = os.waitpid(child, os.WNOHANG)
         if ended:
-            number: Optional[int] = -os.waitstatus_to_exitcode(status)
+            number: int | None = -os.waitstatus_to_exitcode(status)
             return f"signal {signal.Signals(number).name}" if number and number > 0 else ("exit" if number else "")
         now = struct.unpack("q", shared[:])[0]
         if now != at:

@@ -165,9 +165,11 @@ def _of_expression(node: ast.AST) -> Iterator[ast.AST | str]:
 
 def _of_statement(node: ast.AST) -> Iterator[ast.AST | str]:
     """What a statement may become: nothing, the opposite condition, no value."""
-    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
-        yield "pass"
-    elif isinstance(node, (ast.Raise, ast.Break, ast.Continue)):
+    if (
+        isinstance(node, ast.Expr)
+        and isinstance(node.value, ast.Call)
+        or isinstance(node, (ast.Raise, ast.Break, ast.Continue))
+    ):
         yield "pass"
     elif isinstance(node, ast.AugAssign):
         yield "pass"

@@ -9,7 +9,6 @@ from __future__ import annotations
 import ast
 import sys
 from pathlib import Path
-from typing import Dict, List
 from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -17,17 +16,18 @@ CONTEXT = "SemRef"
 ROOMS = ("core", "storage", "processing", "ui")
 
 
-def texts_of(source: str) -> List[str]:
+def texts_of(source: str) -> list[str]:
     """The literals of all ``tr("…")`` calls."""
     found = []
     for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) == "tr":
-            if len(node.args) == 1 and isinstance(node.args[0], ast.Constant) and isinstance(node.args[0].value, str):
-                found.append(node.args[0].value)
+        is_call = isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) == "tr"
+        text = node.args[0] if is_call and len(node.args) == 1 else None
+        if isinstance(text, ast.Constant) and isinstance(text.value, str):
+            found.append(text.value)
     return found
 
 
-def step_texts(source: str) -> List[str]:
+def step_texts(source: str) -> list[str]:
     """The texts of ``yield "text", share``, which whoever shows them translates."""
     found = []
     for node in ast.walk(ast.parse(source)):
@@ -38,7 +38,7 @@ def step_texts(source: str) -> List[str]:
     return found
 
 
-def template_texts(source: str) -> List[str]:
+def template_texts(source: str) -> list[str]:
     """The English templates in the tables that are named ``SENTENCES…``, both forms of a plural included."""
     found = []
     for node in ast.parse(source).body:
@@ -51,7 +51,7 @@ def template_texts(source: str) -> List[str]:
     return found
 
 
-def all_texts() -> List[str]:
+def all_texts() -> list[str]:
     """All texts that a user may read, sorted, each once."""
     found = []
     for room in ROOMS:
@@ -61,7 +61,7 @@ def all_texts() -> List[str]:
     return sorted(set(found))
 
 
-def translations_in(path: Path) -> Dict[str, str]:
+def translations_in(path: Path) -> dict[str, str]:
     """Finished translations by source text."""
     if not path.exists():
         return {}
@@ -73,7 +73,7 @@ def translations_in(path: Path) -> Dict[str, str]:
     return known
 
 
-def write(path: Path, texts: List[str], known: Dict[str, str]) -> int:
+def write(path: Path, texts: list[str], known: dict[str, str]) -> int:
     """Writes the .ts file; returns how many texts have no translation."""
     language = path.stem.split("_", 1)[1]
     root = ElementTree.Element("TS", version="2.1", language=language, sourcelanguage="en")

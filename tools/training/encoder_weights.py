@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import pickle
 from pathlib import Path
-from typing import Optional
 
 from .tiles import TrainingError
 
@@ -60,7 +59,7 @@ def load_encoder_weights(encoder, path: Path) -> None:
     encoder.load_state_dict({name: given[name] for name in wanted})
 
 
-def timm_name(name: str) -> Optional[str]:
+def timm_name(name: str) -> str | None:
     """What timm calls a tensor of efficientnet_lite_pytorch's EfficientNet-Lite0; None for those of the classifier.
 
     Raises TrainingError for a name that is none of them.

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import cos, radians, sin, sqrt
-from typing import Dict, Optional, Sequence
 
 from qgis.core import QgsCsException, QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsVertexMarker
@@ -37,10 +37,10 @@ class HitHighlight(Marks):
                 **{_runner_up(rank): _pale_band(canvas, rank) for rank in range(RUNNERS_UP)},
             },
         )
-        self._hit: Optional[Finding] = None
-        self._center: Optional[QgsVertexMarker] = _center_marker(canvas)
+        self._hit: Finding | None = None
+        self._center: QgsVertexMarker | None = _center_marker(canvas)
 
-    def show(self, finding: Optional[Finding]) -> bool:
+    def show(self, finding: Finding | None) -> bool:
         """Shows the finding's hit, or the places it may be at; nothing for None. False where the CRS can't show it."""
         shown = finding is not None and (finding.center is not None or finding.possible)
         self._hit = finding if shown else None
@@ -73,7 +73,7 @@ class HitHighlight(Marks):
             self._center.setCenter(center)
         return fits
 
-    def _center_on_canvas(self) -> Optional[QgsPointXY]:
+    def _center_on_canvas(self) -> QgsPointXY | None:
         if self._hit is None or self._hit.center is None:
             return None
         try:
@@ -104,7 +104,7 @@ def _pale_band(canvas: QgsMapCanvas, rank: int):
     return pale
 
 
-def _shapes(hit: Finding) -> Dict[str, QgsGeometry]:
+def _shapes(hit: Finding) -> dict[str, QgsGeometry]:
     """What is drawn of a hit, in its own CRS, by the names of the bands."""
     outline = QgsGeometry() if hit.outline is None else hit.outline.densifyByCount(POINTS_A_SIDE)
     possible = [geometry.densifyByCount(POINTS_A_SIDE) for geometry in hit.possible]

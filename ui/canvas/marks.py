@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Dict, Mapping, Optional
+from collections.abc import Mapping
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -39,7 +39,7 @@ class Marks(QObject):
         super().__init__()
         self._canvas = canvas
         self._bands = dict(bands)
-        self._shapes: Dict[str, QgsGeometry] = {}
+        self._shapes: dict[str, QgsGeometry] = {}
         self._crs = QgsCoordinateReferenceSystem()
         self._visible = True
         canvas.destinationCrsChanged.connect(self._place)
@@ -90,7 +90,7 @@ class Marks(QObject):
             band.setToGeometry((placed or {}).get(name) or QgsGeometry())
         return placed is not None
 
-    def _on_canvas(self) -> Optional[Dict[str, QgsGeometry]]:
+    def _on_canvas(self) -> dict[str, QgsGeometry] | None:
         """The shapes in the canvas's CRS; None where that has no such place."""
         transform = to_canvas(self._canvas, self._crs)
         placed = {name: QgsGeometry(shape) for name, shape in self._shapes.items() if not shape.isEmpty()}

@@ -3,8 +3,6 @@ the image's."""
 
 from __future__ import annotations
 
-from typing import List, Optional, Tuple
-
 from qgis.core import QgsCoordinateReferenceSystem, QgsCsException, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
 from qgis.PyQt.QtCore import QPointF, QRectF, pyqtSignal
@@ -29,12 +27,12 @@ class MatchMarks(Marks):
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas, {})
-        self._item: Optional[_Item] = _Item(canvas)
-        self._matches: Optional[Matches] = None
+        self._item: _Item | None = _Item(canvas)
+        self._matches: Matches | None = None
         canvas.xyCoordinates.connect(self._look)
 
     @property
-    def pairs(self) -> List[Tuple[QgsPointXY, QgsPointXY]]:
+    def pairs(self) -> list[tuple[QgsPointXY, QgsPointXY]]:
         """(where the fix puts it, the map's landmark) of each match in the canvas's CRS, as drawn."""
         return self._item.pairs
 
@@ -67,7 +65,7 @@ class MatchMarks(Marks):
         self._item.show_pairs(pairs or [])
         return pairs is not None
 
-    def _pairs_on_canvas(self) -> Optional[List[Tuple[QgsPointXY, QgsPointXY]]]:
+    def _pairs_on_canvas(self) -> list[tuple[QgsPointXY, QgsPointXY]] | None:
         transform = to_canvas(self._canvas, self._crs)
         try:
             return [
@@ -84,10 +82,10 @@ class _Item(QgsMapCanvasItem):
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)
         self._canvas = canvas
-        self.pairs: List[Tuple[QgsPointXY, QgsPointXY]] = []
+        self.pairs: list[tuple[QgsPointXY, QgsPointXY]] = []
         self._pointed = 0
 
-    def show_pairs(self, pairs: List[Tuple[QgsPointXY, QgsPointXY]]) -> None:
+    def show_pairs(self, pairs: list[tuple[QgsPointXY, QgsPointXY]]) -> None:
         self.pairs, self._pointed = pairs, 0
         self.setVisible(bool(pairs))
         self.updatePosition()
@@ -97,7 +95,7 @@ class _Item(QgsMapCanvasItem):
             self._pointed = number
             self.update()
 
-    def places(self) -> List[Tuple[int, QPointF]]:
+    def places(self) -> list[tuple[int, QPointF]]:
         """Numbers and pixels of the map's landmarks."""
         return [(number, self.toCanvasCoordinates(on_map)) for number, (_, on_map) in enumerate(self.pairs, start=1)]
 
@@ -110,7 +108,7 @@ class _Item(QgsMapCanvasItem):
     def boundingRect(self) -> QRectF:
         return QRectF(0, 0, self._canvas.width(), self._canvas.height())
 
-    def paint(self, painter: Optional[QPainter], *_) -> None:
+    def paint(self, painter: QPainter | None, *_) -> None:
         if painter is None:
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Iterable, Optional, Set, Tuple
+from collections.abc import Iterable
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen
@@ -15,13 +15,13 @@ _AWAY_PX = 6.0
 _CELL_PX = 16.0
 
 
-def paint_numbers(painter: QPainter, font: QFont, places: Iterable[Tuple[int, QPointF]], pointed: int) -> None:
+def paint_numbers(painter: QPainter, font: QFont, places: Iterable[tuple[int, QPointF]], pointed: int) -> None:
     """Writes each number beside its place (pixels of ``painter``), the pointed one always, the others where there is
     room: where landmarks crowd, zooming in shows more."""
     small = QFont(font)
     small.setPointSizeF(max(font.pointSizeF() * 0.85, 6.0))
     metrics = QFontMetricsF(small)
-    taken: Set[Tuple[int, int]] = set()
+    taken: set[tuple[int, int]] = set()
     # The pointed one first, so that it finds room.
     for number, place in sorted(places, key=lambda entry: entry[0] != pointed):
         text = str(number)
@@ -48,14 +48,14 @@ def paint_ring(painter: QPainter, place: QPointF, radius: float, color: QColor) 
         painter.drawEllipse(place, radius, radius)
 
 
-def nearest_number(places: Iterable[Tuple[int, QPointF]], position: QPointF, reach: float) -> Optional[int]:
+def nearest_number(places: Iterable[tuple[int, QPointF]], position: QPointF, reach: float) -> int | None:
     """The number of the place nearest to a position, None where none is within reach."""
     away = [((place.x() - position.x()) ** 2 + (place.y() - position.y()) ** 2, number) for number, place in places]
     squared, number = min(away, default=(float("inf"), None))
     return number if squared <= reach**2 else None
 
 
-def _cells(box: QRectF) -> Set[Tuple[int, int]]:
+def _cells(box: QRectF) -> set[tuple[int, int]]:
     """Of a grid, those that a box touches."""
     columns = range(int(box.left() // _CELL_PX), int(box.right() // _CELL_PX) + 1)
     rows = range(int(box.top() // _CELL_PX), int(box.bottom() // _CELL_PX) + 1)

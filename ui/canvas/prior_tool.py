@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Optional
-
 from qgis.core import QgsCoordinateReferenceSystem, QgsCsException, QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapTool
 from qgis.PyQt.QtCore import Qt, pyqtSignal
@@ -18,7 +16,7 @@ class CircleMark(Marks):
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas, {"circle": band(canvas, POLYGON_GEOMETRY, BLUE, filled=30, rim=False)})
-        self._ends: Optional[tuple] = None
+        self._ends: tuple | None = None
 
     def show(self, middle: QgsPointXY, edge: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> None:
         """Draws a circle around ``middle`` through ``edge``, both in ``crs``."""
@@ -29,7 +27,7 @@ class CircleMark(Marks):
         self._ends = None
         self._place()
 
-    def _on_canvas(self) -> Optional[dict]:
+    def _on_canvas(self) -> dict | None:
         if self._ends is None:
             return {}
         transform = to_canvas(self._canvas, self._crs)
@@ -48,7 +46,7 @@ class PriorTool(QgsMapTool):
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)
         self.setCursor(Qt.CursorShape.CrossCursor)
-        self._middle: Optional[QgsPointXY] = None
+        self._middle: QgsPointXY | None = None
         self.circle = CircleMark(canvas)
 
     def remove(self) -> None:

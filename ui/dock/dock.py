@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, List, Optional
+from typing import TYPE_CHECKING
 
 from qgis.gui import QgsDockWidget, QgsMapCanvas, QgsMessageBar
 from qgis.PyQt.QtCore import pyqtSignal
@@ -28,16 +28,16 @@ class SemRefDock(QgsDockWidget):
     helpAsked = pyqtSignal()
     installAsked = pyqtSignal()
 
-    def __init__(self, canvas: QgsMapCanvas, message_bar: QgsMessageBar, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, canvas: QgsMapCanvas, message_bar: QgsMessageBar, parent: QWidget | None = None) -> None:
         super().__init__("SemRef", parent)
         # QGIS restores a dock's place by this name.
         self.setObjectName("SemRefDock")
         self.messages = Messages(message_bar)
         self._canvas = canvas
         self._shelf = DatabaseShelf()
-        self._content: Optional[DockContent] = None
+        self._content: DockContent | None = None
         self._opens = False
-        self._wanted_state: Optional[DockState] = None
+        self._wanted_state: DockState | None = None
         self._state = ProjectState(self._state_now, self)
         self._state.opened.connect(self._restore)
         self._state.cleared.connect(self._forget)
@@ -74,7 +74,7 @@ class SemRefDock(QgsDockWidget):
         if self._content is not None:
             self._content.shut_down()
 
-    def read_database(self) -> Optional[ReferenceDatabase]:
+    def read_database(self) -> ReferenceDatabase | None:
         """The chosen database, None without one; for background threads.
 
         Raises:
@@ -94,7 +94,7 @@ class SemRefDock(QgsDockWidget):
         self.content.tabs.setCurrentIndex(INSPECT)
         self.content.inspect.show_window(name)
 
-    def prepare(self, database: str, model: str, images: List[str]) -> None:
+    def prepare(self, database: str, model: str, images: list[str]) -> None:
         """Shows the dock with these images, the first one selected, ready to be localized by the automatic method."""
         from .content import LOCALIZE
 
@@ -112,7 +112,7 @@ class SemRefDock(QgsDockWidget):
 
     # --- the project ---
 
-    def _state_now(self) -> Optional[DockState]:
+    def _state_now(self) -> DockState | None:
         """Of a dock that was never opened: what its project had."""
         return self._wanted_state if self._content is None else self._content.localize.state_now()
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import List
 
 from qgis.PyQt.QtCore import QObject, QTimer
 
@@ -35,7 +34,7 @@ class Preload(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._left: List[str] = list(_MODULES)
+        self._left: list[str] = list(_MODULES)
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._load_next)
         self._timer.start(_PAUSE_MS)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import traceback
-from typing import List, Optional
 
 from qgis.PyQt.QtCore import QObject, QProcess, QProcessEnvironment, pyqtSignal
 
@@ -28,10 +27,10 @@ class ComponentInstaller(QObject):
     broke = pyqtSignal(str)
     canceled = pyqtSignal()
 
-    def __init__(self, parent: Optional[QObject] = None) -> None:
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._commands: Optional[Commands] = None
-        self._process: Optional[QProcess] = None
+        self._commands: Commands | None = None
+        self._process: QProcess | None = None
         self._output = ""
         self.log = ""
         """All that was printed since the last start."""
@@ -40,7 +39,7 @@ class ComponentInstaller(QObject):
     def running(self) -> bool:
         return self._commands is not None
 
-    def start(self, packages: List[Package], wheels: str = "") -> None:
+    def start(self, packages: list[Package], wheels: str = "") -> None:
         """``wheels``: a folder of wheels to install from instead of the package index."""
         self.log = ""
         self._commands = installing(packages, wheels)
@@ -63,7 +62,7 @@ class ComponentInstaller(QObject):
         else:
             self._end(self.canceled)
 
-    def _go_on(self, answer: Optional[Answer]) -> None:
+    def _go_on(self, answer: Answer | None) -> None:
         try:
             command = self._commands.send(answer)
         except StopIteration:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-from typing import List
 
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsOptionsPageWidget
@@ -145,7 +144,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.list.setFixedHeight(self.list.header().sizeHint().height() + (len(PACKAGES) + 1) * row_height)
         self._enable()
 
-    def _chosen(self) -> List[Package]:
+    def _chosen(self) -> list[Package]:
         """The missing packages that are ticked."""
         items = (self.list.topLevelItem(row) for row in range(self.list.topLevelItemCount()))
         packages = [(item.data(0, Qt.ItemDataRole.UserRole), item.checkState(0)) for item in items]

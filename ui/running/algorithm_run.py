@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Optional
-
 from qgis.core import (
     QgsApplication,
     QgsProcessingAlgRunnerTask,
@@ -39,9 +37,9 @@ class AlgorithmRun(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._task: Optional[QgsProcessingAlgRunnerTask] = None
-        self._feedback: Optional[_Feedback] = None
-        self._context: Optional[QgsProcessingContext] = None
+        self._task: QgsProcessingAlgRunnerTask | None = None
+        self._feedback: _Feedback | None = None
+        self._context: QgsProcessingContext | None = None
         self._cancel_asked = False
 
     @property

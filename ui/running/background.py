@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import traceback
-from typing import TYPE_CHECKING, Callable, Optional
+from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsApplication, QgsTask
 from qgis.PyQt.QtCore import QObject, pyqtSignal
@@ -32,8 +32,8 @@ class Reader(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._task: Optional[_Task] = None
-        self._next: Optional[tuple] = None
+        self._task: _Task | None = None
+        self._next: tuple | None = None
         self._is_wanted = False
 
     def read(self, title: str, function: Callable, *arguments) -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import List
-
 from qgis.core import QgsProcessingContext, QgsProcessingUtils
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
@@ -27,7 +25,7 @@ class LocalizationRun(AlgorithmRun):
         super().__init__(parent)
         self.done.connect(self._take_layers)
 
-    def start(self, database: str, images: List[str], method: int, settings: dict) -> bool:
+    def start(self, database: str, images: list[str], method: int, settings: dict) -> bool:
         """``method``: METHOD of the algorithm; ``settings``: others of its parameters.
 
         False when it can't even begin; then ``failed`` has said why.

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Optional
-
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
 from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
@@ -26,7 +24,7 @@ class DatabaseBox(QgsCollapsibleGroupBox):
     changed = pyqtSignal()
     addToMapAsked = pyqtSignal()
 
-    def __init__(self, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Reference database"), parent)
         self.setObjectName("SemRefDatabase")
         self.setAcceptDrops(True)

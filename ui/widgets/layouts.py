@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Tuple, Union
-
 from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QWidget
 
 MARGIN_PX = 5
 """Around the content of the dock and of its boxes: width is scarce in a dock."""
 
 
-def row_of(*widgets: Union[QWidget, Tuple[QWidget, int]]) -> QHBoxLayout:
+def row_of(*widgets: QWidget | tuple[QWidget, int]) -> QHBoxLayout:
     """Widgets side by side.
 
     Args:

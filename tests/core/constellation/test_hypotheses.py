@@ -39,7 +39,7 @@ def test_no_seed_lies_outside_the_prior(index, cut):
     assert len(seeds.votes)
     assert np.abs(seeds.centers + index.origin - complex(*prior.position)).max() <= 250
     assert np.abs((-np.degrees(np.angle(seeds.turns)) - 200 + 180) % 360 - 180).max() <= 60
-    assert 0.69 < np.abs(seeds.turns).min() and np.abs(seeds.turns).max() < 1.91
+    assert np.abs(seeds.turns).min() > 0.69 and np.abs(seeds.turns).max() < 1.91
 
 
 def test_a_cap_leaves_hits_out_and_says_so(index, cut):

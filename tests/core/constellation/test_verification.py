@@ -109,7 +109,7 @@ def test_a_match_speaks_for_a_pose_by_its_distance_its_size_and_how_rare_both_ar
         off = area - sizes[objects[k]]
         size = (1 - settings.area_outliers) * normal(off, settings.area_deviation)
         size += settings.area_outliers * normal(off, settings.area_outlier_deviation)
-        usual = by_class[query.ranks[k], np.flatnonzero(AREA_BINS <= area)[-1]]
+        usual = by_class[query.ranks[k], np.flatnonzero(area >= AREA_BINS)[-1]]
         place = normal(distances[k], deviations[k]) * normal(0, deviations[k]) / densities[objects[k]]
         assert found[k] == pytest.approx(place * size / usual)
     # Without a match, or with one beyond the gate.
@@ -200,10 +200,7 @@ TILT = {"stretch": 0.008 - 0.004j, "slope": 1.5e-4 + 1e-4j}
 @pytest.mark.parametrize(("tilt", "numbers"), [({}, 4), (TILT, 8)], ids=["level", "tilted"])
 def test_a_verified_pose_is_the_fit_of_its_matches_by_hubers_weights(index, verifier, made, tilt, numbers):
     query = noisy(made, index, replace(made.pose, **tilt))
-    if tilt:
-        found = verify_tilted(verifier, query, made.pose, 0j)
-    else:
-        found = verify(verifier, query, made.pose)
+    found = verify_tilted(verifier, query, made.pose, 0j) if tilt else verify(verifier, query, made.pose)
     assert len(found.matched) == len(made.objects)
     image, on_map = query.points[found.matched], index.points[found.objects]
     assumed = center_noise(query.log_areas[found.matched], abs(found.pose.turn), CONSTELLATION)

@@ -198,8 +198,20 @@ RIVER, POND, U = (0, 90, HEIGHT, 4), (60, 60, 10, 10), ((20, 20, 100, 3), (20, 1
         ([*U], [*U, (60, 20, 3, 123)], 1, 1),
         ([RIVER], [], 1, 0),
     ],
-    ids="pond new,pond gone,split,merged,river cut,river joined,beside the river,inside a U,gone inside a U,"
-    "grown inside a U,U closed,river gone".split(","),
+    ids=[
+        "pond new",
+        "pond gone",
+        "split",
+        "merged",
+        "river cut",
+        "river joined",
+        "beside the river",
+        "inside a U",
+        "gone inside a U",
+        "grown inside a U",
+        "U closed",
+        "river gone",
+    ],
 )
 def test_what_happens_to_objects_is_told(before, after, removed, added):
     labels, edited = field_with(*before), field_with(*after)

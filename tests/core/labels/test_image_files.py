@@ -6,6 +6,7 @@ import os
 import re
 import struct
 import zlib
+from pathlib import Path
 
 import cv2
 import numpy as np
@@ -44,10 +45,7 @@ def png_with_palette(labels, bits=8) -> bytes:
         return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
 
     height, width = labels.shape
-    if bits == 4:
-        packed = labels[:, 0::2] << 4 | labels[:, 1::2]
-    else:
-        packed = labels
+    packed = labels[:, 0::2] << 4 | labels[:, 1::2] if bits == 4 else labels
     rows = b"".join(b"\0" + row.tobytes() for row in packed)
     header = struct.pack(">IIBBBBB", width, height, bits, 3, 0, 0, 0)
     palette = np.random.default_rng(2).integers(0, 256, (2**bits, 3), np.uint8).tobytes()
@@ -99,7 +97,7 @@ def test_a_photo_is_red_first_and_has_no_data_where_it_is_transparent(image):
 def test_a_photo_with_damaged_tags_is_refused(image, tmp_path):
     """An entry of nodata that lies beyond the end of the file."""
     path = tmp_path / "photo.tif"
-    data = bytearray(open(image("photo.tif", np.zeros((20, 30, 3), np.uint8)), "rb").read())
+    data = bytearray(Path(image("photo.tif", np.zeros((20, 30, 3), np.uint8))).read_bytes())
     (first,) = struct.unpack_from("<I", data, 4)
     struct.pack_into("<HHII", data, first + 2, NODATA, 2, 900, len(data))
     path.write_bytes(data)

@@ -9,7 +9,7 @@ import sqlite3
 from dataclasses import replace
 from pathlib import Path
 from random import Random
-from typing import Any, Dict, List
+from typing import Any
 
 import numpy as np
 
@@ -64,7 +64,7 @@ def require_sound(database: Any) -> None:
         require(database.overview.shape == parameters.overview_frame.shape_hw, "an overview of another map")
 
 
-def _columns(connection: sqlite3.Connection) -> Dict[str, List[str]]:
+def _columns(connection: sqlite3.Connection) -> dict[str, list[str]]:
     return {
         table: [row[1] for row in connection.execute(f'PRAGMA table_info("{table}")')] for table in (*_READ, *_OTHERS)
     }
@@ -107,7 +107,7 @@ _STATEMENTS = (
 class _Changer:
     """Changes databases in memory, as their maker could: without GDAL's triggers, with or without checksums."""
 
-    def __init__(self, samples: List[bytes]) -> None:
+    def __init__(self, samples: list[bytes]) -> None:
         self._samples = []
         for data in samples:
             with contextlib.closing(sqlite3.connect(":memory:")) as connection:
@@ -133,7 +133,7 @@ class _Changer:
             connection.commit()
             return connection.serialize()
 
-    def _change(self, random: Random, connection: sqlite3.Connection, columns: Dict[str, List[str]]) -> None:
+    def _change(self, random: Random, connection: sqlite3.Connection, columns: dict[str, list[str]]) -> None:
         table = random.choice(_READ if random.random() < 0.85 else _OTHERS)
         column = random.choice(columns[table])
         if random.random() < 0.12:
@@ -209,7 +209,7 @@ _SEEN = {
 """What SemRef or QGIS reads of each table."""
 
 
-def content(data: bytes) -> Dict[str, list]:
+def content(data: bytes) -> dict[str, list]:
     """All that SemRef or QGIS reads, by table; a table that can't be read is not there."""
     found = {}
     with contextlib.closing(sqlite3.connect(":memory:")) as connection:

@@ -6,7 +6,7 @@ import struct
 import zlib
 from pathlib import Path
 from random import Random
-from typing import Any, Callable, Dict, List
+from typing import Any, Callable
 
 import cv2
 import numpy as np
@@ -20,13 +20,13 @@ _SUFFIXES = {"png": ".png", "tif": ".tif", "jpg": ".jpg"}
 EDGE = 24
 
 
-def pictures() -> Dict[str, List[bytes]]:
+def pictures() -> dict[str, list[bytes]]:
     """Small images of each kind, as cameras, OpenCV and GDAL write them."""
     random = np.random.default_rng(5)
     labels = random.integers(0, 5, (EDGE, EDGE + 6), np.uint8)
     colors = random.integers(0, 256, (EDGE, EDGE + 6, 3), np.uint8)
     alpha = np.dstack([colors, labels * 50])
-    found: Dict[str, List[bytes]] = {"png": [], "tif": [], "jpg": []}
+    found: dict[str, list[bytes]] = {"png": [], "tif": [], "jpg": []}
     for image in (labels, colors, alpha, labels.astype(np.uint16)):
         found["png"].append(cv2.imencode(".png", image)[1].tobytes())
         found["tif"].append(cv2.imencode(".tiff", image)[1].tobytes())
@@ -36,7 +36,7 @@ def pictures() -> Dict[str, List[bytes]]:
     return found
 
 
-def with_gdal(world: World) -> Dict[str, List[bytes]]:
+def with_gdal(world: World) -> dict[str, list[bytes]]:
     """The same, and GeoTIFFs with what GDAL and SemRef put into them."""
     from osgeo import gdal
 
@@ -146,7 +146,7 @@ def mutated_tiff(random: Random, data: bytes) -> bytes:
     return bytes(found)
 
 
-def picture_maker(found: Dict[str, List[bytes]], world: World) -> Callable[[Random], Any]:
+def picture_maker(found: dict[str, list[bytes]], world: World) -> Callable[[Random], Any]:
     """(suffix, content): mostly of one kind, changed so that it is still known as what it is."""
     vrt = (
         '<VRTDataset rasterXSize="2" rasterYSize="2"><VRTRasterBand dataType="Byte" band="1"><SimpleSource>'
@@ -171,7 +171,7 @@ def picture_maker(found: Dict[str, List[bytes]], world: World) -> Callable[[Rand
     return make
 
 
-def _places(world: World) -> Dict[str, Placed]:
+def _places(world: World) -> dict[str, Placed]:
     return {suffix: Placed(world.folder, f"image{suffix}") for suffix in _SUFFIXES.values()}
 
 
@@ -211,7 +211,7 @@ def photos_on_board(world: World) -> Tools:
         require(pixels.shape == (height, width, 3) and pixels.dtype == np.uint8, "no photo")
         require(has_data is None or has_data.shape == (height, width), "no mask")
         size = photo.pixel_size_m
-        require(size is None or all(np.isfinite(length) and 0 < length for length in size), f"pixels of {size} m")
+        require(size is None or all(np.isfinite(length) and length > 0 for length in size), f"pixels of {size} m")
         seen = at_resolution(photo.image, size, 0.5)
         height, width = seen.shape_hw
         require(height > 0 and width > 0, "nothing of the photo is left")

@@ -9,7 +9,7 @@ import shutil
 import time
 from pathlib import Path
 from random import Random
-from typing import Any, Callable, Dict, List
+from typing import Any, Callable
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from ..mutations import NUMBERS, TEXTS, mutated_bytes, mutated_json, word
 _CANCELED_AFTER_S = 1.0
 """What a user may ask for can take long; a cancel must end it."""
 
-_held: List[Any] = []
+_held: list[Any] = []
 
 LAYER = {
     "type": "FeatureCollection",
@@ -78,7 +78,7 @@ class Runner:
         self.algorithms = {algorithm.name(): algorithm for algorithm in started().algorithms()}
         self.out = world.folder.parent / "out"
 
-    def __call__(self, name: str, parameters: Dict[str, Any]) -> None:
+    def __call__(self, name: str, parameters: dict[str, Any]) -> None:
         """Raises Refused with QGIS's sentence; anything else is a fault."""
         self.out.mkdir()
         try:
@@ -139,7 +139,7 @@ def layers(world: World) -> Tools:
     return make, attempt
 
 
-def _binary_layers(world: World) -> Dict[str, bytes]:
+def _binary_layers(world: World) -> dict[str, bytes]:
     from osgeo import gdal
 
     source = world.folder / "source.geojson"
@@ -155,7 +155,7 @@ def _binary_layers(world: World) -> Dict[str, bytes]:
     return found
 
 
-def _inputs(folder: Path) -> Dict[str, str]:
+def _inputs(folder: Path) -> dict[str, str]:
     """Small files of each kind, by name."""
     import onboard_area
     from made_inputs import NORTH, WEST, scattered_objects, write_raster
@@ -193,7 +193,7 @@ def _classes(onboard_area: Any) -> str:
     return onboard_area.TABLE.to_csv().replace("field", "forest")
 
 
-def _base(files: Dict[str, str], out: Path) -> Dict[str, Dict[str, Any]]:
+def _base(files: dict[str, str], out: Path) -> dict[str, dict[str, Any]]:
     """Parameters with which each algorithm works, in less than a second."""
     report, layer, raster = str(out / "r.html"), str(out / "x.gpkg"), str(out / "x.tif")
     database, classes = files["database"], "building;water;bare_land"
@@ -301,7 +301,7 @@ def parameters(world: World) -> Tools:
     return make, attempt
 
 
-def _write_plan(files: Dict[str, str], database: str) -> None:
+def _write_plan(files: dict[str, str], database: str) -> None:
     from semref.storage.database.reader import read_database
 
     windows = read_database(database).windows
@@ -313,7 +313,7 @@ def _write_plan(files: Dict[str, str], database: str) -> None:
     Path(files["route"]).write_text(json.dumps({"mission": {"items": items}}), encoding="ascii")
 
 
-def _kept_inside(value: Any, out: Path, key: str, targets: List[str]) -> Any:
+def _kept_inside(value: Any, out: Path, key: str, targets: list[str]) -> Any:
     """A destination's path brought below ``out``; other values as they are."""
     if key in targets:
         if not isinstance(value, str) or value.startswith(str(out)) or value == "TEMPORARY_OUTPUT":
@@ -322,7 +322,7 @@ def _kept_inside(value: Any, out: Path, key: str, targets: List[str]) -> Any:
     return value
 
 
-def _state(files: Dict[str, str]) -> Dict[str, tuple]:
+def _state(files: dict[str, str]) -> dict[str, tuple]:
     return {path: _stat(path) for path in files.values()}
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from random import Random
-from typing import Any, Dict, List
+from typing import Any
 
 import numpy as np
 
@@ -25,7 +25,7 @@ _LITERALS = (
 )
 
 
-def _values() -> Dict[str, Any]:
+def _values() -> dict[str, Any]:
     return {
         "model_type": "Segmentor",
         "class_names": {"0": "building", "1": "water", "2": "bare_land"},
@@ -41,7 +41,7 @@ def _values() -> Dict[str, Any]:
     }
 
 
-def changed_metadata(random: Random) -> Dict[str, str]:
+def changed_metadata(random: Random) -> dict[str, str]:
     """Metadata by key, with values, keys and texts changed."""
     values = _values()
     for _ in range(random.choice((1, 1, 2, 3))):
@@ -75,7 +75,7 @@ def metadata(world: World) -> Tools:
     return lambda random: (changed_metadata(random), random.choice((3, 3, 3, 3, 2, 4, 1))), attempt
 
 
-def _fields(data: bytes) -> List[list]:
+def _fields(data: bytes) -> list[list]:
     """[key, content] of a protobuf message; raises ValueError for what is none."""
     found, place = [], 0
     while place < len(data):

@@ -13,7 +13,7 @@ import zipfile
 import zlib
 from pathlib import Path
 from random import Random
-from typing import Any, Dict, List
+from typing import Any
 
 import cv2
 import numpy as np
@@ -26,7 +26,7 @@ from .databases import require_sound
 _EXIT_CODES = (0, 1, 2, 3, 130)
 
 
-def _members(path: str) -> Dict[str, bytes]:
+def _members(path: str) -> dict[str, bytes]:
     with zipfile.ZipFile(path) as archive:
         return {name: archive.read(name) for name in archive.namelist()}
 
@@ -38,7 +38,7 @@ def _npy(data: bytes, shape: Any = None, kind: str = "|u1") -> bytes:
     return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header + data
 
 
-def _zipped(random: Random, files: Dict[str, bytes]) -> bytes:
+def _zipped(random: Random, files: dict[str, bytes]) -> bytes:
     """A zip with right checksums; now and then its directory lies."""
     file = io.BytesIO()
     with zipfile.ZipFile(
@@ -71,7 +71,7 @@ def onboard_files(world: World) -> Tools:
     placed = Placed(world.folder, "area.npz")
     header = json.loads(files["header.npy"][10 + struct.unpack_from("<H", files["header.npy"], 8)[0] :])
 
-    def change_member(random: Random, found: Dict[str, bytes]) -> None:
+    def change_member(random: Random, found: dict[str, bytes]) -> None:
         name = random.choice([name for name in found if name != "content_hash.npy"])
         data, kind = found[name], random.randrange(6)
         if kind <= 1:
@@ -132,7 +132,7 @@ def _area(world: World) -> str:
     return str(folder)
 
 
-def _main(arguments: List[str]) -> int:
+def _main(arguments: list[str]) -> int:
     """Runs the command line here; Broken where it has a fault or says what is no line."""
     from semref.core.onboard.command_line import main
 
@@ -192,7 +192,7 @@ def command_line(world: World) -> Tools:
     methods = ["automatic", "topology-vector", "constellation", "map-correlation", "debug", "/dev/null", "/dev/full"]
     numbers = [number for number in NUMBERS if number.isascii()]
 
-    def make(random: Random) -> List[str]:
+    def make(random: Random) -> list[str]:
         found = list(random.choice(base))
         for _ in range(random.choice((1, 1, 2, 3))):
             kind, place = random.randrange(6), random.randrange(len(found) + 1)
@@ -207,7 +207,7 @@ def command_line(world: World) -> Tools:
         # A program's arguments have no null characters; sinks must not fill the disk with odd names.
         return [_harmless(argument, found[n - 1] if n else "") for n, argument in enumerate(found)]
 
-    def attempt(arguments: List[str]) -> None:
+    def attempt(arguments: list[str]) -> None:
         if "watch" in arguments and "--once" not in arguments:
             arguments = [*arguments, "--once"]
         if _main(arguments) in (2, 3):
@@ -230,7 +230,7 @@ def watched_names(world: World) -> Tools:
     watched = world.folder / "watched"
     watched.mkdir()
 
-    def make(random: Random) -> List[tuple]:
+    def make(random: Random) -> list[tuple]:
         found = []
         for _ in range(random.choice((1, 2, 3))):
             name = random.choice((word(random).encode("utf-8", "replace"), random.randbytes(6)))
@@ -240,7 +240,7 @@ def watched_names(world: World) -> Tools:
             found.append((name, random.randrange(6), random.choice((0, 1, -1, 2**31, 2**40, 2**52))))
         return found
 
-    def attempt(made: List[tuple]) -> None:
+    def attempt(made: list[tuple]) -> None:
         placed = []
         try:
             for name, kind, moment in made:

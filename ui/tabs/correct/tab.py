@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import time
-from typing import Dict, Iterator, List, Optional, Set
+from collections.abc import Iterator
 
 from qgis.core import (
     QgsFeature,
@@ -56,17 +56,17 @@ class CorrectTab(QWidget):
 
     updateAsked = pyqtSignal(object)
 
-    def __init__(self, canvas: QgsMapCanvas, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, canvas: QgsMapCanvas, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._canvas = canvas
-        self._done: Set[int] = set()
-        self._ids: Set[int] = set()
-        self._counted: Set[int] = set()
-        self._rows: Iterator[Dict] = iter(())
+        self._done: set[int] = set()
+        self._ids: set[int] = set()
+        self._counted: set[int] = set()
+        self._rows: Iterator[dict] = iter(())
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.timeout.connect(self._fill_on)
-        self._layer: Optional[QgsVectorLayer] = None
+        self._layer: QgsVectorLayer | None = None
         self._mark = PlaceMark(canvas)
         self._lay_out()
         self._connect()
@@ -139,7 +139,7 @@ class CorrectTab(QWidget):
         self._done = set(json.loads(stored)) if stored else set()
         self._fill()
 
-    def _leave_removed(self, ids: List[str]) -> None:
+    def _leave_removed(self, ids: list[str]) -> None:
         """Else the box would go on to some other layer, without telling."""
         if self._layer is not None and self._layer.id() in ids:
             self.layer.setLayer(None)
@@ -179,7 +179,7 @@ class CorrectTab(QWidget):
             self.places.resizeColumnToContents(2)
             self._enable()
 
-    def _add_row(self, row: Dict) -> None:
+    def _add_row(self, row: dict) -> None:
         number = self.places.rowCount()
         self.places.setRowCount(number + 1)
         for column, text in enumerate(row["texts"]):
@@ -196,7 +196,7 @@ class CorrectTab(QWidget):
         rows = self.places.selectionModel().selectedRows()
         return rows[0].row() if rows else -1
 
-    def _selected(self) -> Optional[QgsFeature]:
+    def _selected(self) -> QgsFeature | None:
         row = self._selected_row()
         if row < 0 or self._layer is None:
             return None
@@ -260,13 +260,13 @@ class CorrectTab(QWidget):
         self.updateAsked.emit(places)
 
 
-def _fields(layer: QgsVectorLayer) -> List[Optional[str]]:
+def _fields(layer: QgsVectorLayer) -> list[str | None]:
     """The field shown in each column; None where the layer has none of those."""
     names = set(layer.fields().names())
     return [next((name for name in choices if name in names), None) for choices in _COLUMNS]
 
 
-def _title(field: Optional[str]) -> str:
+def _title(field: str | None) -> str:
     titles = {
         "kind": tr("Kind"),
         "message": tr("Message"),
@@ -277,12 +277,12 @@ def _title(field: Optional[str]) -> str:
     return titles.get(field, "")
 
 
-def _texts(feature: QgsFeature, fields: List[Optional[str]]) -> List[str]:
+def _texts(feature: QgsFeature, fields: list[str | None]) -> list[str]:
     values = [None if name is None else feature[name] for name in fields]
     return ["" if is_null(v) else f"{v:.1f}" if isinstance(v, float) else str(v) for v in values]
 
 
-def _rows(layer: QgsVectorLayer, fields: List[Optional[str]]) -> Iterator[Dict]:
+def _rows(layer: QgsVectorLayer, fields: list[str | None]) -> Iterator[dict]:
     has_severity = _SEVERITY in layer.fields().names()
     for feature in layer.getFeatures(QgsFeatureRequest().setFlags(QgsFeatureRequest.NoGeometry)):
         is_information = has_severity and feature[_SEVERITY] == INFORMATION

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from html import escape
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -55,16 +55,16 @@ class InspectTab(QWidget):
     databaseWanted = pyqtSignal()
     said = pyqtSignal(str)
 
-    def __init__(self, canvas: QgsMapCanvas, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, canvas: QgsMapCanvas, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._canvas = canvas
-        self._database: Optional[ReferenceDatabase] = None
-        self._crs: Optional[QgsCoordinateReferenceSystem] = None
-        self._window: Optional[InspectedWindow] = None
-        self._image_vector: Optional[np.ndarray] = None
+        self._database: ReferenceDatabase | None = None
+        self._crs: QgsCoordinateReferenceSystem | None = None
+        self._window: InspectedWindow | None = None
+        self._image_vector: np.ndarray | None = None
         self._image_name = ""
         self._wanted_name = ""
-        self._wanted_point: Optional[QgsPointXY] = None
+        self._wanted_point: QgsPointXY | None = None
         self.tool = WindowTool(canvas)
         self._marks = WindowMarks(canvas)
         self._lay_out()
@@ -133,7 +133,7 @@ class InspectTab(QWidget):
 
     # --- what is inspected ---
 
-    def use(self, database: Optional[ReferenceDatabase]) -> None:
+    def use(self, database: ReferenceDatabase | None) -> None:
         """Takes another database; the wish that made it be read is fulfilled."""
         self._database = database
         self._show_nothing()
@@ -159,7 +159,7 @@ class InspectTab(QWidget):
             return
         self._show(index)
 
-    def compare_with(self, name: str, vector: Optional[np.ndarray]) -> None:
+    def compare_with(self, name: str, vector: np.ndarray | None) -> None:
         """The image that “compare” means; None when there is none, or it has no vector."""
         self._image_name, self._image_vector = name, vector
         self.compare.setEnabled(vector is not None)
@@ -238,7 +238,7 @@ class InspectTab(QWidget):
         self._fill_numbers(window, compared)
         self._fill_look_alikes(window)
 
-    def _fill_numbers(self, window: InspectedWindow, compared: Optional[Comparison]) -> None:
+    def _fill_numbers(self, window: InspectedWindow, compared: Comparison | None) -> None:
         self.numbers.setRowCount(len(window.rays))
         for number, ray in enumerate(window.rays):
             apart = None if compared is None else compared.apart[number]
@@ -261,7 +261,7 @@ class InspectTab(QWidget):
         self.look_alikes.resizeColumnsToContents()
 
 
-def _title(window: InspectedWindow, compared: Optional[Comparison], image: str) -> str:
+def _title(window: InspectedWindow, compared: Comparison | None, image: str) -> str:
     """Rich text: what the window is, and how far an image's vector is from its."""
     x, y = window.center_xy
     counted = tr("{count} landmarks, center {x:.0f} {y:.0f}").format(count=window.landmark_count, x=x, y=y)

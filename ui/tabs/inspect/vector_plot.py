@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import cos, sin
-from typing import Optional, Sequence
 
 from qgis.PyQt.QtCore import QPointF, QSize, Qt
 from qgis.PyQt.QtGui import QColor, QPainter, QPaintEvent, QPalette, QPen
@@ -20,7 +20,7 @@ _RINGS = (0.25, 0.5, 0.75, 1.0)
 class VectorPlot(QWidget):
     """One star, and perhaps a second, paler one to compare it with."""
 
-    def __init__(self, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._rays: Sequence[Ray] = ()
         self._compared: Sequence[Ray] = ()

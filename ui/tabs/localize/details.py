@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
-from typing import List, Optional, Sequence, Tuple
 
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QSize
@@ -28,14 +28,14 @@ class Details(QTextEdit):
         self.viewport().setAutoFillBackground(False)
         self.setWordWrapMode(QTextOption.WrapMode.WrapAtWordBoundaryOrAnywhere)
         self.setPlaceholderText(tr("Select a result to see its hit on the map."))
-        self._lines: List[str] = []
+        self._lines: list[str] = []
 
-    def show_finding(self, finding: Optional[Finding]) -> None:
+    def show_finding(self, finding: Finding | None) -> None:
         """Everything about a finding; nothing for None."""
         self._lines = [] if finding is None else _lines(finding)
         self.setHtml("<br>".join(self._lines))
 
-    def add_lines(self, lines: List[str]) -> None:
+    def add_lines(self, lines: list[str]) -> None:
         """Lines of HTML that became known later."""
         self.setHtml("<br>".join([*self._lines, *lines]))
 
@@ -49,7 +49,7 @@ class Details(QTextEdit):
         return lines * self.fontMetrics().lineSpacing() + 2 * int(self.document().documentMargin())
 
 
-def _lines(finding: Finding) -> List[str]:
+def _lines(finding: Finding) -> list[str]:
     """Lines of HTML."""
     how_sure = _joined(
         (finding.confidence if finding.is_by_vector else None, tr("confidence {value:.2f}")),
@@ -74,7 +74,7 @@ def _lines(finding: Finding) -> List[str]:
     return lines
 
 
-def _measures(finding: Finding) -> List[str]:
+def _measures(finding: Finding) -> list[str]:
     """Lines of what the method tells about the match; each method tells other things."""
     lines = (
         _joined((finding.heading, tr("heading {value:.1f}°")), (finding.pixel_size, tr("pixel size {value:.3g} m"))),
@@ -87,7 +87,7 @@ def _measures(finding: Finding) -> List[str]:
     return [escape(line) for line in lines if line]
 
 
-def _joined(*measures: Tuple[Optional[object], str]) -> str:
+def _joined(*measures: tuple[object | None, str]) -> str:
     """Values that are known, each in its text."""
     return ", ".join(text.format(value=value) for value, text in measures if value is not None)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Iterable, List, Optional
+from collections.abc import Iterable
 
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
@@ -31,7 +31,7 @@ class ImageList(QListWidget):
     changed = pyqtSignal()
     refused = pyqtSignal(list)
 
-    def __init__(self, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
@@ -40,7 +40,7 @@ class ImageList(QListWidget):
         self.setIconSize(QSize(self.fontMetrics().height(), self.fontMetrics().height()))
         self.setAcceptDrops(True)
 
-    def paths(self) -> List[str]:
+    def paths(self) -> list[str]:
         """Of all entries, from top to bottom."""
         return [self.item(row).data(_PATH_ROLE) for row in range(self.count())]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional, Sequence, Tuple
+from collections.abc import Sequence
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen
@@ -20,7 +20,7 @@ class LandmarkDots(QGraphicsItem):
     """Dots in the classes' colors that keep their size whatever the zoom; hollow where the image's edge cuts one.
     Those that agree with the map are ringed and numbered."""
 
-    def __init__(self, picture: ImagePicture, matched: Sequence[Tuple[float, float]], font: QFont) -> None:
+    def __init__(self, picture: ImagePicture, matched: Sequence[tuple[float, float]], font: QFont) -> None:
         super().__init__()
         landmarks = picture.seen.landmarks
         self._rect = QRectF(0, 0, *picture.size_wh)
@@ -41,7 +41,7 @@ class LandmarkDots(QGraphicsItem):
     def boundingRect(self) -> QRectF:
         return self._rect
 
-    def paint(self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Optional[QWidget] = None) -> None:
+    def paint(self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None) -> None:
         transform = painter.worldTransform()
         painter.resetTransform()
         for center, color, cut in self._dots:
@@ -73,7 +73,7 @@ class VectorStar(QGraphicsItem):
     def boundingRect(self) -> QRectF:
         return self._rect
 
-    def paint(self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Optional[QWidget] = None) -> None:
+    def paint(self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None) -> None:
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self._square != self._rect:
             painter.setPen(_cosmetic(RED, 1, Qt.PenStyle.DashLine))

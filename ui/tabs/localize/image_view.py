@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional, Sequence, Tuple
+from collections.abc import Sequence
 
 from qgis.core import QgsSettings
 from qgis.PyQt.QtCore import QEvent, QRectF, QSize, Qt, pyqtSignal
@@ -42,7 +42,7 @@ class ImageView(QWidget):
 
     pointed = pyqtSignal(int)
 
-    def __init__(self, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("SemRefImageView")
         self.canvas = _Canvas()
@@ -68,7 +68,7 @@ class ImageView(QWidget):
         self.canvas.pointed.connect(self.pointed)
         self.clear("")
 
-    def show_picture(self, picture: ImagePicture, matched: Sequence[Tuple[float, float]]) -> None:
+    def show_picture(self, picture: ImagePicture, matched: Sequence[tuple[float, float]]) -> None:
         """Shows a picture instead of the one before; ``matched``: (column, row) of landmarks that the map has."""
         self.canvas.show_picture(picture, matched)
         self._apply()
@@ -104,11 +104,11 @@ class _Canvas(QGraphicsView):
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setMouseTracking(True)
         self._text = ""
-        self._labels: Optional[QGraphicsItem] = None
-        self._landmarks: Optional[LandmarkDots] = None
-        self._star: Optional[QGraphicsItem] = None
+        self._labels: QGraphicsItem | None = None
+        self._landmarks: LandmarkDots | None = None
+        self._star: QGraphicsItem | None = None
 
-    def show_picture(self, picture: ImagePicture, matched: Sequence[Tuple[float, float]]) -> None:
+    def show_picture(self, picture: ImagePicture, matched: Sequence[tuple[float, float]]) -> None:
         scene = self.scene()
         scene.clear()
         self._text = ""

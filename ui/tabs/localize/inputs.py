@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import List, Optional
 
 from qgis.core import QgsApplication, QgsProject, QgsProviderRegistry, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
@@ -41,7 +40,7 @@ class ImageBox(QgsCollapsibleGroupBox):
     changed = pyqtSignal()
     refused = pyqtSignal(list)
 
-    def __init__(self, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Images"), parent)
         self.setObjectName("SemRefImages")
         self.list = ImageList()
@@ -72,7 +71,7 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.list.changed.connect(self.changed)
         self.list.refused.connect(self.refused)
 
-    def paths(self) -> List[str]:
+    def paths(self) -> list[str]:
         """Of the images and folders, as listed."""
         return self.list.paths()
 
@@ -107,7 +106,7 @@ class ImageBox(QgsCollapsibleGroupBox):
     def _add_layer(self, path: str, *_checked) -> None:
         self.list.add([path])
 
-    def _add(self, paths: List[str]) -> None:
+    def _add(self, paths: list[str]) -> None:
         if any(paths):
             QgsSettings().setValue(_FOLDER_SETTING, paths[0])
             self.list.add(paths)
@@ -116,7 +115,7 @@ class ImageBox(QgsCollapsibleGroupBox):
 class MethodRow(QWidget):
     """How images are localized, remembered from session to session."""
 
-    def __init__(self, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("SemRefMethod")
         self.choice = QComboBox()

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Dict, Mapping, Optional, Tuple
 
 import numpy as np
 from qgis.PyQt.QtGui import QImage
@@ -32,13 +32,13 @@ class ImagePicture:
     """
 
     path: str
-    photo: Optional[QImage]
+    photo: QImage | None
     labels: QImage
     seen: InspectedImage
     colors: Mapping[int, str]
 
     @property
-    def size_wh(self) -> Tuple[int, int]:
+    def size_wh(self) -> tuple[int, int]:
         """Width and height of the image, in its own pixels."""
         height, width = self.seen.labels_hw.shape
         return width, height
@@ -50,7 +50,7 @@ class PictureShelf:
     def __init__(self, databases: DatabaseShelf) -> None:
         self._databases = databases
         self._inspector = ImageInspector()
-        self._pictures: Dict[tuple, ImagePicture] = {}
+        self._pictures: dict[tuple, ImagePicture] = {}
 
     def read(self, query: ImageQuery, database: str) -> ImagePicture:
         """The picture of an image, described as the windows of the database at this path.
@@ -75,12 +75,12 @@ class PictureShelf:
         return ImagePicture(query.image, photo, labels, seen, {c.value: c.color for c in table})
 
 
-def _changed(path: str) -> Optional[float]:
+def _changed(path: str) -> float | None:
     """When a file was changed last; None where there is none."""
     return os.path.getmtime(path) if os.path.exists(path) else None
 
 
-def label_picture(labels_hw: np.ndarray, colors: Mapping[int, Tuple[int, int, int]]) -> QImage:
+def label_picture(labels_hw: np.ndarray, colors: Mapping[int, tuple[int, int, int]]) -> QImage:
     """A label map in its classes' colors; unlabeled pixels are transparent.
 
     Args:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import List, Tuple
-
 from qgis.core import (
     QgsCoordinateFormatter,
     QgsCoordinateReferenceSystem,
@@ -58,7 +56,7 @@ def position_text(finding: Finding, name: str, project: QgsProject) -> str:
     return ", ".join(_sexagesimal(finding))
 
 
-def _sexagesimal(finding: Finding) -> Tuple[str, str]:
+def _sexagesimal(finding: Finding) -> tuple[str, str]:
     kind = QgsCoordinateFormatter.FormatDegreesMinutesSeconds
     return (
         QgsCoordinateFormatter.formatY(finding.latitude, kind, 3),
@@ -76,5 +74,5 @@ def _in_project(finding: Finding, project: QgsProject):
         return None
 
 
-def possible_formats(finding: Finding, project: QgsProject) -> List[str]:
+def possible_formats(finding: Finding, project: QgsProject) -> list[str]:
     return [name for name in FORMATS if position_text(finding, name, project)]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Optional
-
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsDistanceArea,
@@ -22,13 +20,13 @@ from ...widgets.layouts import narrow, row_of
 class PriorRow(QWidget):
     """``shut_down`` before it is deleted."""
 
-    def __init__(self, canvas: QgsMapCanvas, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, canvas: QgsMapCanvas, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("SemRefPrior")
         self._canvas = canvas
-        self._middle: Optional[QgsPointXY] = None
-        self._edge: Optional[QgsPointXY] = None
-        self._crs: Optional[QgsCoordinateReferenceSystem] = None
+        self._middle: QgsPointXY | None = None
+        self._edge: QgsPointXY | None = None
+        self._crs: QgsCoordinateReferenceSystem | None = None
         self._radius_m = 0.0
         self.tool = PriorTool(canvas)
         self.text = QLabel()
@@ -54,13 +52,13 @@ class PriorRow(QWidget):
         self._keep(middle, edge, self._canvas.mapSettings().destinationCrs())
         self._canvas.unsetMapTool(self.tool)
 
-    def circle(self) -> Optional[tuple]:
+    def circle(self) -> tuple | None:
         """(x, y of the middle, x, y of the edge, authid of their CRS); None without a circle."""
         if self._middle is None:
             return None
         return self._middle.x(), self._middle.y(), self._edge.x(), self._edge.y(), self._crs.authid()
 
-    def restore(self, circle: Optional[tuple]) -> None:
+    def restore(self, circle: tuple | None) -> None:
         """What ``circle`` told."""
         crs = QgsCoordinateReferenceSystem() if circle is None else QgsCoordinateReferenceSystem(circle[4])
         if crs.isValid():

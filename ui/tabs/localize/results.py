@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import List, Optional
 
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox
@@ -33,7 +32,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
     drapeAsked = pyqtSignal(object)
     copied = pyqtSignal(str)
 
-    def __init__(self, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Results"), parent)
         self.setObjectName("SemRefResults")
         self.table = ResultsTable()
@@ -87,12 +86,12 @@ class ResultsBox(QgsCollapsibleGroupBox):
         layout.addLayout(row_of(self.before, self.after, self.zoom, (self.copy, 1)))
         layout.addLayout(row_of(self.drape, self.keep))
 
-    def show_findings(self, findings: List[Finding]) -> None:
+    def show_findings(self, findings: list[Finding]) -> None:
         """Shows these instead of those before, the first one selected."""
         self.table.show_findings(findings)
         self.keep.setEnabled(bool(findings))
 
-    def _select(self, finding: Optional[Finding]) -> None:
+    def _select(self, finding: Finding | None) -> None:
         self.details.show_finding(finding)
         has_position = finding is not None and finding.center is not None
         self.copy.setEnabled(has_position)

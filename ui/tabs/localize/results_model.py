@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import List, Optional, Sequence, Union
+from collections.abc import Sequence
 
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QObject, Qt
@@ -27,9 +27,9 @@ class ResultsModel(QStandardItemModel):
     """One row a finding. Qt's own model: one in Python would be asked a dozen times for each cell that is painted, and
     wait each time for the threads that segment images meanwhile."""
 
-    def __init__(self, parent: Optional[QObject] = None) -> None:
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(0, COLUMN_COUNT, parent)
-        self._findings: List[Finding] = []
+        self._findings: list[Finding] = []
         self._show_headers()
 
     def show(self, findings: Sequence[Finding]) -> None:
@@ -72,7 +72,7 @@ def _icon(finding: Finding) -> str:
     return _ICONS.get(finding.status, _OTHER_ICON)
 
 
-def _headers() -> List[str]:
+def _headers() -> list[str]:
     return [
         tr("Image"),
         tr("Confidence"),
@@ -84,7 +84,7 @@ def _headers() -> List[str]:
     ]
 
 
-def _header_help() -> List[str]:
+def _header_help() -> list[str]:
     return [
         tr("File name of the image"),
         tr("Probability that the position is right; for the published method, how near the vectors are"),
@@ -108,18 +108,18 @@ def _text(finding: Finding, column: int) -> str:
     return _number(_figure(finding, column), _DECIMALS[column])
 
 
-def _figure(finding: Finding, column: int) -> Optional[float]:
+def _figure(finding: Finding, column: int) -> float | None:
     """What a number column shows."""
     if column == CONFIDENCE:
         return finding.confidence if finding.status == Status.FIX else None
     return {ERROR: finding.error_95, HEADING: finding.heading, DISTANCE: finding.distance}[column]
 
 
-def _number(value: Optional[float], decimals: int) -> str:
+def _number(value: float | None, decimals: int) -> str:
     return "" if value is None else f"{value:.{decimals}f}"
 
 
-def _sort_value(finding: Finding, column: int) -> Union[float, str]:
+def _sort_value(finding: Finding, column: int) -> float | str:
     if column in NUMBER_COLUMNS:
         value = _figure(finding, column)
         return -1.0 if value is None else float(value)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import List, Optional
-
 from qgis.PyQt.QtCore import QSize, QSortFilterProxyModel, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QPaintEvent, QResizeEvent
 from qgis.PyQt.QtWidgets import QAbstractItemView, QTableView, QWidget
@@ -23,7 +21,7 @@ class ResultsTable(QTableView):
 
     findingSelected = pyqtSignal(object)
 
-    def __init__(self, parent: Optional[QWidget] = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._model = ResultsModel(self)
         self._sorted = QSortFilterProxyModel(self)
@@ -49,7 +47,7 @@ class ResultsTable(QTableView):
         self._fit_columns()
         self.selectionModel().selectionChanged.connect(self._tell_selected)
 
-    def show_findings(self, findings: List[Finding]) -> None:
+    def show_findings(self, findings: list[Finding]) -> None:
         """Shows them in their order and selects the first."""
         # Resetting the model drops the selection without a signal.
         self._model.show(findings)
@@ -59,7 +57,7 @@ class ResultsTable(QTableView):
         if findings:
             self.selectRow(0)
 
-    def selected(self) -> Optional[Finding]:
+    def selected(self) -> Finding | None:
         """The finding of the selected row, None without one."""
         rows = self.selectionModel().selectedRows()
         return self._model.finding(self._sorted.mapToSource(rows[0]).row()) if rows else None

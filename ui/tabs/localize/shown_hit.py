@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from typing import Optional
 
 from qgis.core import QgsProject
 from qgis.gui import QgsMapCanvas
@@ -75,7 +74,7 @@ class ShownHit(QObject):
 
     # --- the selected one ---
 
-    def _show(self, finding: Optional[Finding]) -> None:
+    def _show(self, finding: Finding | None) -> None:
         if not self.highlight.show(finding):
             self._messages.warning(
                 tr("The hit lies outside the area of the project’s CRS; choose another one to see it.")

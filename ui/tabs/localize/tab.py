@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from typing import List
 
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
@@ -216,6 +215,6 @@ class LocalizeTab(QWidget):
     def _show_copied(self, text: str) -> None:
         self.state.show_text(tr("Copied: {command}").format(command=text))
 
-    def _refuse_layers(self, names: List[str]) -> None:
+    def _refuse_layers(self, names: list[str]) -> None:
         sentence = tr("{layers}: not added, because a layer has to be one file of an image.")
         self._messages.warning(sentence.format(layers=", ".join(names)))
