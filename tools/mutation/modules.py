@@ -35,8 +35,9 @@ MODULES = (
         ("tests/core/constellation/test_solver_decisions.py", "tests/core/constellation/test_solver.py"),
     ),
     *map(_mirrored, ("correlation/decision", "localizer/combined")),
-    *map(_mirrored, ("labels/class_table", "onboard/format", "onboard/write")),
+    *map(_mirrored, ("labels/class_table", "onboard/format")),
     Module("core/onboard/read.py", ("tests/core/onboard/test_read.py", "tests/core/onboard/test_signature.py")),
+    Module("core/onboard/write.py", ("tests/core/onboard/test_write.py", "tests/core/onboard/test_signature.py")),
     Module(
         "storage/database/reader.py",
         ("tests/qgis/test_kept_files.py", "tests/qgis/test_hostile_databases.py"),

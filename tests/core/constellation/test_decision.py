@@ -61,3 +61,9 @@ def test_the_risk_that_is_allowed_decides():
 def test_risk_and_log_odds_are_each_others_inverse():
     assert [log_odds_of(risk_of(value)) for value in (-5.0, 0.0, 9.2, 25.0)] == pytest.approx([-5.0, 0.0, 9.2, 25.0])
     assert risk_of(1e9) == LEAST_RISK and risk_of(-1e9) == 1.0
+
+
+def test_a_rival_below_even_odds_takes_nothing_off_and_one_above_does():
+    doubtful = replace(SURE, log_odds=20.0)
+    alone, worse, little = (risk_against(doubtful, rival, CONSTELLATION) for rival in (0.0, -5.0, 0.5))
+    assert alone == worse < little

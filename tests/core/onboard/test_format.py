@@ -33,14 +33,14 @@ def test_a_file_whose_directory_can_not_be_read_is_not_known_as_one(written, tmp
     data[directory : directory + 4] = b"none"
     (tmp_path / "odd.npz").write_bytes(data)
     assert zipfile.is_zipfile(tmp_path / "odd.npz")
-    assert not is_onboard_file(str(tmp_path / "odd.npz"))
+    assert is_onboard_file(str(tmp_path / "odd.npz")) is False
 
 
 @pytest.mark.parametrize("name", list(FOREIGN))
 def test_a_foreign_file_is_not_known_as_one(tmp_path, name):
     path = tmp_path / "foreign.npz"
     path.write_bytes(FOREIGN[name])
-    assert not is_onboard_file(str(path))
+    assert is_onboard_file(str(path)) is False
 
 
 def test_the_hash_is_of_all_members_but_itself_whatever_their_order():
