@@ -119,10 +119,14 @@ class SegmentImage(SemRefAlgorithm):
         classes = model.classes
         feedback.setProgressText(tr("Segmenting"))
         # The steps are closed first: threads they hold are let go before the file is cleared away.
-        with outputs.raster(self.OUTPUT, classes.table) as path, LabelMapFile(path, *grid, classes.table) as label_map:  # noqa: SIM117
-            with closing(segment(model, image, classes.values, overlap)) as steps:
-                for first, labels_hw in whole_tile_rows(_followed(steps, feedback)):
-                    label_map.write_rows(first, labels_hw)
+        steps = segment(model, image, classes.values, overlap)
+        with (
+            outputs.raster(self.OUTPUT, classes.table) as path,
+            LabelMapFile(path, *grid, classes.table) as label_map,
+            closing(steps),
+        ):
+            for first, labels_hw in whole_tile_rows(_followed(steps, feedback)):
+                label_map.write_rows(first, labels_hw)
 
     def _at_resolution(
         self, values: Values, photo: GdalImage, model: SegmentationModel, feedback: QgsProcessingFeedback

@@ -69,7 +69,7 @@ class _Sound:
         from semref.core.onboard.command_line import main
 
         # Left open: what a full disk did not take is tried again when it is closed.
-        sys.stdout = open(self._out / "stdout.lines", "a", encoding="utf-8")
+        sys.stdout = open(self._out / "stdout.lines", "a", encoding="utf-8")  # noqa: SIM115
         code = main(self._arguments)
         try:
             sys.stdout.flush()
