@@ -130,7 +130,8 @@ class ImageSimulator:
             found = Localization(Status.TOO_FEW_REFERENCES, Method.CONSTELLATION)
         else:
             size = self.size_px, self.size_px
-            found = solve(landmarks, size, self._localizer.index, self._prior, self._smallest_px)
+            localizer = self._localizer
+            found = solve(landmarks, size, localizer.index, self._prior, self._smallest_px, localizer.errors)
         return judge(query, Method.CONSTELLATION, found, landmarks=count)
 
     def correlation(self, query: Query, rng: np.random.Generator) -> Trial:

@@ -9,15 +9,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..geometry.error_settings import SharedErrors
 from ..geometry.pose import (
     Pose,
     PoseCovariance,
     heading_of,
     image_points,
-    level_covariance,
-    tilted_covariance,
     turn_of,
 )
+from ..geometry.shared_errors import LANDMARKS, VIEW, MatchedPoints, refined_pose
 from ..landmarks.landmarks import Landmarks
 from ..localization import RISK, Localization, Matches, Method, Place, Prior, Status
 from ..sentences import Sentence
@@ -43,6 +43,7 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     prior: Prior | None = None,
     minimum_area_px: float | None = None,
     allowed_risk: float = RISK,
+    errors: SharedErrors | None = None,
 ) -> Localization:
     """Position, heading and pixel size of an image from its landmarks, or why there is no fix. Deterministic.
 
@@ -53,6 +54,7 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
         prior: What is known beforehand.
         minimum_area_px: Contour area below which landmarks were not extracted; by default the smallest one's.
         allowed_risk: Probability of being wrong up to which the best place is a fix.
+        errors: What is known of errors that landmarks share; the defaults without it.
     """
     settings = index.settings
     query = make_query(objects, index, size_wh)
@@ -63,13 +65,13 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     verifier = Verifier(index, *size_wh, float(full_area(smallest, 1.0)))
     # A mirrored image has no heading that could be known.
     blind = None if prior is None else replace(prior, heading_deg=None)
-    searched = _Searched([], [], False)
+    searched = _Searched([], [], False, errors or SharedErrors())
     triangles = query_triangles(query, settings)
     for some, cap in _rounds(triangles, settings):
         if cap is None and not searched.capped:
             break
         found, capped = _solve(verifier, query, some, prior, cap)
-        searched = _Searched(found, [], capped)
+        searched = replace(searched, found=found, decoys=[], capped=capped)
         if not found or found[0].log_odds <= 0:
             continue
         searched = replace(searched, found=_with_repeats(verifier, query, found))
@@ -240,6 +242,7 @@ class _Searched:
     found: list[PoseEvidence]
     decoys: list[PoseEvidence]
     capped: bool
+    errors: SharedErrors
 
     def opponents(self, index: ConstellationIndex) -> Opponents:
         """The best place, and what it is compared with."""
@@ -257,17 +260,19 @@ def _decide(
     if not found:
         nothing = Sentence("localization.no_triangles")
         return Localization(Status.NO_MATCH, Method.CONSTELLATION, count, nothing, search_capped=capped)
-    best, covariance = found[0], _covariance(index, query, found[0])
+    best = found[0]
+    pose, covariance = _refined(index, query, best, searched.errors)
     opponents = searched.opponents(index)
     rivals = [other for other in found[1:] if risk_against(opponents, other.log_odds, settings) > allowed_risk]
     status, reason = verdict(opponents, len(rivals), allowed_risk, settings)
     if status is Status.NO_MATCH and count < objects_needed(index):
         status, reason = Status.TOO_FEW_REFERENCES, _too_few(count, index, capped).reason
-    error_95 = covariance.ellipse_95.semi_major if covariance and covariance.ellipse_95 else None
-    flaw = _flaw(verifier, query, best, error_95)
+    # What the image itself leaves open: a map that is not exact makes no place doubtful.
+    open_m = None if covariance is None else float(np.hypot(covariance.part(LANDMARKS), covariance.part(VIEW)))
+    flaw = _flaw(verifier, query, best, open_m)
     if status is Status.FIX and flaw is not None:
         status, reason = flaw
-    places = tuple(_place(index, evidence) for evidence in (best, *rivals))
+    places = (_place(index, best, pose), *(_place(index, evidence, evidence.pose) for evidence in rivals))
     risk = risk_of_best(opponents, settings)
     return Localization(
         status,
@@ -279,7 +284,7 @@ def _decide(
         risk=risk,
         is_doubted=status is not Status.FIX and flaw is None,
         alternatives=places if status is Status.AMBIGUOUS else (),
-        error_95_m=error_95,
+        error_95_m=None if covariance is None else covariance.radius_95,
         covariance=covariance,
         matches=_matches(objects, query, index, best),
         search_capped=capped,
@@ -321,8 +326,8 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence) -
     return found[0] if evident and not same_place(query, found[0], best, settings) else None
 
 
-def _place(index: ConstellationIndex, evidence: PoseEvidence) -> Place:
-    position, turn = evidence.pose.center + index.origin, evidence.pose.turn
+def _place(index: ConstellationIndex, evidence: PoseEvidence, pose: Pose) -> Place:
+    position, turn = pose.center + index.origin, pose.turn
     return Place(
         (float(position.real), float(position.imag)),
         heading_of(turn),
@@ -345,14 +350,17 @@ def _matches(objects: Landmarks, query: SeenLandmarks, index: ConstellationIndex
     return Matches(evidence.objects, objects.centers_xy[matched], np.column_stack([seen.real, seen.imag]), residuals)
 
 
-def _covariance(index: ConstellationIndex, query: SeenLandmarks, evidence: PoseEvidence) -> PoseCovariance | None:
+def _refined(
+    index: ConstellationIndex, query: SeenLandmarks, evidence: PoseEvidence, errors: SharedErrors
+) -> tuple[Pose, PoseCovariance | None]:
+    """The pose with errors that landmarks share, and how exactly it is known; None with too few matches."""
     if len(evidence.matched) < 3:
-        return None
+        return evidence.pose, None
     points = query.points[_matched(query, evidence, index.settings)]
-    on_map, pose = index.points[evidence.objects], evidence.pose
-    if not pose.is_level:
-        return tilted_covariance(points, on_map, evidence.deviations, pose, query.diagonal)
-    return level_covariance(points, pose.on_map(points) - on_map, evidence.deviations, pose.turn)
+    classes = index.class_values[index.ranks[evidence.objects]]
+    on_map = index.points[evidence.objects]
+    matched = MatchedPoints(points, on_map, evidence.deviations, classes, query.diagonal)
+    return refined_pose(matched, evidence.pose, errors)
 
 
 def objects_needed(index: ConstellationIndex) -> int:

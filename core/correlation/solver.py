@@ -11,14 +11,17 @@ but not known closely (a straight shore) is told as a possible place, not as a f
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..errors import LabelMapError
-from ..geometry.pose import PoseCovariance, as_pairs
+from ..geometry.error_settings import SharedErrors
 from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .class_pyramid import MapPyramid, evidence_level, mirrored_level
 from .decision import decide, exact_enough, position_error_95, risk_of_peaks
+from .exactness import covariance_on_map, known_pose, noise_factor
 from .places import (
     best_places,
     comparisons,
@@ -30,10 +33,16 @@ from .places import (
     search_space,
     size_for,
 )
-from .refine import NOT_COMPARABLE, ScoredPose, axes, score_at
+from .refine import NOT_COMPARABLE, ScoredPose, score_at
 
 
-def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior, allowed_risk: float = RISK) -> Localization:
+def localize(
+    labels_hw: np.ndarray,
+    pyramid: MapPyramid,
+    prior: Prior,
+    allowed_risk: float = RISK,
+    errors: SharedErrors | None = None,
+) -> Localization:
     """Finds a label image on a map. Same input, same result.
 
     Args:
@@ -41,6 +50,7 @@ def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior, allowed_r
         pyramid: The map's overview, prepared once.
         prior: What is known beforehand, the range of pixel sizes at least.
         allowed_risk: Probability of being wrong up to which the best place is a fix.
+        errors: What is known of the map's errors and the labels'; the defaults without it.
 
     Returns:
         The best place is told also where it is no fix, if there is any.
@@ -73,7 +83,11 @@ def localize(labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior, allowed_r
     pose, covariance = finest_pose(image, pyramid, poses[0])
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
-    return _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk))
+    found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk))
+    edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
+    spread = noise_factor(peaks.score, settings) ** 2 * covariance
+    known = known_pose(pose, spread, edge_m, pyramid.frame.pixel_size, errors or SharedErrors())
+    return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
 
 
 def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> float | None:
@@ -130,8 +144,9 @@ def _result(
     diagonal_m, allowed_risk = asked
     pose, *others = poses
     settings = pyramid.settings
-    known = _map_covariance(pose, covariance)
-    error_95 = position_error_95(np.array(known.position), peaks.score, pyramid.frame.pixel_size, settings)
+    spread = covariance_on_map(pose, covariance)[:2, :2] if np.isfinite(covariance).all() else np.full((2, 2), np.inf)
+    # What the image itself leaves open: a map that is not exact makes no place doubtful.
+    error_95 = position_error_95(spread, peaks.score, pyramid.frame.pixel_size, settings)
     status, reason = decide(peaks, allowed_risk, settings)
     exactness, looseness = exact_enough(error_95, diagonal_m, settings)
     if status is Status.FIX:
@@ -148,21 +163,8 @@ def _result(
         risk=risk,
         is_doubted=status is not Status.FIX and exactness is Status.FIX,
         alternatives=alternatives if status is Status.AMBIGUOUS else (),
-        error_95_m=error_95,
-        covariance=known,
         peaks=peaks,
     )
-
-
-def _map_covariance(pose: ScoredPose, covariance: np.ndarray) -> PoseCovariance:
-    """Of the pose as ``refine`` tells it, (4, 4) in image pixels, radians and ln pixel size; infinite where that is."""
-    if not np.isfinite(covariance).all():
-        return PoseCovariance(as_pairs(np.full((2, 2), np.inf)), np.inf, np.inf)
-    # Image pixels to map axes: y of the map goes up.
-    to_map = np.array([[1.0], [-1.0]]) * axes(pose)
-    heading, scale = np.sqrt(np.maximum(np.diag(covariance)[2:], 0))
-    spread = as_pairs(to_map @ covariance[:2, :2] @ to_map.T)
-    return PoseCovariance(spread, float(np.degrees(heading)), float(scale * pose.pixel_size_m))
 
 
 def _place(pyramid: MapPyramid, pose: ScoredPose) -> Place:

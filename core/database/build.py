@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import LabelMapError, WindowError
+from ..geometry.error_settings import MAP_ACCURACY
 from ..geometry.frame import MapFrame
 from ..labels.block_hashes import BlockHasher, map_hash
 from ..labels.class_table import ClassTable
@@ -40,6 +41,7 @@ class BuildSettings:
         references_per_vector: Landmarks that a vector holds at most.
         overview_factor: Pixels of the label map along the edge of one of the overview.
         threads: Rows of windows that are described at once.
+        map_accuracy: Standard deviation along each axis of where landmarks are on the map, map units.
 
     Raises:
         WindowError: A value can't be used.
@@ -52,6 +54,7 @@ class BuildSettings:
     references_per_vector: int = REFERENCES_PER_VECTOR
     overview_factor: int = OVERVIEW_FACTOR
     threads: int = 1
+    map_accuracy: float = MAP_ACCURACY
 
     def __post_init__(self) -> None:
         """Refuses values that can't be used."""
@@ -229,6 +232,7 @@ class DatabaseBuilder:
             class_table_hash=self._table.digest(),
             plugin_version=self._plugin_version,
             block_hashes=block_hashes,
+            map_accuracy=settings.map_accuracy,
         )
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 from ..errors import DatabaseError
+from ..geometry.error_settings import MAP_ACCURACY
 from ..geometry.frame import MapFrame
 from ..values import LONGEST_TEXT, checked, number, short_text, shown
 
@@ -60,6 +61,8 @@ class BuildParameters:
         format_version: Of the file.
         block_hashes: One a block of the label map (``map_hash``), row by row; none in databases of versions that did
             not keep them, and on board.
+        map_accuracy: Standard deviation along each axis of where landmarks are on the map, map units; that of other
+            maps' in databases of versions that did not keep it.
     """
 
     crs: str
@@ -78,6 +81,7 @@ class BuildParameters:
     plugin_version: str
     format_version: int = FORMAT_VERSION
     block_hashes: tuple = ()
+    map_accuracy: float = MAP_ACCURACY
 
     @property
     def extent(self) -> tuple[float, float, float, float]:
@@ -111,7 +115,7 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
     version = checked(stored["format_version"], int, "format_version")
     if version > FORMAT_VERSION:
         raise DatabaseError("database.newer_format", source=source, version=version, known=FORMAT_VERSION)
-    values = {"block_hashes": (), **stored}
+    values = {"block_hashes": (), "map_accuracy": MAP_ACCURACY, **stored}
     known: dict[str, Any] = {}
     for item in fields(BuildParameters):
         known[item.name] = checked(values[item.name], _JSON_TYPES[str(item.type)], item.name)
@@ -124,6 +128,7 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
         raise ValueError(f"levels are {shown(known['levels'])}")
     for name in _LENGTHS:
         number(known[name], name, above=0, most=_MOST_UNITS)
+    number(known["map_accuracy"], "map_accuracy", above=-1e-9, most=_MOST_UNITS)
     for name in _COUNTS:
         if not 0 < known[name] < _MOST:
             raise ValueError(f"{name} is {shown(known[name])}")

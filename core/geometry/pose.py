@@ -11,9 +11,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-CONFIDENCE_TAIL = 0.05
-"""The 95 % ellipse leaves out this much."""
-
 HUBER_IN_NOISE = 1.345
 """A match farther off than this many σ pulls no harder than one that is just so far off: Huber's own value. On the
 northern half of Liechtenstein merged and split objects cost less with it: median error 0.29 m, 0.33 m with 2.0."""
@@ -47,14 +44,34 @@ class PoseCovariance:
         position: ((xx, xy), (xy, yy)) of the position along the map's axes, map units².
         heading_deviation_deg: Standard deviation of the heading.
         pixel_size_deviation: Standard deviation of the pixel size, map units.
-        ellipse_95: Holds the position in 95 % of fixes; None where deviations are the fit's own, which no trials
-            confirm, as those of map correlation.
+        ellipse_95: Holds the position in 95 % of fixes.
+        radius_95: Of the circle that does.
+        full: (4, 4) of map x and y, heading in radians, ln pixel size, as rows.
+        parts: What the radius is made of: (cause, the 95 % radius that it would make alone, map units), largest first.
     """
 
     position: tuple[tuple[float, float], tuple[float, float]]
     heading_deviation_deg: float
     pixel_size_deviation: float
     ellipse_95: Ellipse | None = None
+    radius_95: float | None = None
+    full: tuple[tuple[float, ...], ...] = ()
+    parts: tuple[tuple[str, float], ...] = ()
+
+    @property
+    def deviations(self) -> tuple[float, float]:
+        """Standard deviations along the map's axes, map units."""
+        return self.position[0][0] ** 0.5, self.position[1][1] ** 0.5
+
+    def part(self, cause: str) -> float:
+        """The 95 % radius that a cause would make alone, map units; 0 for one that is not told."""
+        return dict(self.parts).get(cause, 0.0)
+
+    @property
+    def correlation(self) -> float:
+        """Of the errors along the map's axes, −1 to 1."""
+        east, north = self.deviations
+        return self.position[0][1] / (east * north) if east * north > 0 else 0.0
 
 
 @dataclass(frozen=True)
@@ -180,70 +197,6 @@ def _tilted_system(
     return np.concatenate([block.real, block.imag, prior]), np.concatenate([right.real, right.imag, np.zeros(4)])
 
 
-def tilted_covariance(
-    image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, pose: Pose, diagonal: float
-) -> PoseCovariance:
-    """``level_covariance`` for ``fit_tilted``, by linear propagation of the noise measured from the residuals."""
-    residuals = (pose.on_map(image) - on_map) / deviations * abs(pose.turn) / pose.turn
-    share = huber(np.abs(residuals), np.ones(len(image)))
-    columns, _ = _tilted_system(image, on_map, deviations / np.sqrt(share), pose, diagonal)
-    freedom = max(2 * len(image) - 8, 2)
-    influence = np.linalg.pinv(columns)[:, : 2 * len(image)]
-    leverage = (influence.T * columns[: 2 * len(image)]).sum(axis=1)
-    pulls = np.concatenate([residuals.real, residuals.imag]) * np.tile(np.sqrt(share), 2)
-    variances = (pulls / np.maximum(1 - leverage, 0.1)) ** 2
-    pooled = (pulls**2 * np.tile(share, 2)).sum() / freedom / np.tile(share, 2)
-    variances = blended(variances, pooled, len(image), 8) / slope_of_pulls(share) ** 2
-    covariance = (influence * variances) @ influence.T
-    # Positions are in units of half the diagonal, in the frame of the image.
-    scale = abs(pose.turn) * diagonal / 2
-    values, axes = np.linalg.eigh(covariance[:2, :2])
-    minor, major = scale * np.sqrt(2 * fisher_quantile(freedom) * np.maximum(values, 0))
-    direction = complex(*axes[:, 1]) * pose.turn
-    turn = float(np.sqrt(np.trace(covariance[2:4, 2:4]) / 2))
-    ellipse = Ellipse(float(major), float(minor), float((90 - np.degrees(np.angle(direction))) % 180))
-    unit = pose.turn / abs(pose.turn)
-    to_map = scale * np.array([[unit.real, -unit.imag], [unit.imag, unit.real]])
-    position = as_pairs(to_map @ covariance[:2, :2] @ to_map.T)
-    return PoseCovariance(position, float(np.degrees(turn)), turn * abs(pose.turn), ellipse)
-
-
-def level_covariance(image: np.ndarray, residuals: np.ndarray, deviations: np.ndarray, turn: complex) -> PoseCovariance:
-    """The covariance of a level pose fitted to matches.
-
-    A sandwich estimate for Huber's weights: what each match pulls, by its residual, over how much the pull of all
-    changes with the pose. The noise is measured from the residuals, which know it better than the assumption does.
-    A match of leverage h has drawn the pose towards itself; without it its residual would be 1 / (1 − h) times
-    as large (at most 10 are believed), so that is taken: the jackknife, HC3 of MacKinnon and White (1985).
-    n points and 4 numbers fitted leave 2 n − 4 degrees of freedom, and the ellipse's size follows Fisher's F with 2
-    and those. It is a circle, as noise that is alike in all directions makes it.
-
-    Args:
-        image: (n,) complex image points.
-        residuals: (n,) complex, on the map.
-        deviations: (n,) σ per axis, map units.
-        turn: Of the pose.
-    """
-    share = huber(np.abs(residuals), deviations)
-    weights = share / deviations**2
-    total = weights.sum()
-    mean = (weights * image).sum() / total
-    away = image - mean
-    spread = (weights * np.abs(away) ** 2).sum()
-    freedom = max(2 * len(image) - 4, 1)
-    on_turn = weights * away.conj() / spread
-    on_center = weights / total - mean * on_turn
-    leverage = weights / total + weights * np.abs(away) ** 2 / spread
-    variances = np.abs(residuals) ** 2 / 2 / np.maximum(1 - leverage, 0.1) ** 2
-    pooled = (share * weights * np.abs(residuals) ** 2).sum() / freedom / weights / share
-    variances = blended(variances, pooled, len(image), 4) / slope_of_pulls(share) ** 2
-    variance = (np.abs(on_center) ** 2 * variances).sum()
-    radius = float(np.sqrt(2 * fisher_quantile(freedom) * variance))
-    deviation = float(np.sqrt((np.abs(on_turn) ** 2 * variances).sum()))
-    ellipse, position = Ellipse(radius, radius, 0.0), as_pairs(variance * np.eye(2))
-    return PoseCovariance(position, float(np.degrees(deviation / abs(turn))), deviation, ellipse)
-
-
 def as_pairs(covariance: np.ndarray) -> tuple[tuple[float, float], tuple[float, float]]:
     """A (2, 2) covariance as ``PoseCovariance`` keeps it: results can be compared."""
     (xx, xy), (yx, yy) = covariance.tolist()
@@ -253,25 +206,3 @@ def as_pairs(covariance: np.ndarray) -> tuple[tuple[float, float], tuple[float, 
 def huber(distances: np.ndarray, deviations: np.ndarray) -> np.ndarray:
     """(n,) weights: 1 up to HUBER_IN_NOISE σ, then falling so that the pull stays the same."""
     return HUBER_IN_NOISE / np.maximum(distances / deviations, HUBER_IN_NOISE)
-
-
-def blended(variances: np.ndarray, pooled: np.ndarray, count: int, fitted: int) -> np.ndarray:
-    """Each match's own variance and that of all, which counts as much as 2 · fitted of them."""
-    own = max(count - fitted, 0)
-    return (variances * own + pooled * 2 * fitted) / (own + 2 * fitted)
-
-
-def slope_of_pulls(share: np.ndarray) -> float:
-    """How much the pulls change with the pose, against their weights.
-
-    Where a pull is at its limit it changes half as much, because it still turns there.
-
-    Args:
-        share: (n,) of ``huber``.
-    """
-    return float(1 - 0.5 * share[share < 1].sum() / share.sum())
-
-
-def fisher_quantile(freedom: int) -> float:
-    """Of Fisher's F with 2 and so many degrees of freedom, at 1 − CONFIDENCE_TAIL; closed form."""
-    return freedom / 2 * (CONFIDENCE_TAIL ** (-2 / freedom) - 1)

@@ -14,6 +14,7 @@ from ..correlation.solver import agreement_at
 from ..correlation.solver import localize as correlate
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, LabelMapError
+from ..geometry.error_settings import ClassBias, SharedErrors
 from ..geometry.footprint import image_corners
 from ..landmarks.landmarks import Landmarks, extract_landmarks
 from ..localization import Localization, Matches, Method, Place, Prior, Status
@@ -78,7 +79,12 @@ def describe_image(
 class Localizer:
     """Localizes label images in one database."""
 
-    def __init__(self, database: ReferenceDatabase, settings: LocalizerSettings = LOCALIZER) -> None:
+    def __init__(
+        self,
+        database: ReferenceDatabase,
+        settings: LocalizerSettings = LOCALIZER,
+        class_biases: tuple[ClassBias, ...] = (),
+    ) -> None:
         """Makes the localizer; indexes are built when they are first needed.
 
         Args:
@@ -86,6 +92,8 @@ class Localizer:
             settings: Of the methods; other than the default only to calibrate them.
         """
         self.settings = settings
+        known = database.parameters.map_accuracy, database.parameters.pixel_size
+        self.errors = SharedErrors(*known, class_biases, settings.errors)
         self._database = database
         windows = database.windows
         self._index: ConstellationIndex | None = None
@@ -185,7 +193,7 @@ class Localizer:
         sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.constellation.scales)
         prior = replace(prior, pixel_size_range=sizes)
         objects, smallest = self._objects(labels_hw, sizes[1])
-        return solve(objects, (width, height), self.index, prior, smallest, self.settings.allowed_risk)
+        return solve(objects, (width, height), self.index, prior, smallest, self.settings.allowed_risk, self.errors)
 
     def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> tuple[Landmarks, float]:
         """The image's landmarks, and the smallest contour area, px², that the map's may have in it."""
@@ -224,7 +232,7 @@ class Localizer:
         prior = prior or Prior()
         sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.correlation.scales)
         prior = replace(prior, pixel_size_range=sizes)
-        return correlate(labels_hw, self.pyramid, prior, self.settings.allowed_risk)
+        return correlate(labels_hw, self.pyramid, prior, self.settings.allowed_risk, self.errors)
 
     @property
     def has_overview(self) -> bool:

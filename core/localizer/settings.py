@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from ..constellation.settings import ConstellationSettings
 from ..correlation.settings import CorrelationSettings
+from ..geometry.error_settings import ErrorSettings
 from ..localization import RISK
 
 
@@ -31,6 +32,7 @@ class LocalizerSettings:
             evidence].
         near_heading_deg: The same of heading, degrees [Liechtenstein, north; automatic, north, with evidence].
         near_ratio: The same of pixel size, as a ratio [Liechtenstein, north; automatic, north, with evidence].
+        errors: Of how exactly a place is known [the table below].
     """
 
     constellation: ConstellationSettings = ConstellationSettings()
@@ -41,6 +43,7 @@ class LocalizerSettings:
     near_share: float = 0.02
     near_heading_deg: float = 5.0
     near_ratio: float = 1.05
+    errors: ErrorSettings = ErrorSettings()
 
 
 LOCALIZER = LocalizerSettings()

@@ -12,13 +12,19 @@ import pytest
 
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.correlation.settings import CORRELATION
+from semref.core.geometry.error_settings import ERRORS
 from semref.core.localizer.settings import LOCALIZER
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "calibration.md").read_text(encoding="utf-8")
 
 each_settings = pytest.mark.parametrize(
     ("heading", "settings"),
-    [("Constellation", CONSTELLATION), ("Map correlation", CORRELATION), ("Localizer", LOCALIZER)],
+    [
+        ("Constellation", CONSTELLATION),
+        ("Map correlation", CORRELATION),
+        ("Localizer", LOCALIZER),
+        ("Shared errors", ERRORS),
+    ],
 )
 
 

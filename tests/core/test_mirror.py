@@ -5,6 +5,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS_WITH_SENTENCES = ("assessment", "database", "geometry", "labels", "localization", "onboard", "segmentation")
 DATA_ONLY = {
+    "geometry/error_settings.py",
     *(f"{solver}/settings.py" for solver in ("constellation", "correlation", "localizer")),
     *(f"sentences/{room}.py" for room in ROOMS_WITH_SENTENCES),
 }

@@ -246,7 +246,7 @@ class Ground:
         sizes = self.localizer.pixel_sizes(view.shape_hw, self.localizer.settings.constellation.scales)
         prior = Prior(pixel_size_range=sizes)
         started = time.process_time()
-        found = solve(landmarks, (view.width_px, view.height_px), index, prior)
+        found = solve(landmarks, (view.width_px, view.height_px), index, prior, errors=self.localizer.errors)
         seconds = time.process_time() - started
         return judge(image.query, Method.CONSTELLATION, found, right_within, image.landmarks, seconds)
 

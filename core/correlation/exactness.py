@@ -1,0 +1,76 @@
+"""How exactly map correlation knows a place: its own fit's spread, and the errors that all of an image shares.
+
+Told in docs/method.md#how-exactly.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..geometry.error_settings import SharedErrors
+from ..geometry.pose import PoseCovariance, as_pairs
+from ..geometry.radius import CIRCLE_95
+from ..geometry.shared_errors import AREAS, CLASSES, MAP, covariance_of
+from .refine import ScoredPose, axes
+from .settings import CORRELATION, CorrelationSettings
+
+SAMPLES = 5
+"""Places along an edge of an image, by whose distances it is told how much of a map's displacement all of it shares."""
+
+
+def noise_factor(score: float, settings: CorrelationSettings = CORRELATION) -> float:
+    """What standard deviations of the refinement are multiplied with, because errors of labels are not independent."""
+    return settings.error_factor * max(1 / max(score, 0.1) ** 2 - 1, settings.least_noise) / CIRCLE_95
+
+
+def covariance_on_map(pose: ScoredPose, covariance: np.ndarray) -> np.ndarray:
+    """(4, 4) of map x and y, heading in radians, ln pixel size; infinite where that is.
+
+    Args:
+        pose: That it is of.
+        covariance: (4, 4) as ``pose_covariance`` tells it, in image pixels, radians and ln pixel size.
+    """
+    to_map = np.eye(4)
+    # y of the map goes up, that of image pixels down.
+    to_map[:2, :2] = np.array([[1.0], [-1.0]]) * axes(pose)
+    return to_map @ covariance @ to_map.T
+
+
+def known_pose(
+    pose: ScoredPose, covariance: np.ndarray, edge_m: float, overview_pixel_m: float, errors: SharedErrors
+) -> PoseCovariance:
+    """How exactly a pose is known.
+
+    Args:
+        pose: With its score.
+        covariance: (4, 4) as ``pose_covariance`` tells it, calibrated by ``noise_factor`` already.
+        edge_m: Of the ground that the image shows.
+        overview_pixel_m: Pixel of the map's overview.
+        errors: What is known of the map and of the labels.
+    """
+    if not np.isfinite(covariance).all():
+        return PoseCovariance(as_pairs(np.full((2, 2), np.inf)), np.inf, np.inf)
+    own = covariance_on_map(pose, covariance)
+    own[:2, :2] += (CORRELATION.error_floor_px * overview_pixel_m / CIRCLE_95) ** 2 * np.eye(2)
+    shared = errors.map_accuracy**2 * shared_over(errors.settings.map_kernels, edge_m)
+    biases = [np.hypot(bias.east + bias.right, bias.north - bias.down) for bias in errors.class_biases]
+    spreads = [errors.spread_of(bias, pose.pixel_size_m) for bias in errors.class_biases]
+    # Which class moved the place, and how far, areas don't tell: what is stated is not taken off.
+    spread = max(spreads, default=errors.settings.class_spread_px * pose.pixel_size_m)
+    bias = spread**2 + max(biases, default=0.0) ** 2 / 2
+    parts = [
+        (AREAS, float(np.sqrt(np.trace(own[:2, :2]) / 2))),
+        (MAP, float(np.sqrt(shared))),
+        (CLASSES, float(np.sqrt(bias))),
+    ]
+    own[:2, :2] += (shared + bias) * np.eye(2)
+    told = tuple(sorted(((name, CIRCLE_95 * part) for name, part in parts), key=lambda part: -part[1]))
+    return covariance_of(own, pose.pixel_size_m, told)
+
+
+def shared_over(kernels: tuple[tuple[float, float], ...], edge_m: float) -> float:
+    """Share of a map's displacement that does not average out over an image: the mean correlation of its places."""
+    places = np.arange(SAMPLES) / (SAMPLES - 1) * edge_m
+    x, y = (axis.ravel() for axis in np.meshgrid(places, places))
+    away = np.hypot(x[:, None] - x, y[:, None] - y)
+    return float(sum(share * np.exp(-away / length).mean() for length, share in kernels))

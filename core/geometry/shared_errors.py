@@ -1,0 +1,256 @@
+"""How exactly a pose is known when errors are shared: generalized least squares on the landmarks that agree.
+
+Told in docs/method.md#how-exactly. Landmarks near each other are displaced alike, a network shifts all landmarks of a
+class, a lens bends and a tilt stretches the whole image: such errors don't average out. Each is a random effect with a
+variance. Variances that residuals can show (noise of single landmarks, displacement of the map, lens and tilt) are
+averaged over by their restricted likelihood; the others are stated figures.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .error_settings import SharedErrors
+from .pose import SLOPE_DEVIATION, STRETCH_DEVIATION, Pose, PoseCovariance, as_pairs
+from .radius import CIRCLE_95, circle_radius, ellipse_of
+
+FITTED = 4
+"""Numbers of a level pose: center and turn, two each."""
+
+MEDIAN_OF_RAYLEIGH = 1.1774
+"""Median length of a residual whose two coordinates have a standard deviation of 1."""
+
+LEAST_NOISE = 0.1
+"""Residuals smaller than this share of the noise that was assumed are by chance, or of a map against itself."""
+
+OUTLIER_IN_NOISE = 2.5
+"""Residuals of so many σ pull no harder if they are longer; Gaussian ones hardly ever are (4 in 100)."""
+
+ErrorPart = tuple[str, float]
+"""A cause, and the 95 % radius that it would make alone, map units."""
+
+LANDMARKS, AREAS, MAP, VIEW, CLASSES, PIXELS = "landmarks", "areas", "map", "view", "classes", "pixels"
+
+_FIRST_CLASS = 9
+"""Effects before those of the classes: the pose's four, the lens, stretch and slope of a tilt, two each."""
+
+
+@dataclass(frozen=True)
+class MatchedPoints:
+    """Landmarks of an image and of the map that agree, n of them.
+
+    Attributes:
+        image: (n,) complex image points.
+        on_map: (n,) complex map points.
+        deviations: (n,) σ per axis that each is assumed to have by itself, map units.
+        classes: (n,) class values.
+        diagonal: Of the image, pixels.
+    """
+
+    image: np.ndarray
+    on_map: np.ndarray
+    deviations: np.ndarray
+    classes: np.ndarray
+    diagonal: float
+
+
+def refined_pose(matched: MatchedPoints, pose: Pose, errors: SharedErrors) -> tuple[Pose, PoseCovariance]:
+    """The pose with shared errors accounted for, and how exactly it is known.
+
+    Args:
+        matched: Three landmarks at least.
+        pose: A fit to them.
+        errors: What is known of the map and of the network.
+
+    Returns:
+        The pose as the mean over all variances that may be; its covariance with what is stated added.
+    """
+    system = _System(matched, pose, errors)
+    variances = system.variances(errors.map_accuracy)
+    weights, solutions, covariances = system.solved(variances)
+    mean = weights @ solutions
+    apart = solutions - mean
+    covariance = np.tensordot(weights, covariances, 1) + np.einsum("k,ki,kj->ij", weights, apart, apart)
+    scale = abs(pose.turn) * matched.diagonal / 2
+    moved = Pose(
+        pose.center + pose.turn * matched.diagonal / 2 * complex(mean[0], mean[1]),
+        pose.turn * (1 + complex(mean[2], mean[3])),
+        pose.stretch,
+        pose.slope,
+    )
+    phase = phase_deviation(moved.turn, errors.map_pixel_size, matched.diagonal)
+    full = _on_map(covariance, pose.turn / abs(pose.turn), scale)
+    full[:2, :2] += phase**2 * np.eye(2)
+    full[3, 3] += errors.settings.leaning**2
+    parts = system.parts(weights, variances, float(np.trace(full[:2, :2]) / 2), phase)
+    return moved, covariance_of(full, abs(moved.turn), parts)
+
+
+def covariance_of(full: np.ndarray, pixel_size: float, parts: tuple[ErrorPart, ...]) -> PoseCovariance:
+    """What is told of a covariance.
+
+    Args:
+        full: (4, 4) of map x and y, heading in radians, ln pixel size.
+        pixel_size: Map units.
+        parts: What the 95 % radius is made of.
+    """
+    position = full[:2, :2]
+    rows = tuple(tuple(row) for row in full.tolist())
+    return PoseCovariance(
+        as_pairs(position),
+        float(np.degrees(np.sqrt(full[2, 2]))),
+        float(np.sqrt(full[3, 3]) * pixel_size),
+        ellipse_of(position),
+        circle_radius(position),
+        rows,
+        parts,
+    )
+
+
+def phase_deviation(turn: complex, map_pixel_size: float, size_px: float) -> float:
+    """σ per axis, map units, of the shift that all of an image has because both it and the map are made of pixels.
+
+    Where rows of the image run along rows of the map and pixels are as large, every boundary is rounded alike. Else the
+    phase drifts over the image, and the shifts average out.
+
+    Args:
+        turn: Of the pose.
+        map_pixel_size: Of the label map, map units; 0 where it has no pixels.
+        size_px: Of the image.
+    """
+    if map_pixel_size <= 0:
+        return 0.0
+    step = turn / map_pixel_size
+    whole = complex(round(step.real), round(step.imag)) or 1.0 + 0j
+    drift = abs(step - whole) * size_px / 2
+    return float(np.sqrt(1 / 12) * max(abs(turn), map_pixel_size) / np.hypot(1, np.pi * drift))
+
+
+class _System:
+    """The linear system of a fit, in units of half the diagonal, in the image's frame."""
+
+    def __init__(self, matched: MatchedPoints, pose: Pose, errors: SharedErrors) -> None:
+        self._settings = settings = errors.settings
+        self._half = half = matched.diagonal / 2
+        self._scale = scale = abs(pose.turn) * half
+        image = matched.image / half
+        seen = (matched.image + pose.stretch * matched.image.conj()) / pose.depth(matched.image) / half
+        off = (matched.on_map - pose.center) / pose.turn / half - seen
+        own = matched.deviations / scale
+        # Noise as it is: only what is far off for it is taken to be an outlier.
+        own = own * max(float(np.median(np.abs(off) / own)) / MEDIAN_OF_RAYLEIGH, LEAST_NOISE)
+        own = own * np.sqrt(np.maximum(np.abs(off) / own / OUTLIER_IN_NOISE, 1))
+        columns, self._stated, self._spreads = self._effects(matched, image, pose, errors)
+        away = np.abs(matched.on_map[:, None] - matched.on_map)
+        shared = sum(share * np.exp(-away / length) for length, share in settings.map_kernels)
+        self._strengths, directions = np.linalg.eigh(shared / own[:, None] / own)
+        self._strengths = np.maximum(self._strengths, 0)
+        # In these directions every covariance of the family is diagonal.
+        design, right = directions.T @ (columns / own[:, None]), directions.T @ (off / own)
+        count = design.shape[1]
+        products = design.real[:, :, None] * design.real[:, None] + design.imag[:, :, None] * design.imag[:, None]
+        self._products = products.reshape(-1, count * count)
+        self._pulls = design.real * right.real[:, None] + design.imag * right.imag[:, None]
+        self._squares = np.abs(right) ** 2
+
+    def _effects(
+        self, matched: MatchedPoints, image: np.ndarray, pose: Pose, errors: SharedErrors
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """(n, p) complex columns of all effects; their stated means (p,); spreads (p − 9,) of the classes' effects."""
+        ones = np.ones(len(image))
+        columns = [ones, 1j * ones, image, 1j * image, image * np.abs(image) ** 2]
+        columns += [image.conj(), 1j * image.conj(), -image * image.real, -image * image.imag]
+        tilt = pose.stretch, pose.slope * self._half
+        stated = [0.0] * 5 + [-part for value in tilt for part in (value.real, value.imag)]
+        spreads = []
+        for value in np.unique(matched.classes).tolist():
+            bias = errors.bias_of(value)
+            belongs = (matched.classes == value).astype(np.float64)
+            columns += [belongs, 1j * belongs]
+            # What a network shows too far east lies, on the map, west of where it is seen.
+            effect = -bias.in_image(pose.turn) / self._scale
+            stated += [effect.real, effect.imag]
+            spreads += [errors.spread_of(bias, abs(pose.turn)) / self._scale] * 2
+        return np.column_stack(columns), np.array(stated), np.array(spreads)
+
+    def variances(self, map_accuracy: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Factors (A,) of own noise, deviations (A,) of the map, ln prior (A,), and views (B, 3): lens, tilt, share."""
+        settings = self._settings
+        own, shared = (axis.ravel() for axis in np.meshgrid(settings.own_factors, settings.map_factors, indexing="ij"))
+        # Half Cauchy in the map's deviation about what is stated, log normal in the landmarks' own.
+        prior = np.log(shared / (1 + shared**2)) - 0.5 * (np.log(own) / settings.own_spread) ** 2
+        return own, shared * map_accuracy / self._scale, prior, np.array(settings.views)
+
+    def solved(self, variances: tuple) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Weights (K,), poses (K, 4) and their covariances (K, 4, 4) of all variances that may be."""
+        own, shared, prior, views = variances
+        inverse = 1 / (own[:, None] ** 2 + shared[:, None] ** 2 * self._strengths)
+        precisions = self._precisions(views)
+        count = len(self._stated)
+        normal = (inverse @ self._products).reshape(-1, 1, count, count) + precisions[:, :, None] * np.eye(count)
+        pull = (inverse @ self._pulls)[:, None] + precisions * self._stated
+        covariances = np.linalg.inv(normal)
+        solutions = np.einsum("abij,abj->abi", covariances, pull)
+        squares = (inverse @ self._squares)[:, None] + (precisions * self._stated**2).sum(axis=1)
+        squares = squares - (pull * solutions).sum(axis=2)
+        likely = np.linalg.slogdet(covariances)[1] + np.log(precisions[:, FITTED:]).sum(axis=1) - squares
+        likely = 0.5 * likely + np.log(inverse).sum(axis=1)[:, None] + prior[:, None] + np.log(views[:, -1])
+        weights = np.exp(likely - likely.max()).ravel()
+        solutions, covariances = solutions[..., :FITTED], covariances[..., :FITTED, :FITTED]
+        return weights / weights.sum(), solutions.reshape(-1, FITTED), covariances.reshape(-1, FITTED, FITTED)
+
+    def _precisions(self, views: np.ndarray) -> np.ndarray:
+        """(B, p) of the effects, 0 for those of the pose itself."""
+        found = np.zeros((len(views), len(self._stated)))
+        units = np.array([1.0, *[STRETCH_DEVIATION] * 2, *[SLOPE_DEVIATION] * 2])
+        deviations = np.column_stack([views[:, 0], *[views[:, 1]] * 4]) * units
+        found[:, FITTED:_FIRST_CLASS] = deviations**-2.0
+        found[:, _FIRST_CLASS:] = self._spreads**-2.0
+        return found
+
+    def parts(self, weights: np.ndarray, variances: tuple, variance: float, phase: float) -> tuple[ErrorPart, ...]:
+        """What the position's variance is made of, the largest part first.
+
+        Causes are added one after the other at the mean of the variances that may be: landmarks by themselves, then the
+        map, the view, the classes.
+
+        Args:
+            weights: (K,) of ``solved``
+            variances: that they belong to
+            variance: of the position along an axis, map units²
+            phase: its part of the pixels, a deviation
+        """
+        own, shared, _, views = variances
+        by_own = weights.reshape(len(own), len(views))
+        on_own, on_view = by_own.sum(axis=1), by_own.sum(axis=0)
+        own_mean, map_mean = np.sqrt(on_own @ own**2), np.sqrt(on_own @ shared**2)
+        view = np.sqrt(on_view @ views**2)[None]
+        nothing = np.full((1, len(self._stated) - FITTED), 1e9)
+        precisions = self._precisions(view)[:, FITTED:]
+        tilted, all_of_it = nothing.copy(), precisions
+        tilted[:, : _FIRST_CLASS - FITTED] = precisions[:, : _FIRST_CLASS - FITTED]
+        steps = [(0.0, nothing), (map_mean, nothing), (map_mean, tilted), (map_mean, all_of_it)]
+        reached = [self._variance(own_mean, deviation, known[0]) for deviation, known in steps]
+        shares = np.maximum(np.diff([0.0, *reached]), 0)
+        shares *= max(variance - phase**2, 0) / max(shares.sum(), 1e-300)
+        found = zip((LANDMARKS, MAP, VIEW, CLASSES, PIXELS), np.sqrt([*shares, phase**2]).tolist())
+        return tuple(sorted(((name, CIRCLE_95 * part) for name, part in found), key=lambda part: -part[1]))
+
+    def _variance(self, own: float, shared: float, precisions: np.ndarray) -> float:
+        """Of the position along an axis, with precisions (p − 4,) of the effects."""
+        count = len(self._stated)
+        inverse = 1 / (own**2 + shared**2 * self._strengths)
+        normal = (inverse @ self._products).reshape(count, count)
+        normal[range(FITTED, count), range(FITTED, count)] += precisions
+        return float(np.trace(np.linalg.inv(normal)[:2, :2]) / 2)
+
+
+def _on_map(covariance: np.ndarray, unit: complex, scale: float) -> np.ndarray:
+    """(4, 4) covariance of map x, y, heading in radians and ln pixel size, from one in the image's frame."""
+    to_map = np.zeros((4, 4))
+    to_map[:2, :2] = scale * np.array([[unit.real, -unit.imag], [unit.imag, unit.real]])
+    # The heading grows clockwise, a turn against it.
+    to_map[2, 3], to_map[3, 2] = -1.0, 1.0
+    return to_map @ covariance @ to_map.T

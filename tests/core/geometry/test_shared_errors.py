@@ -1,0 +1,126 @@
+"""The covariance of a pose holds true errors where these are shared, and says what it is made of."""
+
+import numpy as np
+import pytest
+
+from semref.core.geometry.error_settings import ClassBias, ErrorSettings, SharedErrors
+from semref.core.geometry.pose import Pose, fit_similarity
+from semref.core.geometry.shared_errors import (
+    CLASSES,
+    LANDMARKS,
+    MAP,
+    PIXELS,
+    MatchedPoints,
+    phase_deviation,
+    refined_pose,
+)
+from semref.core.simulation.fields import correlated_shifts
+from semref.core.simulation.noise import DISPLACED_KERNELS
+
+EXACT_MAP = SharedErrors(0.0, settings=ErrorSettings(class_spread_px=0.001, views=((1e-4, 1e-4, 1.0),)))
+USUAL = SharedErrors()
+DIAGONAL = 1700.0
+TRUE = Pose(5000 + 7000j, 1.2 * np.exp(0.5j))
+
+
+def complex_normal(rng, count, deviation=1.0):
+    return deviation * (rng.normal(size=count) + 1j * rng.normal(size=count))
+
+
+def tried(rng, count, displaced=0.0, shift=0j, errors=USUAL, bend=0.0, own=0.6):
+    """A pose refined from landmarks in villages, and its covariance; deviations are assumed 1.4 times too large."""
+    villages = rng.uniform(-550, 550, (6, 2))
+    points = villages[rng.integers(0, 6, count)] + rng.normal(0, 80, (count, 2))
+    image = points @ (1, 1j)
+    seen = image * (1 + bend * np.abs(image) ** 2 / (DIAGONAL / 2) ** 2)
+    on_map = TRUE.on_map(seen) + complex_normal(rng, count, own) - shift
+    if displaced:
+        on_map += (
+            displaced * correlated_shifts(np.column_stack([on_map.real, on_map.imag]), DISPLACED_KERNELS, rng) @ (1, 1j)
+        )
+    first = Pose(*(complex(v) for v in fit_similarity(image, on_map, np.ones(count))))
+    matched = MatchedPoints(image, on_map, np.full(count, 1.4 * own), np.ones(count, np.uint8), DIAGONAL)
+    return refined_pose(matched, first, errors)
+
+
+def held(results):
+    """Share of errors within the 95 % ellipse."""
+    inside = 0
+    for pose, known in results:
+        off = pose.center - TRUE.center
+        off = np.array([off.real, off.imag])
+        inside += off @ np.linalg.inv(np.array(known.position)) @ off <= 5.991
+    return inside / len(results)
+
+
+@pytest.mark.parametrize("count", [8, 60])
+def test_it_holds_where_every_landmark_errs_by_itself(count):
+    rng = np.random.default_rng(count)
+    assert 0.9 <= held([tried(rng, count, errors=EXACT_MAP) for _ in range(150)]) <= 1.0
+
+
+def test_it_holds_where_neighbors_are_displaced_alike():
+    rng = np.random.default_rng(1)
+    results = [tried(rng, 60, displaced=1.13) for _ in range(150)]
+    assert 0.89 <= held(results) <= 0.99
+    assert held([tried(rng, 60, displaced=1.13, errors=EXACT_MAP) for _ in range(100)]) < 0.7
+
+
+def test_more_landmarks_do_not_make_a_displaced_map_exact():
+    rng = np.random.default_rng(2)
+    few, many = (np.median([tried(rng, n, displaced=1.13)[1].radius_95 for _ in range(15)]) for n in (50, 200))
+    assert many > 0.75 * few
+
+
+def test_a_stated_bias_is_taken_off_in_ground_and_in_image_axes():
+    rng = np.random.default_rng(3)
+    shift = complex(0.6, -2.0)
+    turned = shift * TRUE.turn.conjugate() / abs(TRUE.turn)
+    for bias in (
+        ClassBias(1, east=shift.real, north=shift.imag, spread=0.1),
+        ClassBias(1, right=turned.real, down=-turned.imag, spread=0.1),
+    ):
+        pose, known = tried(rng, 80, shift=shift, errors=SharedErrors(0.3, class_biases=(bias,)))
+        assert abs(pose.center - TRUE.center) < 0.4
+    unstated, _ = tried(rng, 80, shift=shift)
+    assert abs(unstated.center - TRUE.center) > 1.5
+
+
+def test_the_spread_of_a_bias_is_added():
+    rng = np.random.default_rng(4)
+    wide = SharedErrors(0.0, class_biases=(ClassBias(1, spread=2.0),))
+    known = tried(rng, 60, errors=wide)[1]
+    assert known.parts[0][0] == CLASSES and known.part(CLASSES) == pytest.approx(2.4477 * 2, rel=0.05)
+
+
+def test_a_lens_costs_little_where_it_shows():
+    rng = np.random.default_rng(5)
+    results = [tried(rng, 80, bend=0.02) for _ in range(40)]
+    assert held(results) >= 0.9
+    assert np.median([abs(pose.center - TRUE.center) for pose, _ in results]) < 0.5
+
+
+def test_parts_make_the_radius():
+    _, known = tried(np.random.default_rng(6), 60, displaced=1.13)
+    assert {name for name, _ in known.parts} >= {LANDMARKS, MAP, CLASSES, PIXELS}
+    mean = np.sqrt(np.trace(np.array(known.position)) / 2)
+    assert np.sqrt(sum(part**2 for _, part in known.parts)) == pytest.approx(2.4477 * mean, rel=1e-3)
+    assert known.full[0][:2] == known.position[0] and len(known.full) == 4
+    assert -1 <= known.correlation <= 1
+
+
+def test_heading_and_pixel_size_are_within_their_deviations():
+    rng = np.random.default_rng(7)
+    headings, sizes = [], []
+    for _ in range(60):
+        pose, known = tried(rng, 60, displaced=1.13)
+        headings.append(abs(np.degrees(np.angle(pose.turn / TRUE.turn))) / known.heading_deviation_deg)
+        sizes.append(abs(abs(pose.turn) - abs(TRUE.turn)) / known.pixel_size_deviation)
+    assert (np.array(headings) < 1.96).mean() > 0.8 and (np.array(sizes) < 1.96).mean() > 0.9
+
+
+def test_pixels_round_alike_only_along_rows_of_the_map_at_its_scale():
+    assert phase_deviation(1.0 + 0j, 1.0, 1800.0) == pytest.approx(0.2887, abs=1e-3)
+    assert phase_deviation(1j, 1.0, 1800.0) == pytest.approx(0.2887, abs=1e-3)
+    assert phase_deviation(np.exp(0.5j), 1.0, 1800.0) < 0.01 and phase_deviation(1.1 + 0j, 1.0, 1800.0) < 0.01
+    assert phase_deviation(1.0 + 0j, 0.0, 1800.0) == 0.0
