@@ -108,6 +108,10 @@
    <translation>Ein Vektor aus {count} Landmarken ist zu kurz; mindestens {least} verwenden.</translation>
   </message>
   <message>
+   <source>Accuracy of the map (map units)</source>
+   <translation>Genauigkeit der Karte (Karteneinheiten)</translation>
+  </message>
+  <message>
    <source>Add a folder of images</source>
    <translation>Einen Ordner mit Bildern hinzufügen</translation>
   </message>
@@ -2244,6 +2248,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Geländequadrate; bei mehreren Bodenabdeckungen je eines, gezeichnet werden die der ersten.</translation>
   </message>
   <message>
+   <source>Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced alike, so that it limits how exactly images are located; the radius of fixes reckons with it. 1.1 m was measured between maps of two dates.</source>
+   <translation>Standardabweichung der Lage von Landmarken auf der Karte, je Achse. Nachbarn sind gleich verschoben, sodass sie begrenzt, wie genau Bilder lokalisiert werden; der Radius von Fixes rechnet damit. 1,1 m wurden zwischen Karten zweier Zeitpunkte gemessen.</translation>
+  </message>
+  <message>
    <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
    <translation>Standardabweichung der Verschiebung von Kanten, gleichartig über acht Pixel.</translation>
   </message>
@@ -2964,6 +2972,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Was die meisten Bilder an einem Fix hindert, wo der erwartete Erfolg unter {threshold} liegt:</translation>
   </message>
   <message>
+   <source>What makes the 95 % radius: {parts}.</source>
+   <translation>Woraus der 95-%-Radius besteht: {parts}.</translation>
+  </message>
+  <message>
    <source>What the confidence is worth</source>
    <translation>Was die Konfidenz wert ist</translation>
   </message>
@@ -3108,6 +3120,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Zoom auf Treffer</translation>
   </message>
   <message>
+   <source>accuracy of the map</source>
+   <translation>Genauigkeit der Karte</translation>
+  </message>
+  <message>
    <source>add the package python3-pip with OSGeo4W’s setup</source>
    <translation>fügen Sie das Paket python3-pip mit dem Setup von OSGeo4W hinzu</translation>
   </message>
@@ -3190,6 +3206,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>errors</source>
    <translation>Fehler</translation>
+  </message>
+  <message>
+   <source>errors of areas</source>
+   <translation>Fehler der Flächen</translation>
   </message>
   <message>
    <source>expected error</source>
@@ -3292,6 +3312,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Länge (m)</translation>
   </message>
   <message>
+   <source>lens and tilt</source>
+   <translation>Objektiv und Neigung</translation>
+  </message>
+  <message>
    <source>localizable</source>
    <translation>lokalisierbar</translation>
   </message>
@@ -3334,6 +3358,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>no class</source>
    <translation>keine Klasse</translation>
+  </message>
+  <message>
+   <source>noise of single landmarks</source>
+   <translation>Rauschen einzelner Landmarken</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -3424,12 +3452,20 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Anteil am Gelände</translation>
   </message>
   <message>
+   <source>shifts of whole classes</source>
+   <translation>Verschiebung ganzer Klassen</translation>
+  </message>
+  <message>
    <source>simulated: right</source>
    <translation>simuliert: richtig</translation>
   </message>
   <message>
    <source>simulated: wrong</source>
    <translation>simuliert: falsch</translation>
+  </message>
+  <message>
+   <source>size of the pixels</source>
+   <translation>Größe der Pixel</translation>
   </message>
   <message>
    <source>sometimes</source>
@@ -3526,6 +3562,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
    <translation>{bytes} Byte. Gerundet: Positionen um höchstens {position:g} Karteneinheiten, Flächen um {area:.3%}, Vektoren um {vector:.4f} je Element.</translation>
+  </message>
+  <message>
+   <source>{cause} {radius:.2g} m</source>
+   <translation>{cause} {radius:.2g} m</translation>
   </message>
   <message>
    <source>{constellation} Map correlation has no fix either: {correlation:clause}</source>

@@ -108,6 +108,10 @@
    <translation>由 {count} 个地标组成的向量太短；请至少使用 {least} 个。</translation>
   </message>
   <message>
+   <source>Accuracy of the map (map units)</source>
+   <translation>地图精度（地图单位）</translation>
+  </message>
+  <message>
    <source>Add a folder of images</source>
    <translation>添加影像文件夹</translation>
   </message>
@@ -2244,6 +2248,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>地面方格；多个覆盖边长时各有一个方格，绘制的是第一个的。</translation>
   </message>
   <message>
+   <source>Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced alike, so that it limits how exactly images are located; the radius of fixes reckons with it. 1.1 m was measured between maps of two dates.</source>
+   <translation>地标在地图上位置沿各轴的标准差。相邻地标的偏移相同，因此它限制了图像定位的精度；定位结果的半径已将其计入。两个日期的地图之间实测为 1.1 m。</translation>
+  </message>
+  <message>
    <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
    <translation>边缘移动距离的标准差；在约八个像元的范围内移动大致相同。</translation>
   </message>
@@ -2964,6 +2972,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>在预期成功率低于 {threshold} 处，多数影像无法定位的原因：</translation>
   </message>
   <message>
+   <source>What makes the 95 % radius: {parts}.</source>
+   <translation>95 % 半径的构成：{parts}。</translation>
+  </message>
+  <message>
    <source>What the confidence is worth</source>
    <translation>置信度的意义</translation>
   </message>
@@ -3108,6 +3120,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>缩放到命中位置</translation>
   </message>
   <message>
+   <source>accuracy of the map</source>
+   <translation>地图精度</translation>
+  </message>
+  <message>
    <source>add the package python3-pip with OSGeo4W’s setup</source>
    <translation>请用 OSGeo4W 安装程序添加软件包 python3-pip</translation>
   </message>
@@ -3190,6 +3206,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>errors</source>
    <translation>错误</translation>
+  </message>
+  <message>
+   <source>errors of areas</source>
+   <translation>面积误差</translation>
   </message>
   <message>
    <source>expected error</source>
@@ -3292,6 +3312,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>长度（m）</translation>
   </message>
   <message>
+   <source>lens and tilt</source>
+   <translation>镜头与倾斜</translation>
+  </message>
+  <message>
    <source>localizable</source>
    <translation>可定位</translation>
   </message>
@@ -3334,6 +3358,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>no class</source>
    <translation>无类别</translation>
+  </message>
+  <message>
+   <source>noise of single landmarks</source>
+   <translation>单个地标的噪声</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -3424,12 +3452,20 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>占地面比例</translation>
   </message>
   <message>
+   <source>shifts of whole classes</source>
+   <translation>整类的偏移</translation>
+  </message>
+  <message>
    <source>simulated: right</source>
    <translation>模拟：正确</translation>
   </message>
   <message>
    <source>simulated: wrong</source>
    <translation>模拟：错误</translation>
+  </message>
+  <message>
+   <source>size of the pixels</source>
+   <translation>像元大小</translation>
   </message>
   <message>
    <source>sometimes</source>
@@ -3526,6 +3562,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
    <translation>{bytes} 字节。舍入：位置最多 {position:g} 地图单位，面积 {area:.3%}，向量每个元素 {vector:.4f}。</translation>
+  </message>
+  <message>
+   <source>{cause} {radius:.2g} m</source>
+   <translation>{cause} {radius:.2g} m</translation>
   </message>
   <message>
    <source>{constellation} Map correlation has no fix either: {correlation:clause}</source>

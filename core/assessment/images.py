@@ -131,7 +131,7 @@ class ImageSimulator:
         else:
             size = self.size_px, self.size_px
             localizer = self._localizer
-            found = solve(landmarks, size, localizer.index, self._prior, self._smallest_px, localizer.errors)
+            found = solve(landmarks, size, localizer.index, self._prior, self._smallest_px, errors=localizer.errors)
         return judge(query, Method.CONSTELLATION, found, landmarks=count)
 
     def correlation(self, query: Query, rng: np.random.Generator) -> Trial:

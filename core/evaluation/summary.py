@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,6 +14,7 @@ from .evaluation import MAP, MIRRORED, NOISE, NOISE_LEVELS, OFFSET, OFFSETS, Win
 from .rates import Rate, RateAt, binned, rate_of
 from .trial import Trial
 
+HELD_SHARES = (0.5, 0.95, 0.99)
 CONFIDENCE_BINS = tuple(np.linspace(0, 1, 11).tolist())
 LANDMARK_BINS = (0, 5, 10, 20, 40, 80)
 """Landmarks of the window around which an image lies, from each number to the next, the last without end."""
@@ -73,6 +75,14 @@ def summarize(trials: Sequence[Trial], method: str) -> MethodSummary:
 def covered(trials: Sequence[Trial]) -> Rate:
     """Errors within the 95 % ellipse, or circle, among the trials that were told one."""
     return rate_of(t.radius_ratio <= 1 for t in trials if t.radius_ratio is not None)
+
+
+def held_shares(trials: Sequence[Trial]) -> tuple[Rate, ...]:
+    """Errors within the 50, 95 and 99 % ellipses that were told, or circles, among the trials that were told one."""
+    # The ellipse that holds a share reaches √(−2 ln(1 − share)) deviations.
+    at_95 = math.sqrt(-2 * math.log(0.05))
+    ratios = [t.radius_ratio * at_95 for t in trials if t.radius_ratio is not None]
+    return tuple(rate_of(r <= math.sqrt(-2 * math.log(1 - share)) for r in ratios) for share in HELD_SHARES)
 
 
 def percentile(values: Sequence[float | None], percent: float) -> float | None:

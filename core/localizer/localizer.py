@@ -90,6 +90,7 @@ class Localizer:
         Args:
             database: With its overview for map correlation.
             settings: Of the methods; other than the default only to calibrate them.
+            class_biases: How far from where they are classes are seen by what makes the labels; taken off.
         """
         self.settings = settings
         known = database.parameters.map_accuracy, database.parameters.pixel_size

@@ -5,6 +5,8 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Any, Callable
 
+from ..geometry.pose import PoseCovariance
+from ..geometry.shared_errors import AREAS, CLASSES, LANDMARKS, MAP, PIXELS, VIEW
 from ..localization import LEAST_RISK, Localization
 from ..sentences import Sentence, english
 
@@ -38,7 +40,7 @@ def record(result: Localization, wording: Callable[[Sentence], str] = english) -
         "error_95": result.error_95_m if result.is_fix else None,
         "window": result.window,
         "method": result.method.key,
-        "reason": "" if result.reason is None else wording(result.reason),
+        "reason": _reason(result, wording),
         **_deviations(result),
     }
 
@@ -49,8 +51,38 @@ def fixes_per_error(confidence: float) -> float:
     return float(f"{times:.1e}")
 
 
+CAUSES = {
+    LANDMARKS: Sentence("localization.cause_landmarks"),
+    AREAS: Sentence("localization.cause_areas"),
+    MAP: Sentence("localization.cause_map"),
+    VIEW: Sentence("localization.cause_view"),
+    CLASSES: Sentence("localization.cause_classes"),
+    PIXELS: Sentence("localization.cause_pixels"),
+}
+TOLD_SHARE = 0.2
+"""Parts of a radius that are less than this share of the largest one are not told."""
+
+
+def radius_parts(known: PoseCovariance) -> Sentence | None:
+    """What makes the radius, its largest parts; None where it isn't known."""
+    if not known.parts:
+        return None
+    least = TOLD_SHARE * known.parts[0][1]
+    parts = [(CAUSES[cause], radius) for cause, radius in known.parts if radius >= least]
+    told = (Sentence("localization.part_of_radius", cause=cause, radius=radius) for cause, radius in parts)
+    return Sentence("localization.radius_of", parts=tuple(told))
+
+
+def _reason(result: Localization, wording: Callable[[Sentence], str]) -> str:
+    """Why there is no fix, or what makes a fix's radius."""
+    said = result.reason
+    if said is None and result.is_fix and result.covariance is not None:
+        said = radius_parts(result.covariance)
+    return "" if said is None else wording(said)
+
+
 def _deviations(result: Localization) -> dict[str, Any]:
-    """What trials confirm of a fix's accuracy beside ``error_95``, the longer semi-axis of its ellipse."""
+    """How exactly a fix is known, beside ``error_95``, the radius of the circle that holds 95 % of such errors."""
     known = result.covariance
     if not result.is_fix or known is None or known.ellipse_95 is None:
         return {}
@@ -59,6 +91,11 @@ def _deviations(result: Localization) -> dict[str, Any]:
         "error_95_direction": known.ellipse_95.orientation_deg,
         "heading_deviation": known.heading_deviation_deg,
         "pixel_size_deviation": known.pixel_size_deviation,
+        "sigma_east": known.deviations[0],
+        "sigma_north": known.deviations[1],
+        "correlation": known.correlation,
+        "sigma_heading": known.heading_deviation_deg,
+        "sigma_scale": known.pixel_size_deviation / result.pixel_size_m if result.pixel_size_m else None,
     }
 
 

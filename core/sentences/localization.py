@@ -78,6 +78,15 @@ SENTENCES = {
     "localization.headings_near": "headings within {spread:g}° of {heading:g}°",
     "localization.whole_map": "the whole map",
     "localization.ground_near": "the ground within {radius:g} of {x:.0f}, {y:.0f}",
+    # How exactly
+    "localization.radius_of": "What makes the 95 % radius: {parts}.",
+    "localization.part_of_radius": "{cause} {radius:.2g} m",
+    "localization.cause_landmarks": "noise of single landmarks",
+    "localization.cause_areas": "errors of areas",
+    "localization.cause_map": "accuracy of the map",
+    "localization.cause_view": "lens and tilt",
+    "localization.cause_classes": "shifts of whole classes",
+    "localization.cause_pixels": "size of the pixels",
     # Flights
     "localization.jump": ("It can’t be reached at {speed:g} map units per second from the fixes before and after it."),
 }

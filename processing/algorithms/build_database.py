@@ -36,6 +36,7 @@ class BuildDatabase(SemRefAlgorithm):
     LEVELS = "LEVELS"
     REFERENCES_PER_VECTOR = "REFERENCES_PER_VECTOR"
     MINIMUM_AREA = "MINIMUM_AREA"
+    MAP_ACCURACY = "MAP_ACCURACY"
     DATABASE = "DATABASE"
     WINDOW_COUNT = "WINDOW_COUNT"
     REFERENCE_COUNT = "REFERENCE_COUNT"
@@ -76,6 +77,19 @@ class BuildDatabase(SemRefAlgorithm):
                 tr("Reference database"),
                 tr("One GeoPackage with the layers windows, references, overview, classes and parameters."),
                 filter=tr("GeoPackage (*.gpkg)"),
+            ),
+            Number(
+                self.MAP_ACCURACY,
+                tr("Accuracy of the map (map units)"),
+                tr(
+                    "Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced "
+                    "alike, so that it limits how exactly images are located; the radius of fixes reckons with it. "
+                    "1.1 m was measured between maps of two dates."
+                ),
+                advanced=True,
+                default=1.1,
+                minimum=0.0,
+                maximum=10000.0,
             ),
             NumberResult(self.WINDOW_COUNT, tr("Number of windows")),
             NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
@@ -182,6 +196,7 @@ class BuildDatabase(SemRefAlgorithm):
             tuple(values.numbers(self.LEVELS)) or (1.0,),
             values.integer(self.REFERENCES_PER_VECTOR),
             threads=worker_threads(),
+            map_accuracy=values.number(self.MAP_ACCURACY),
         )
 
     def _say_rounding(

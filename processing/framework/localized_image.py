@@ -51,6 +51,11 @@ FIELDS = (
     ("heading_deviation", "real"),
     ("pixel_size_deviation", "real"),
     ("search_capped", "boolean"),
+    ("sigma_east", "real"),
+    ("sigma_north", "real"),
+    ("correlation", "real"),
+    ("sigma_heading", "real"),
+    ("sigma_scale", "real"),
 )
 FOOTPRINT_FIELDS = (
     ("image", "text"),
@@ -226,6 +231,8 @@ def fixes_per_error(confidence: float) -> float:
 
 
 def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
+    from ...core.localizer.record import radius_parts
+
     name = os.path.basename(item.path)
     if item.result is None:
         feedback.reportError(f"{name}: {item.error}", False)
@@ -251,3 +258,6 @@ def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
     texts = [text.format(value=value) for value, text in details if value is not None]
     x, y = result.position
     feedback.pushInfo(f"{name}: {x:.1f} {y:.1f}, {', '.join(texts)}")
+    parts = result.covariance and radius_parts(result.covariance)
+    if parts:
+        feedback.pushInfo(worded(parts))

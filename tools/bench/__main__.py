@@ -35,6 +35,7 @@ NAMES = (
     "sizes",
     "published",
     "localization",
+    "coverage",
     "two_dates",
     "elsewhere",
     "reliability",

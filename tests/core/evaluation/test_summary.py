@@ -17,6 +17,7 @@ from semref.core.evaluation.rates import Rate
 from semref.core.evaluation.summary import (
     covered,
     error_curve,
+    held_shares,
     noise_rates,
     percentile,
     reliability,
@@ -91,3 +92,9 @@ def test_the_grid_of_noise_has_missed_in_rows_and_spurious_in_columns():
     rates = noise_rates([trial(n == LabelNoise(0.4, 0.2), kind=NOISE, noise=n) for n in noises])
     assert rates[2][1] == Rate(2, 2) and rates[1][2] == Rate(0, 2)
     assert sum(rate.trials for row in rates for rate in row) == 32
+
+
+def test_shares_of_errors_are_counted_in_the_ellipses_of_50_95_and_99_percent():
+    # In units of the 95 % ellipse, 50 % reach 0.481 and 99 % 1.240.
+    tried = [trial(ratio=ratio) for ratio in (0.4, 0.9, 1.2, 1.3)]
+    assert [rate.successes for rate in held_shares(tried)] == [1, 2, 3]

@@ -37,6 +37,11 @@ def test_a_fix_is_told_in_full():
         "error_95_direction": 30.0,
         "heading_deviation": 0.2,
         "pixel_size_deviation": 0.01,
+        "sigma_east": 1.0,
+        "sigma_north": 2.0,
+        "correlation": 0.0,
+        "sigma_heading": 0.2,
+        "sigma_scale": 0.02,
     }
 
 
@@ -50,6 +55,12 @@ def test_without_a_fix_the_evidence_stays_and_no_place_nor_accuracy_is_told():
 def test_a_probability_is_told_as_one_wrong_fix_in_so_many():
     assert [fixes_per_error(value) for value in (0.5, 0.9, 1 - 8.3e-5, 1 - 1e-9)] == [2, 10, 12_000, 1e9]
     assert fixes_per_error(1.0) == 1e12
+
+
+def test_a_fix_tells_what_its_radius_is_made_of():
+    known = replace(COVARIANCE, parts=(("map", 1.25), ("landmarks", 0.5), ("pixels", 0.1)))
+    said = record(replace(FIX, covariance=known))["reason"]
+    assert said == "What makes the 95 % radius: accuracy of the map 1.2 m, noise of single landmarks 0.5 m."
 
 
 def test_deviations_that_no_trials_confirm_are_not_told():
