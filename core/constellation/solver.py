@@ -85,7 +85,7 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     other = _other_place(query, verifier, searched.found[0]) if decided.is_fix else None
     if other is None or decided.best is None:
         return decided
-    places = decided.best, _place(index, other)
+    places = decided.best, _place(index, other, other.pose)
     told = Sentence("localization.one_side_elsewhere")
     return replace(decided, status=Status.AMBIGUOUS, reason=told, confidence=None, alternatives=places)
 
