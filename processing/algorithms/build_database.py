@@ -86,6 +86,7 @@ class BuildDatabase(SemRefAlgorithm):
                     "alike, so that it limits how exactly images are located; the radius of fixes reckons with it. "
                     "1.1 m was measured between maps of two dates."
                 ),
+                optional=True,
                 advanced=True,
                 default=1.1,
                 minimum=0.0,
@@ -188,7 +189,9 @@ class BuildDatabase(SemRefAlgorithm):
 
     def _settings(self, values: Values) -> BuildSettings:
         from ...core.database.build import BuildSettings
+        from ...core.geometry.error_settings import MAP_ACCURACY
 
+        accuracy = values.optional_number(self.MAP_ACCURACY)
         return BuildSettings(
             values.number(self.WINDOW_SIZE),
             values.number(self.STRIDE),
@@ -196,7 +199,7 @@ class BuildDatabase(SemRefAlgorithm):
             tuple(values.numbers(self.LEVELS)) or (1.0,),
             values.integer(self.REFERENCES_PER_VECTOR),
             threads=worker_threads(),
-            map_accuracy=values.number(self.MAP_ACCURACY),
+            map_accuracy=MAP_ACCURACY if accuracy is None else accuracy,
         )
 
     def _say_rounding(
