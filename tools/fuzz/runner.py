@@ -20,7 +20,7 @@ from typing import Any, Callable
 from .contract import ACCEPTED, REFUSED, Verdict, World, limit_memory, tried
 from .door import Door
 
-_HANG_S, _START_S = 15.0, 180.0
+_HANG_S, _START_S = 60.0, 300.0
 """A process that is this long at one input, or at its start, is ended: no signal reaches what does not return."""
 
 _WORKPLACE = "/dev/shm" if os.path.isdir("/dev/shm") else None
