@@ -244,6 +244,10 @@
    <translation>Arrays im Format von numpy, gezippt; die Dokumentation beschreibt es für Leser in anderen Programmiersprachen.</translation>
   </message>
   <message>
+   <source>As the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes about a second an image on a large map, so it is tried on an eighth of the images at most. Without it the constellation of landmarks alone is assessed.</source>
+   <translation>Wie das Verfahren Automatisch: Wo Landmarken keinen Fix geben, wird Kartenkorrelation an Bildern versucht, die aus der Übersicht der Datenbank geschnitten sind. Das dauert auf einer großen Karte etwa eine Sekunde je Bild und wird daher an höchstens einem Achtel der Bilder versucht. Ohne sie wird allein die Konstellation der Landmarken beurteilt.</translation>
+  </message>
+  <message>
    <source>Assess reference database</source>
    <translation>Referenzdatenbank beurteilen</translation>
   </message>
@@ -2388,8 +2392,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Datenbank lässt sich nicht schreiben: {reason}.</translation>
   </message>
   <message>
-   <source>The database has no overview; where its ground ends is taken from its extent.</source>
-   <translation>Die Datenbank hat keine Übersicht; wo ihr Gelände endet, wird ihrer Ausdehnung entnommen.</translation>
+   <source>The database has no overview: the constellation alone is assessed, and where the ground ends is taken from the extent.</source>
+   <translation>Die Datenbank hat keine Übersicht: Allein die Konstellation wird beurteilt, und wo das Gelände endet, sagt die Ausdehnung.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
@@ -3056,8 +3060,8 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Fenster, vom 2- bis zum 0,5-Fachen ihrer Größe gesehen, ohne Störungen. Das Verfahren des Aufsatzes vergleicht Vektoren: Ein Abstand über 2 ist kein Treffer.</translation>
   </message>
   <message>
-   <source>With map correlation (slow)</source>
-   <translation>Mit Kartenkorrelation (langsam)</translation>
+   <source>With map correlation</source>
+   <translation>Mit Kartenkorrelation</translation>
   </message>
   <message>
    <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.</source>
@@ -3086,10 +3090,6 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Without information</source>
    <translation>Ohne Hinweise</translation>
-  </message>
-  <message>
-   <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>
-   <translation>Ohne sie wird allein die Konstellation der Landmarken beurteilt. Mit ihr wie beim Verfahren Automatisch: Wo Landmarken keinen Fix geben, wird Kartenkorrelation an Bildern versucht, die aus der Übersicht der Datenbank geschnitten sind. Das dauert auf einer großen Karte Sekunden je Bild und wird daher an höchstens einem Fünftel der Bilder versucht.</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.

@@ -244,6 +244,10 @@
    <translation>Matrices en el formato de numpy, comprimidas en zip; la documentación lo describe para lectores en otros lenguajes.</translation>
   </message>
   <message>
+   <source>As the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes about a second an image on a large map, so it is tried on an eighth of the images at most. Without it the constellation of landmarks alone is assessed.</source>
+   <translation>Como el método Automático: donde los hitos no dan posición, se prueba la correlación de mapas con imágenes recortadas de la vista general de la base de datos. Eso tarda cerca de un segundo por imagen en un mapa grande, así que se prueba como mucho en un octavo de las imágenes. Sin ella se valora solo la constelación de hitos.</translation>
+  </message>
+  <message>
    <source>Assess reference database</source>
    <translation>Evaluar base de datos de referencia</translation>
   </message>
@@ -2388,8 +2392,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No se puede escribir la base de datos: {reason}.</translation>
   </message>
   <message>
-   <source>The database has no overview; where its ground ends is taken from its extent.</source>
-   <translation>La base de datos no tiene vista general; dónde acaba su terreno se toma de su extensión.</translation>
+   <source>The database has no overview: the constellation alone is assessed, and where the ground ends is taken from the extent.</source>
+   <translation>La base de datos no tiene vista general: se valora solo la constelación, y dónde acaba el terreno se toma de la extensión.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
@@ -3056,8 +3060,8 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Ventanas vistas de 2 a 0,5 veces su tamaño, sin ruido. El método del artículo compara vectores: una distancia mayor que 2 no es una coincidencia.</translation>
   </message>
   <message>
-   <source>With map correlation (slow)</source>
-   <translation>Con correlación de mapas (lento)</translation>
+   <source>With map correlation</source>
+   <translation>Con correlación de mapas</translation>
   </message>
   <message>
    <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.</source>
@@ -3086,10 +3090,6 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Without information</source>
    <translation>Sin información</translation>
-  </message>
-  <message>
-   <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>
-   <translation>Sin ella se valora solo la constelación de hitos. Con ella, como el método Automático: donde los hitos no dan posición, se prueba la correlación de mapas con imágenes recortadas de la vista general de la base de datos. Eso tarda segundos por imagen en un mapa grande, así que se prueba como mucho en un quinto de las imágenes.</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.

@@ -244,6 +244,10 @@
    <translation>Des tableaux au format de numpy, compressés en zip ; la documentation le décrit pour qui écrit un lecteur dans un autre langage.</translation>
   </message>
   <message>
+   <source>As the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes about a second an image on a large map, so it is tried on an eighth of the images at most. Without it the constellation of landmarks alone is assessed.</source>
+   <translation>Comme la méthode Automatique : là où les repères ne donnent pas de position, la corrélation de cartes est essayée sur des images découpées dans la vue d’ensemble de la base. Cela prend environ une seconde par image sur une grande carte ; on l’essaie donc sur un huitième des images au plus. Sans elle, seule la constellation des repères visuels est évaluée.</translation>
+  </message>
+  <message>
    <source>Assess reference database</source>
    <translation>Évaluer une base de données de référence</translation>
   </message>
@@ -2388,8 +2392,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La base de données ne peut pas être écrite : {reason}.</translation>
   </message>
   <message>
-   <source>The database has no overview; where its ground ends is taken from its extent.</source>
-   <translation>La base n’a pas de vue d’ensemble ; la fin de son terrain est tirée de son emprise.</translation>
+   <source>The database has no overview: the constellation alone is assessed, and where the ground ends is taken from the extent.</source>
+   <translation>La base n’a pas de vue d’ensemble : seule la constellation est évaluée, et la limite du terrain est prise de l’étendue.</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
@@ -3056,8 +3060,8 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Fenêtres vues de 2 à 0,5 fois leur taille, sans bruit. La méthode de l’article compare des vecteurs : une distance supérieure à 2 n’est pas une correspondance.</translation>
   </message>
   <message>
-   <source>With map correlation (slow)</source>
-   <translation>Avec corrélation de cartes (lent)</translation>
+   <source>With map correlation</source>
+   <translation>Avec corrélation de cartes</translation>
   </message>
   <message>
    <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.</source>
@@ -3086,10 +3090,6 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Without information</source>
    <translation>Sans les informations</translation>
-  </message>
-  <message>
-   <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>
-   <translation>Sans elle, seule la constellation des repères visuels est évaluée. Avec elle, comme la méthode Automatique : là où les repères ne donnent pas de position, la corrélation de cartes est essayée sur des images découpées dans la vue d’ensemble de la base. Cela prend des secondes par image sur une grande carte ; on l’essaie donc sur un cinquième des images au plus.</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.

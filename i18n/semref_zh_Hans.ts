@@ -244,6 +244,10 @@
    <translation>numpy 格式的数组，zip 压缩；文档对该格式作了说明，便于用其他语言读取。</translation>
   </message>
   <message>
+   <source>As the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes about a second an image on a large map, so it is tried on an eighth of the images at most. Without it the constellation of landmarks alone is assessed.</source>
+   <translation>与“自动”方法相同：地标无法定位处，用从数据库概览图裁出的影像尝试地图相关。在大地图上每幅影像约需一秒，因此最多只在八分之一的影像上尝试。不启用时仅评价地标星座法。</translation>
+  </message>
+  <message>
    <source>Assess reference database</source>
    <translation>评价参考数据库</translation>
   </message>
@@ -2388,8 +2392,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>无法写入数据库：{reason}。</translation>
   </message>
   <message>
-   <source>The database has no overview; where its ground ends is taken from its extent.</source>
-   <translation>数据库没有概览图；其地面范围取自数据库范围。</translation>
+   <source>The database has no overview: the constellation alone is assessed, and where the ground ends is taken from the extent.</source>
+   <translation>数据库没有概览图：仅评价地标星座法，地面边界取自范围。</translation>
   </message>
   <message>
    <source>The database has no window “{name}”.</source>
@@ -3056,8 +3060,8 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>以 2 至 0.5 倍大小看到的窗口，无噪声。论文的方法比较向量：距离大于 2 即无匹配。</translation>
   </message>
   <message>
-   <source>With map correlation (slow)</source>
-   <translation>使用地图相关（慢）</translation>
+   <source>With map correlation</source>
+   <translation>使用地图相关</translation>
   </message>
   <message>
    <source>With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.</source>
@@ -3086,10 +3090,6 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Without information</source>
    <translation>不含信息级</translation>
-  </message>
-  <message>
-   <source>Without it the constellation of landmarks alone is assessed. With it, as the method Automatic works: where landmarks give no fix, map correlation is tried on images cut from the database’s overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at most.</source>
-   <translation>不启用时仅评价地标星座法。启用时与“自动”方法相同：地标无法定位处，用从数据库概览图裁出的影像尝试地图相关。在大地图上每幅影像需数秒，因此最多只在五分之一的影像上尝试。</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.

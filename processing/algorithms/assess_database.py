@@ -164,7 +164,7 @@ class AssessDatabase(AssessAlgorithm):
         from ..reports.assessment_report import AssessmentReport
 
         noise, threshold = self.noise(values), self.threshold(values)
-        correlation = values.switch(self.MAP_CORRELATION)
+        correlation = self.with_correlation(values, database)
         settings = [
             (tr("Spacing (map units)"), f"{cells.size:g}"),
             (tr("Simulated images"), str(values.integer(self.TRIALS))),

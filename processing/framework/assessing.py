@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from ...core.simulation.noise import LabelNoise
     from .values import Values
 
-CORRELATED_SHARE = 5
-"""Map correlation, which takes seconds an image, is tried on at most this part of the trials."""
+CORRELATED_SHARE = 8
+"""Map correlation, which takes about a second an image, is tried on at most this part of the trials."""
 
 
 class AssessAlgorithm(SemRefAlgorithm):
@@ -53,14 +53,14 @@ class AssessAlgorithm(SemRefAlgorithm):
             ),
             Switch(
                 self.MAP_CORRELATION,
-                tr("With map correlation (slow)"),
+                tr("With map correlation"),
                 tr(
-                    "Without it the constellation of landmarks alone is assessed. With it, as the method Automatic "
-                    "works: where landmarks give no fix, map correlation is tried on images cut from the database’s "
-                    "overview. That takes seconds an image on a large map, so it is tried on a fifth of the images at "
-                    "most."
+                    "As the method Automatic works: where landmarks give no fix, map correlation is tried on images "
+                    "cut from the database’s overview. That takes about a second an image on a large map, so it is "
+                    "tried on an eighth of the images at most. Without it the constellation of landmarks alone is "
+                    "assessed."
                 ),
-                default=False,
+                default=True,
             ),
             *(
                 Number(key, title, text, default=limits[key][0], minimum=0.0, maximum=limits[key][1])
@@ -78,6 +78,10 @@ class AssessAlgorithm(SemRefAlgorithm):
 
         shares = [values.number(key) / 100 for key in (self.MISSED, self.INVENTED, self.MISNAMED)]
         return LabelNoise(*shares, values.number(self.RAGGED))
+
+    def with_correlation(self, values: Values, database: ReferenceDatabase) -> bool:
+        """Whether map correlation is assessed as well: it is wanted, and the database has what it needs."""
+        return values.switch(self.MAP_CORRELATION) and database.overview is not None
 
     def threshold(self, values: Values) -> float:
         """0…1."""
@@ -102,9 +106,11 @@ class AssessAlgorithm(SemRefAlgorithm):
             raise
         except DatabaseError:
             # Landmarks can be assessed all the same.
-            if values.switch(self.MAP_CORRELATION):
-                raise
-            feedback.pushWarning(tr("The database has no overview; where its ground ends is taken from its extent."))
+            warning = tr(
+                "The database has no overview: the constellation alone is assessed, and where the ground ends is taken "
+                "from the extent."
+            )
+            feedback.pushWarning(warning)
         return database, crs
 
     def assessment(
@@ -118,7 +124,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         """The assessment of a footprint; says when images like that aren't searched for."""
         from ...core.assessment.assessment import Assessment
 
-        correlation = values.switch(self.MAP_CORRELATION)
+        correlation = self.with_correlation(values, database)
         arguments = database, localizer, footprint, self.noise(values), values.integer(self.SEED), correlation
         made = cancelable(Assessment, *arguments, feedback=feedback)
         if not made.simulator.is_searched or correlation and not made.simulator.is_correlated:

@@ -43,6 +43,7 @@ NAMES = (
     "astroalign",
     "correlation",
     "automatic",
+    "footprints",
     "attitude",
     "photos",
     "assessment",

@@ -64,7 +64,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
 
 _ABOUT = """\
 Images that show 1,280 m, 20 % of the landmarks missed, 20 % spurious, 5 % mislabeled, boundaries off by 1 m,
-constellation. *Assess reference database* saw the database alone and simulated {simulated:,} images; then {count:,}
+automatic. *Assess reference database* saw the database alone and simulated {simulated:,} images; then {count:,}
 fresh images were cut from the *label map* anywhere on the ground. The expectation is that of the square an image's
 center lies in."""
 
@@ -108,7 +108,7 @@ def _fresh_image(number: int, ground: Ground, cells: Cells) -> dict:
     noise = USUAL.in_pixels(view.pixel_size)
     smallest = ground.database.parameters.minimum_area / view.pixel_size**2
     labels = spoil_labels(ground.cut(view), noise, rng, ground.spoiled_values, ground.cut(other), smallest)
-    trial = ground.try_image(Image(Query(view), labels), Method.CONSTELLATION)
+    trial = ground.try_image(Image(Query(view), labels), Method.AUTOMATIC)
     at = {"x": view.x, "y": view.y}
     return {**at, "right": trial.is_right, "wrong": trial.is_wrong, "error": trial.error if trial.is_right else None}
 
