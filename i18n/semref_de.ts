@@ -2320,6 +2320,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Ziel-KBS</translation>
   </message>
   <message>
+   <source>Tested versions</source>
+   <translation>Getestete Versionen</translation>
+  </message>
+  <message>
    <source>Text or number field that tells the class of each polygon.</source>
    <translation>Text- oder Zahlenfeld, das die Klasse jedes Polygons angibt.</translation>
   </message>
@@ -2678,6 +2682,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
    <translation>Der Paketindex ist nicht erreichbar; prüfen Sie das Netz und Einstellungen ▸ Optionen ▸ Netzwerk oder installieren Sie aus einem Ordner mit Wheels.</translation>
+  </message>
+  <message>
+   <source>The package index gave another file for {package} than the one that SemRef was tested with; nothing was installed. Use the public index, or install from a folder of wheels that you trust.</source>
+   <translation>Der Paketindex lieferte für {package} eine andere Datei als die, mit der SemRef getestet wurde; nichts wurde installiert. Verwenden Sie den öffentlichen Index oder installieren Sie aus einem Ordner mit Wheels, denen Sie vertrauen.</translation>
   </message>
   <message>
    <source>The package index has no {package} for Python {python} on this system.</source>
@@ -4318,6 +4326,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{value} landmarks in the image</source>
    <translation>{value} Landmarken im Bild</translation>
+  </message>
+  <message>
+   <source>{version}, which was not tested</source>
+   <translation>{version}, nicht getestet</translation>
   </message>
   <message>
    <source>{where} can't be written: {reason}; choose another place.</source>

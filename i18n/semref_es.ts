@@ -2320,6 +2320,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>SRC de destino</translation>
   </message>
   <message>
+   <source>Tested versions</source>
+   <translation>Versiones probadas</translation>
+  </message>
+  <message>
    <source>Text or number field that tells the class of each polygon.</source>
    <translation>Campo de texto o numérico que indica la clase de cada polígono.</translation>
   </message>
@@ -2678,6 +2682,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
    <translation>No se puede acceder al índice de paquetes; compruebe la red y Configuración ▸ Opciones ▸ Red, o instale desde una carpeta de wheels.</translation>
+  </message>
+  <message>
+   <source>The package index gave another file for {package} than the one that SemRef was tested with; nothing was installed. Use the public index, or install from a folder of wheels that you trust.</source>
+   <translation>El índice de paquetes entregó para {package} un archivo distinto de aquel con el que se probó SemRef; no se instaló nada. Use el índice público o instale desde una carpeta de wheels en los que confíe.</translation>
   </message>
   <message>
    <source>The package index has no {package} for Python {python} on this system.</source>
@@ -4318,6 +4326,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{value} landmarks in the image</source>
    <translation>{value} hitos en la imagen</translation>
+  </message>
+  <message>
+   <source>{version}, which was not tested</source>
+   <translation>{version}, sin probar</translation>
   </message>
   <message>
    <source>{where} can't be written: {reason}; choose another place.</source>

@@ -2320,6 +2320,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>SCR cible</translation>
   </message>
   <message>
+   <source>Tested versions</source>
+   <translation>Versions testées</translation>
+  </message>
+  <message>
    <source>Text or number field that tells the class of each polygon.</source>
    <translation>Champ de texte ou numérique qui indique la classe de chaque polygone.</translation>
   </message>
@@ -2678,6 +2682,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
    <translation>L’index des paquets est injoignable ; vérifiez le réseau et Préférences ▸ Options ▸ Réseau, ou installez depuis un dossier de wheels.</translation>
+  </message>
+  <message>
+   <source>The package index gave another file for {package} than the one that SemRef was tested with; nothing was installed. Use the public index, or install from a folder of wheels that you trust.</source>
+   <translation>L’index de paquets a fourni pour {package} un autre fichier que celui avec lequel SemRef a été testé ; rien n’a été installé. Utilisez l’index public ou installez depuis un dossier de wheels auxquels vous faites confiance.</translation>
   </message>
   <message>
    <source>The package index has no {package} for Python {python} on this system.</source>
@@ -4318,6 +4326,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{value} landmarks in the image</source>
    <translation>{value} repères visuels dans l’image</translation>
+  </message>
+  <message>
+   <source>{version}, which was not tested</source>
+   <translation>{version}, non testée</translation>
   </message>
   <message>
    <source>{where} can't be written: {reason}; choose another place.</source>

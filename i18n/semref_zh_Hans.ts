@@ -2320,6 +2320,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>目标坐标参照系</translation>
   </message>
   <message>
+   <source>Tested versions</source>
+   <translation>已测试的版本</translation>
+  </message>
+  <message>
    <source>Text or number field that tells the class of each polygon.</source>
    <translation>给出每个多边形类别的文本或数值字段。</translation>
   </message>
@@ -2678,6 +2682,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a folder of wheels.</source>
    <translation>无法访问软件包索引；请检查网络和 设置 ▸ 选项 ▸ 网络，或从 wheel 文件夹安装。</translation>
+  </message>
+  <message>
+   <source>The package index gave another file for {package} than the one that SemRef was tested with; nothing was installed. Use the public index, or install from a folder of wheels that you trust.</source>
+   <translation>软件包索引提供的 {package} 文件与 SemRef 测试时所用的不同；未安装任何内容。请使用公共索引，或从您信任的 wheel 文件夹安装。</translation>
   </message>
   <message>
    <source>The package index has no {package} for Python {python} on this system.</source>
@@ -4318,6 +4326,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{value} landmarks in the image</source>
    <translation>影像中有 {value} 个地标</translation>
+  </message>
+  <message>
+   <source>{version}, which was not tested</source>
+   <translation>{version}，未经测试</translation>
   </message>
   <message>
    <source>{where} can't be written: {reason}; choose another place.</source>

@@ -98,6 +98,8 @@ def move_all(plans: Sequence[Plan]) -> None:
         # Outputs in memory alone.
         return
     moves = [(plan, move) for plan in plans for move in plan.moves]
+    if not moves:
+        return
     if len(moves) == 1 and not (moves[0][1].is_folder and moves[0][1].has_old):
         # One rename is all or nothing by itself.
         _do(*moves[0])

@@ -46,7 +46,7 @@ show() {
     until [ -n "${ended:-}" ]; do
         if [ -e "$status" ] || ! any_runs; then ended=yes; else sleep 0.5; fi
         size=$(stat -c %s "$log")
-        tail -c "+$((shown + 1))" "$log" | head -c $((size - shown))
+        head -c "$size" "$log" | tail -c "+$((shown + 1))"
         shown=$size
     done
     [ -e "$status" ] || echo "1 0" >"$status"

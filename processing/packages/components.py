@@ -6,8 +6,10 @@ their binaries fit those alone. They come last on Python's path: what QGIS or th
 
 from __future__ import annotations
 
+import importlib.metadata
 import importlib.util
 import os
+import re
 import shutil
 import sys
 import sysconfig
@@ -38,8 +40,10 @@ class Package:
     newest_part: str = ""
     """A module in it that versions too old for SemRef lack."""
     limits: str = ""
-    """Versions that pip may take; none is newer than those that tests passed with (tools/test_newest.sh)."""
+    """Versions that tests passed with (tools/test_newest.sh), and so the ones that pip may take."""
     limits_before_numpy_2: str = ""
+    other_names: tuple[str, ...] = ()
+    """Names under which the same module is packaged, too."""
 
     @property
     def needed_module(self) -> str:
@@ -47,9 +51,22 @@ class Package:
         return f"{self.module}.{self.newest_part}" if self.newest_part else self.module
 
     def requirement(self, numpy_version: str) -> str:
-        """What pip is asked for, such as ``opencv-python-headless<4.12``."""
-        before_2 = int(numpy_version.partition(".")[0]) < 2
-        return self.pip_name + (self.limits_before_numpy_2 if before_2 else self.limits)
+        """What pip is asked for where it may choose, such as ``opencv-python-headless>=4.5,<4.12``."""
+        return self.pip_name + self.tested(numpy_version)
+
+    def tested(self, numpy_version: str) -> str:
+        """The versions that tests passed with, such as ``>=4.5,<4.12``."""
+        return self.limits_before_numpy_2 if _numpy_1(numpy_version) else self.limits
+
+    def pinned(self, numpy_version: str) -> list[str]:
+        """The versions that are installed from the index, with the hashes of their wheels: lines for pip."""
+        file = Path(__file__).parent / f"wheels_numpy{1 if _numpy_1(numpy_version) else 2}.txt"
+        lines = file.read_text(encoding="ascii").splitlines()
+        return [line for line in lines if line.startswith(f"{self.pip_name}==")]
+
+
+def _numpy_1(version: str) -> bool:
+    return int(version.partition(".")[0]) < 2
 
 
 OPENCV = Package(
@@ -63,6 +80,7 @@ OPENCV = Package(
     limits=">=4.10,<5.1",
     # 4.12 asks for numpy 2.
     limits_before_numpy_2=">=4.5,<4.12",
+    other_names=("opencv-python", "opencv-contrib-python", "opencv-contrib-python-headless", "opencv"),
 )
 SHAPELY = Package(
     title="Shapely",
@@ -114,6 +132,25 @@ def is_too_old(package: Package) -> bool:
         return False
     # Without importing the package, unlike importlib.util.find_spec.
     return PathFinder.find_spec(package.needed_module, spec.submodule_search_locations) is None
+
+
+def installed_version(package: Package) -> str:
+    """Such as ``4.11.0.86``; empty where it is missing or does not tell, as some systems' packages do not."""
+    names = (package.pip_name, *package.other_names)
+    found = (entry.version for name in names for entry in importlib.metadata.distributions(name=name))
+    version = next(found, "") or str(getattr(sys.modules.get(package.module), "__version__", ""))
+    # What a build does not know about itself, as Debian's Shapely.
+    return "" if "unknown" in version else version
+
+
+def is_tested(version: str, limits: str) -> bool:
+    """Whether a version lies within limits such as ``>=4.5,<4.12``."""
+    lowest, highest = (_numbers(limit.lstrip("<>=")) for limit in limits.split(","))
+    return lowest <= _numbers(version) < highest
+
+
+def _numbers(version: str) -> tuple[int, ...]:
+    return tuple(int(number) for number in re.findall(r"\d+", version.partition("+")[0]))
 
 
 def missing(packages: Iterable[Package] = PACKAGES) -> list[Package]:

@@ -169,7 +169,8 @@ def _install(python: str, package: Package, folder: str, wheels: str) -> Command
     if proxy:
         # In the environment: other users see command lines, and it may hold a password.
         variables["PIP_PROXY"] = proxy
-    pip = yield Command(title, python, pip_arguments(requirement, folder, wheels), str(temporary), variables)
+    asked = [requirement] if wheels else _with_hashes(package, temporary)
+    pip = yield Command(title, python, pip_arguments(asked, folder, wheels), str(temporary), variables)
     if pip.status != 0:
         raise ComponentError(why_pip_failed(requirement, pip.output, wheels))
     path = json.dumps([*sys.path, folder])
@@ -190,11 +191,19 @@ _PIP_VARIABLES = {
 }
 
 
-def pip_arguments(requirement: str, folder: str, wheels: str) -> list[str]:
+def _with_hashes(package: Package, temporary: Path) -> list[str]:
+    """What pip is asked for from an index: versions and hashes that came with SemRef, so that another wheel under the
+    same name is refused, whoever put it there."""
+    file = temporary / "wheels.txt"
+    file.write_text("\n".join(package.pinned(np.__version__)) + "\n", encoding="ascii")
+    return ["--require-hashes", "--requirement", str(file)]
+
+
+def pip_arguments(asked: list[str], folder: str, wheels: str) -> list[str]:
     """pip's command line; its index is the user's. Without dependencies: numpy must stay QGIS's."""
     options = ["--no-deps", "--only-binary=:all:", "--no-input", "--disable-pip-version-check", "--progress-bar=off"]
     offline = ["--no-index", "--find-links", wheels] if wheels else []
-    return ["-m", "pip", "install", *options, "--target", folder, *offline, requirement]
+    return ["-m", "pip", "install", *options, "--target", folder, *offline, *asked]
 
 
 def proxy_url(proxy: QNetworkProxy) -> str:
@@ -228,6 +237,8 @@ def why_pip_failed(requirement: str, output: str, wheels: str) -> Sentence:
         return Sentence("packages.proxy")
     if "CERTIFICATE_VERIFY_FAILED" in output:
         return Sentence("packages.certificate")
+    if "DO NOT MATCH THE HASHES" in output or "--require-hashes mode" in output:
+        return Sentence("packages.other_wheel", package=requirement)
     if "No space left" in output or "Errno 28" in output:
         return Sentence("packages.disk_full", folder=components_folder())
     if _NETWORK_TROUBLE.search(output):

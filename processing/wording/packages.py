@@ -10,6 +10,10 @@ SENTENCES = {
         "The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, "
         "or install from a folder of wheels."
     ),
+    "packages.other_wheel": (
+        "The package index gave another file for {package} than the one that SemRef was tested with; nothing was "
+        "installed. Use the public index, or install from a folder of wheels that you trust."
+    ),
     "packages.disk_full": "The disk is full: {folder} needs about 500 MB.",
     "packages.no_network": (
         "The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from a "

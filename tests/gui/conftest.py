@@ -23,7 +23,15 @@ def qgis_app(start_qgis, display):
 
 
 @pytest.fixture
-def iface(qgis_app):
+def filled_at_once(qgis_app, monkeypatch):
+    """Lists are filled in slices of time; a few rows come in one slice, however busy the machine is."""
+    from semref.ui.tabs.correct import tab
+
+    monkeypatch.setattr(tab, "_FILL_S", 600.0)
+
+
+@pytest.fixture
+def iface(qgis_app, filled_at_once):
     """What a plugin uses of QGIS's window; remembers what was added, so that a test sees what is left."""
     stand_in = make_interface()
     stand_in.window.show()

@@ -160,9 +160,12 @@ def test_a_layer_that_is_removed_while_it_is_corrected_leaves_an_empty_list(dock
     assert rubber_bands(iface, "Polygon") == []
 
 
-def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, issues):
+def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, issues, monkeypatch):
     from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle
 
+    from semref.ui.tabs.correct import tab
+
+    monkeypatch.setattr(tab, "_FILL_S", 0.02)
     features = []
     for number in range(20_000):
         feature = QgsFeature(issues.fields())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import importlib.util
 import json
 import shlex
@@ -222,6 +223,36 @@ def test_removing_takes_the_folder_and_its_part_of_the_path(root, wheels, instal
     assert components.is_missing(GOOD)
 
 
+@pytest.fixture
+def pinned(wheels, monkeypatch):
+    """`pinned(hash)`: pip's index is the folder of wheels, and GOOD is pinned to a wheel with that SHA-256."""
+
+    def pin(sha256: str) -> None:
+        monkeypatch.setenv("PIP_NO_INDEX", "1")
+        monkeypatch.setenv("PIP_FIND_LINKS", str(wheels))
+        lines = [f"semref-made==1.0 --hash=sha256:{sha256}"]
+        monkeypatch.setattr(Package, "pinned", lambda package, numpy_version: lines)
+
+    return pin
+
+
+@needs_pip
+def test_a_wheel_with_the_pinned_hash_is_installed(root, wheels, installer, pinned):
+    (wheel,) = wheels.glob("semref_made*.whl")
+    pinned(hashlib.sha256(wheel.read_bytes()).hexdigest())
+    installer.start([GOOD])
+    assert end_of(installer) == "installed"
+    assert importlib.import_module(GOOD.module).VALUE == 7
+
+
+@needs_pip
+def test_another_wheel_under_the_same_name_is_refused(root, installer, pinned):
+    pinned("0" * 64)
+    installer.start([GOOD])
+    assert "gave another file for semref-made" in end_of(installer)
+    assert is_tidy(root) and components.is_missing(GOOD)
+
+
 # --- what is missing ---
 
 
@@ -235,6 +266,7 @@ def test_a_package_without_its_newest_part_is_too_old(qgis_app, tmp_path, monkey
     (tmp_path / "semref_old" / "newest.py").write_text("")
     importlib.invalidate_caches()
     assert not components.is_missing(old)
+    assert components.installed_version(old) == ""
 
 
 def test_nothing_installed_adds_nothing_to_the_path(root):

@@ -156,6 +156,12 @@ def test_layers_of_any_format_are_written_whole(run_algorithm, given, suffix):
     assert [path for path in given.iterdir() if path.name.startswith(".")] == []
 
 
+def test_a_run_whose_outputs_all_lie_in_memory_has_nothing_to_move(run_algorithm, given):
+    parameters = {"INPUT": str(given / "photo.png"), "DATABASE": str(given / "area.gpkg"), "REFERENCES": "memory:"}
+    found = run_algorithm(DESCRIBE, parameters)
+    assert found["REFERENCES"].featureCount() == found["REFERENCE_COUNT"] > 0
+
+
 @pytest.mark.parametrize("suffix", ["gpkg", "shp", "geojson"])
 def test_nothing_holds_a_layer_open_that_was_written(run_algorithm, given, suffix):
     """QGIS keeps what it reads open for a minute; Windows moves no open file, and disks stay full of replaced ones."""

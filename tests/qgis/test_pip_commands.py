@@ -6,6 +6,7 @@ import importlib.util
 import os
 import sys
 
+import numpy as np
 import pytest
 from qgis.PyQt.QtNetwork import QNetworkProxy
 
@@ -34,11 +35,36 @@ def test_pip_takes_no_version_that_was_not_tested(package, numpy_version):
     assert [limit[0] for limit in limits] == [">", "<"]
 
 
+@pytest.mark.parametrize("package", [OPENCV, SHAPELY, ONNXRUNTIME])
+@pytest.mark.parametrize("numpy_version", ["1.24.2", "2.4.6"])
+def test_what_comes_from_an_index_is_pinned_to_tested_versions_with_hashes(package, numpy_version):
+    lines = package.pinned(numpy_version)
+    assert lines
+    for line in lines:
+        version = line.partition("==")[2].split()[0]
+        assert components.is_tested(version, package.tested(numpy_version))
+        assert line.count(" --hash=sha256:") >= 4 and 'python_version < "3.9"' not in line
+
+
+def test_versions_outside_of_the_tested_ones_are_known():
+    assert [components.is_tested(v, ">=4.5,<4.12") for v in ("4.4.9", "4.5.1.48", "4.11.0.86", "4.12.0", "5.0.0")] == [
+        False,
+        True,
+        True,
+        False,
+        False,
+    ]
+    assert components.is_tested("1.23.2+cpu", ">=1.19,<1.32")
+    version = components.installed_version(SHAPELY)
+    # Debian's own does not know its version.
+    assert version == "" or components.is_tested(version, SHAPELY.tested(np.__version__))
+
+
 def test_pip_gets_no_dependencies_no_sources_and_no_index_of_ours():
-    online = component_install.pip_arguments("a<2", "there", "")
+    online = component_install.pip_arguments(["a<2"], "there", "")
     assert {"--no-deps", "--only-binary=:all:", "--no-input"} <= set(online)
     assert not [argument for argument in online if "index" in argument or "http" in argument]
-    assert component_install.pip_arguments("a<2", "there", "wheels")[-4:] == [
+    assert component_install.pip_arguments(["a<2"], "there", "wheels")[-4:] == [
         "--no-index",
         "--find-links",
         "wheels",
@@ -74,6 +100,7 @@ def test_the_proxy_is_that_of_qgis(proxy, url):
         ("ERROR: Missing dependencies for SOCKS support.", "SOCKS proxy"),
         ("OSError: [Errno 28] No space left on device", "disk is full"),
         ("ERROR: No matching distribution found for a<2", "The package index has no a<2"),
+        ("ERROR: THESE PACKAGES DO NOT MATCH THE HASHES FROM THE REQUIREMENTS FILE. …", "gave another file for a<2"),
         ("one\nERROR: something else.\n\n", "pip could not install a<2: something else."),
     ],
 )

@@ -30,6 +30,12 @@ def test_lanes_run_at_the_same_time_and_are_told_in_order(tmp_path):
     assert done.returncode == 0 and done.stdout.count("passed") == 3
 
 
+def test_output_that_grows_while_it_is_shown_is_shown_whole():
+    done = run("much: for n in $(seq 40); do seq 20000; sleep 0.05; done", "last: echo end")
+    assert done.returncode == 0
+    assert done.stdout.count("\n20000\n") == 40 and "\nend\n" in done.stdout
+
+
 def test_one_that_fails_is_named_and_the_others_run_all_the_same():
     done = run("bad: echo begun; exit 3", "next: echo next", "--", "other: echo other")
     assert done.returncode == 1

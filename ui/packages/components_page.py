@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 
+import numpy as np
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsOptionsPageWidget
 from qgis.PyQt.QtCore import Qt, pyqtSignal
@@ -29,7 +30,9 @@ from ...processing.packages.components import (
     Package,
     components_root,
     install_command,
+    installed_version,
     is_missing,
+    is_tested,
     is_too_old,
     purpose,
     remove_components,
@@ -80,7 +83,7 @@ class ComponentsPage(QgsOptionsPageWidget):
             )
         )
         explanation.setWordWrap(True)
-        self.list.setHeaderLabels([tr("Package"), tr("What for"), tr("State")])
+        self.list.setHeaderLabels([tr("Package"), tr("What for"), tr("State"), tr("Tested versions")])
         self.list.setRootIsDecorated(False)
         self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.state.setWordWrap(True)
@@ -132,7 +135,7 @@ class ComponentsPage(QgsOptionsPageWidget):
     def _show_packages(self) -> None:
         self.list.clear()
         for package in PACKAGES:
-            item = QTreeWidgetItem([package.title, purpose(package), _state(package)])
+            item = QTreeWidgetItem([package.title, purpose(package), _state(package), _tested(package)])
             item.setToolTip(0, package.pip_name)
             item.setData(0, Qt.ItemDataRole.UserRole, package)
             if is_missing(package):
@@ -213,10 +216,17 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._show_packages()
 
 
+def _tested(package: Package) -> str:
+    return package.tested(np.__version__).replace(",", ", ")
+
+
 def _state(package: Package) -> str:
     if is_too_old(package):
         return tr("Too old")
     if is_missing(package):
         return tr("Missing")
+    version = installed_version(package)
+    if version and not is_tested(version, package.tested(np.__version__)):
+        return tr("{version}, which was not tested").format(version=version)
     origin = importlib.util.find_spec(package.module).origin
     return tr("Installed by SemRef") if origin.startswith(str(components_root())) else tr("Ready")
