@@ -166,6 +166,7 @@ class CancelAt(QgsProcessingFeedback):
 def test_cancel_takes_effect_at_once_and_leaves_nothing(database, tmp_path):
     algorithm = QgsApplication.processingRegistry().createAlgorithmById(ASSESS)
     parameters = {"DATABASE": database, "OUTPUT": str(tmp_path / "map.gpkg"), "REPORT": str(tmp_path / "report.html")}
+    parameters["TRIALS"] = 100
     feedback = CancelAt(20)
     with pytest.raises(QgsProcessingException, match="Canceled"):
         algorithm.run(parameters, QgsProcessingContext(), feedback, {}, False)

@@ -168,6 +168,7 @@ def assessed(run_algorithm, database, tmp_path_factory):
         "SPACING": 50,
         "SPEED": 10,
         "TRIALS": 4,
+        "MAP_CORRELATION": False,
         "OUTPUT": str(folder / "points.gpkg"),
         "REPORT": str(folder / "report.html"),
     }
@@ -215,6 +216,7 @@ def test_a_stretch_beside_landmarks_is_hinted_there(run_algorithm, database, tmp
         "ROUTE": str(layer),
         "SPACING": 100,
         "TRIALS": 4,
+        "MAP_CORRELATION": False,
         "SHIFT": 300,
         "OUTPUT": str(tmp_path / "points.gpkg"),
     }
@@ -238,7 +240,7 @@ def test_a_stretch_beside_landmarks_is_hinted_there(run_algorithm, database, tmp
 def test_what_cannot_be_assessed_is_refused_in_one_sentence(run_algorithm, database, tmp_path, parameters, said):
     layer = write_layer(tmp_path / "route.gpkg", [(line(TURNS), "a")])
     target = tmp_path / "points.gpkg"
-    defaults = {"DATABASE": database, "ROUTE": str(layer), "TRIALS": 2, "OUTPUT": str(target)}
+    defaults = {"DATABASE": database, "ROUTE": str(layer), "TRIALS": 2, "MAP_CORRELATION": False, "OUTPUT": str(target)}
     with pytest.raises(QgsProcessingException, match=said):
         run_algorithm(ASSESS, {**defaults, **parameters})
     assert not target.exists()
