@@ -53,7 +53,7 @@ def main() -> int:
 
         print(f"QGIS {Qgis.QGIS_VERSION}, GDAL {gdal.__version__}, {platform.platform()}", flush=True)
         plan = trials.Plan(options.kills, options.disks, options.most_steps, options.seed)
-        for writer in tried_writers(provider, folder, options.only):
+        for writer in tried_writers(provider, folder, options.only, finds.append):
             row = trials.all_of(writer, folder, plan)
             rows.append(row)
             finds += row.finds
@@ -66,6 +66,7 @@ def main() -> int:
             rows.append(other(provider, folder, plan))
             finds += rows[-1].finds
             print(rows[-1].line(), *rows[-1].finds, sep="\n    ", flush=True)
+        print(*finds, sep="\n", flush=True)
         machine = f"QGIS {Qgis.QGIS_VERSION.split('-')[0]}, GDAL {gdal.__version__}, Python {platform.python_version()}"
         table = page.table(rows, machine, time.monotonic() - started)
         print(table, flush=True)

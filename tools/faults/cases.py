@@ -48,7 +48,7 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
         "assessroute": {**noise, "ROUTE": str(at / "route.gpkg"), "SPACING": 60, "FOOTPRINT": 100, "TRIALS": 2},
         "annotationtodatabase": {**layer, "PIXEL_SIZE": 1, **_BUILD, "REFERENCE_CLASSES": "building;water;bare_land"},
         "orthophototodisagreements": {"IMAGE": color, "MODEL": model, "LABELS": labels},
-        "correctiontodatabase": {**layer, "LABELS": labels, "DATABASE": area},
+        "correctiontodatabase": {**layer, "CLASS_TABLE": table, "LABELS": labels, "DATABASE": area},
     }
 
 

@@ -57,12 +57,20 @@ def lay_out(writer: Writer, folder: Path, with_older: bool = True) -> None:
         folder.mkdir(parents=True)
 
 
-def tried_writers(provider: Any, folder: Path, wanted: list[str]) -> Iterator[Writer]:
-    """Each writer with what it writes; ``wanted``: some of them by name, all when empty.
+def tried_writers(
+    provider: Any, folder: Path, wanted: list[str], failed: Callable[[str], None] | None = None
+) -> Iterator[Writer]:
+    """Each writer with what it writes.
+
+    Args:
+        provider: Whose algorithms are meant.
+        folder: An empty one to work in.
+        wanted: Writers by name, all when empty.
+        failed: Is told what is wrong with a writer that is left out.
 
     Raises:
         KeyError: A writer has no inputs in ``cases``.
-        RuntimeError: A writer fails without any fault, or writes something else each time.
+        RuntimeError: Without ``failed``: a writer fails without any fault, or writes something else each time.
     """
     run, inputs = runner(provider), folder / "inputs"
     for variant in VARIANTS:
@@ -70,7 +78,14 @@ def tried_writers(provider: Any, folder: Path, wanted: list[str]) -> Iterator[Wr
     for name, (algorithm, parameters) in cases.all_parameters(provider, inputs).items():
         if not wanted or name in wanted:
             is_model = "Model" in type(provider.algorithm(algorithm)).__name__
-            yield _tried(name, not is_model, folder, _run_of(run, algorithm, parameters))
+            try:
+                writer = _tried(name, not is_model, folder, _run_of(run, algorithm, parameters))
+            except RuntimeError as error:
+                if failed is None:
+                    raise
+                failed(str(error))
+            else:
+                yield writer
 
 
 def _run_of(run: Callable[..., Any], algorithm: str, parameters: Callable[..., dict[str, Any]]) -> Callable[..., Any]:
