@@ -45,7 +45,7 @@ def main() -> int:
     folder.mkdir(exist_ok=True)
     from qgis_session import qgis_session
 
-    started, rows, finds = time.monotonic(), [], []
+    started, rows, finds, failed = time.monotonic(), [], [], []
     with qgis_session() as provider:
         make_quick()
         from osgeo import gdal
@@ -53,7 +53,7 @@ def main() -> int:
 
         print(f"QGIS {Qgis.QGIS_VERSION}, GDAL {gdal.__version__}, {platform.platform()}", flush=True)
         plan = trials.Plan(options.kills, options.disks, options.most_steps, options.seed)
-        for writer in tried_writers(provider, folder, options.only, finds.append):
+        for writer in tried_writers(provider, folder, options.only, failed.append):
             row = trials.all_of(writer, folder, plan)
             rows.append(row)
             finds += row.finds
@@ -66,7 +66,8 @@ def main() -> int:
             rows.append(other(provider, folder, plan))
             finds += rows[-1].finds
             print(rows[-1].line(), *rows[-1].finds, sep="\n    ", flush=True)
-        print(*finds, sep="\n", flush=True)
+        print(*failed, sep="\n", flush=True)
+        finds += failed
         machine = f"QGIS {Qgis.QGIS_VERSION.split('-')[0]}, GDAL {gdal.__version__}, Python {platform.python_version()}"
         table = page.table(rows, machine, time.monotonic() - started)
         print(table, flush=True)

@@ -103,7 +103,7 @@ def make_inputs(at: Path, run: Callable[..., Any]) -> None:
     write_raster(at / "labels.tif", labels if seed == SEEDS["old"] else corrected, names=_NAMES)
     write_raster(at / "corrected.tif", corrected, names=_NAMES)
     write_raster(at / "predicted.tif", np.roll(labels, seed, 1), names=_NAMES)
-    photo = painted(np.where(labels == 4, 0, labels))
+    photo = painted(np.roll(np.where(labels == 4, 0, labels), seed, 0))
     write_raster(at / "color.tif", (photo + random.integers(0, 9, photo.shape)).astype(np.uint8).transpose(2, 0, 1))
     for n in range(4):
         cut = labels[10 * n : 10 * n + 110, 20 + seed : 130 + seed]
