@@ -43,7 +43,7 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
         "exportonboard": {"DATABASE": area},
         "describeimage": {"INPUT": str(at / "images" / "0.png"), "DATABASE": area},
         "localizeimages": {"DATABASE": area, "IMAGES": [str(at / "images")], "METHOD": 2},
-        "evaluatelocalization": {"DATABASE": area, "LABELS": labels, "TRIALS": 3, "METHODS": [0]},
+        "evaluatelocalization": {"DATABASE": area, "LABELS": labels, "TRIALS": 3, "METHODS": [1]},
         "assessdatabase": {**noise, "FOOTPRINT": "100", "SPACING": 80, "TRIALS": 20},
         "assessroute": {**noise, "ROUTE": str(at / "route.gpkg"), "SPACING": 60, "FOOTPRINT": 100, "TRIALS": 2},
         "annotationtodatabase": {**layer, "PIXEL_SIZE": 1, **_BUILD, "REFERENCE_CLASSES": "building;water;bare_land"},
