@@ -117,7 +117,7 @@ def test_scales_the_wrong_way_round_are_refused(refused):
 
 
 def test_one_scale_beyond_the_other_ones_default_is_refused(refused):
-    assert "(1.5)" in refused(LOCALIZE, METHOD=3, SCALE_MINIMUM=1.5)
+    assert "(3)" in refused(LOCALIZE, METHOD=3, SCALE_MINIMUM=3)
 
 
 def test_an_image_without_classes_of_its_own_needs_a_table(refused):
