@@ -97,13 +97,14 @@ def open_raster(path: str) -> gdal.Dataset:
         # Without OF_VERBOSE_ERROR GDAL does not say why no driver takes a file.
         kind = gdal.OF_RASTER | gdal.OF_READONLY | gdal.OF_VERBOSE_ERROR
         dataset = gdal.OpenEx(path, kind, drivers)
+        # GDAL reads it from damaged keys only now, and may raise as well.
+        transform = None if dataset is None else dataset.GetGeoTransform(can_return_null=True)
     except RuntimeError as error:
         raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure(error)) from None
     finally:
         gdal.PopErrorHandler()
     if dataset is None or dataset.RasterCount == 0:
         raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure())
-    transform = dataset.GetGeoTransform(can_return_null=True)
     if transform is not None and not all(abs(value) < _FARTHEST for value in transform):
         numbers = ", ".join(f"{value:g}" for value in transform)
         raise LabelMapError("storage.bad_georeference", path=path, numbers=numbers)

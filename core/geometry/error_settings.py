@@ -30,6 +30,7 @@ class ErrorSettings:
             the image [by hand; covariance].
         leaning: Standard deviation of ln pixel size for roofs that lean away from the image's center: they look larger,
             and no residual tells [geometry of houses of 5 m seen from 1,000 m].
+        most_landmarks: Landmarks that a pose is fitted to; of more so many, evenly chosen [by hand].
     """
 
     map_kernels: tuple[tuple[float, float], ...] = ((60.0, 0.28), (2000.0, 0.25))
@@ -39,6 +40,7 @@ class ErrorSettings:
     views: tuple[tuple[float, float, float], ...] = ((0.0001, 0.0001, 0.7), (0.01, 0.1, 0.15), (0.02, 1.0, 0.15))
     class_spread_px: float = 0.1
     leaning: float = 0.005
+    most_landmarks: int = 200
 
 
 ERRORS = ErrorSettings()

@@ -55,6 +55,15 @@ class MatchedPoints:
     classes: np.ndarray
     diagonal: float
 
+    def thinned(self, most: int) -> MatchedPoints:
+        """At most so many of them, evenly chosen in their order, for the time grows with the cube of their number."""
+        if len(self.image) <= most:
+            return self
+        kept = np.linspace(0, len(self.image) - 1, most).round().astype(np.int64)
+        return MatchedPoints(
+            self.image[kept], self.on_map[kept], self.deviations[kept], self.classes[kept], self.diagonal
+        )
+
 
 def refined_pose(matched: MatchedPoints, pose: Pose, errors: SharedErrors) -> tuple[Pose, PoseCovariance]:
     """The pose with shared errors accounted for, and how exactly it is known.
@@ -67,7 +76,7 @@ def refined_pose(matched: MatchedPoints, pose: Pose, errors: SharedErrors) -> tu
     Returns:
         The pose as the mean over all variances that may be; its covariance with what is stated added.
     """
-    system = _System(matched, pose, errors)
+    system = _System(matched.thinned(errors.settings.most_landmarks), pose, errors)
     variances = system.variances(errors.map_accuracy)
     weights, solutions, covariances = system.solved(variances)
     mean = weights @ solutions
@@ -86,6 +95,26 @@ def refined_pose(matched: MatchedPoints, pose: Pose, errors: SharedErrors) -> tu
     full[3, 3] += errors.settings.leaning**2
     parts = system.parts(weights, variances, float(np.trace(full[:2, :2]) / 2), phase)
     return moved, covariance_of(full, abs(moved.turn), parts)
+
+
+def inverted(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Inverses (…, p, p) of symmetric positive definite matrices (…, p, p), and ln of their determinants (…).
+
+    By elimination in all of them at once, which needs no pivots: LAPACK is called for each by itself, and on busy
+    processors waits longer for its threads than so small matrices take.
+    """
+    rest = np.array(matrices, dtype=np.float64)
+    logarithms = np.zeros(rest.shape[:-2])
+    for k in range(rest.shape[-1]):
+        pivot = rest[..., k, k].copy()
+        logarithms += np.log(pivot)
+        row = rest[..., k, :] / pivot[..., None]
+        column = rest[..., :, k].copy()
+        rest -= column[..., :, None] * row[..., None, :]
+        rest[..., k, :] = row
+        rest[..., :, k] = -column / pivot[..., None]
+        rest[..., k, k] = 1 / pivot
+    return rest, logarithms
 
 
 def covariance_of(full: np.ndarray, pixel_size: float, parts: tuple[ErrorPart, ...]) -> PoseCovariance:
@@ -191,11 +220,11 @@ class _System:
         count = len(self._stated)
         normal = (inverse @ self._products).reshape(-1, 1, count, count) + precisions[:, :, None] * np.eye(count)
         pull = (inverse @ self._pulls)[:, None] + precisions * self._stated
-        covariances = np.linalg.inv(normal)
+        covariances, logarithms = inverted(normal)
         solutions = np.einsum("abij,abj->abi", covariances, pull)
         squares = (inverse @ self._squares)[:, None] + (precisions * self._stated**2).sum(axis=1)
         squares = squares - (pull * solutions).sum(axis=2)
-        likely = np.linalg.slogdet(covariances)[1] + np.log(precisions[:, FITTED:]).sum(axis=1) - squares
+        likely = -logarithms + np.log(precisions[:, FITTED:]).sum(axis=1) - squares
         likely = 0.5 * likely + np.log(inverse).sum(axis=1)[:, None] + prior[:, None] + np.log(views[:, -1])
         weights = np.exp(likely - likely.max()).ravel()
         solutions, covariances = solutions[..., :FITTED], covariances[..., :FITTED, :FITTED]

@@ -73,49 +73,25 @@ _SHOWN_ROWS = {
 }
 """What of the rows the sums of the tables leave out; of landmarks, which are many, by kind and not one by one."""
 
-_GEOPACKAGE = (
-    "SELECT table_name, data_type, identifier, description, min_x, min_y, max_x, max_y, srs_id FROM gpkg_contents "
-    "WHERE table_name IN ('windows', 'references', 'overview') ORDER BY 1",
-    "SELECT table_name, column_name, geometry_type_name, srs_id, z, m FROM gpkg_geometry_columns "
-    "WHERE table_name IN ('windows', 'references') ORDER BY 1",
-    "SELECT srs_id, srs_name, organization, organization_coordsys_id, definition FROM gpkg_spatial_ref_sys "
-    "WHERE srs_id IN (SELECT srs_id FROM gpkg_contents WHERE table_name IN ('windows', 'references', 'overview')) "
-    "ORDER BY 1",
-    "SELECT srs_id, min_x, min_y, max_x, max_y FROM gpkg_tile_matrix_set WHERE table_name = 'overview'",
-)
-_INDEXES = {
-    "rtree_windows_geom_node": "SELECT nodeno, data FROM rtree_windows_geom_node ORDER BY nodeno",
-    "rtree_references_geom_node": "SELECT nodeno, data FROM rtree_references_geom_node ORDER BY nodeno",
-}
-
 _NUMBERS = {int, float, type(None)}
 
-GEOPACKAGE, INDEXES = "geopackage", "spatial indexes"
-
-_LATER = (*_SHOWN_ROWS, GEOPACKAGE, INDEXES)
+_LATER = tuple(_SHOWN_ROWS)
 """Sums that databases of versions before 1.4 don't have; one that has any of them has them all."""
 
 
 def shown_checksums(connection: sqlite3.Connection) -> dict[str, str]:
-    """SHA-256 by name of what QGIS reads of a database beside what localization does, without the styles."""
+    """SHA-256 by name of the rows' part that QGIS shows beside what localization reads.
+
+    GeoPackage's own tables, spatial indexes and styles have no sums: versions of QGIS and GDAL write them differently
+    for the same map, and whoever styles or describes a layer in QGIS changes them.
+    """
     tables = {name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
     found = {}
     for name, queries in _SHOWN_ROWS.items():
         # Databases of the first versions have no bounds.
         if name.split()[0] in tables:
             found[name] = _rows_digest(connection, queries)
-    found[GEOPACKAGE] = digest(repr(connection.execute(query).fetchall()).encode() for query in _GEOPACKAGE)
-    found[INDEXES] = _rows_digest(connection, [query for table, query in _INDEXES.items() if table in tables])
     return found
-
-
-def style_checksums(connection: sqlite3.Connection) -> dict[str, str]:
-    """SHA-256 of each style that SemRef wrote; one that a user put in its place in QGIS is the user's."""
-    rows = connection.execute(
-        "SELECT f_table_name, f_geometry_column, styleName, styleQML, useAsDefault FROM layer_styles "
-        "WHERE description = 'SemRef'"
-    )
-    return {f"style {row[0]}": digest([repr(row).encode("utf-8")]) for row in rows}
 
 
 def _rows_digest(connection: sqlite3.Connection, queries: Iterable[str]) -> str:

@@ -29,7 +29,6 @@ from .checksums import (
     overview_checksum,
     require_unchanged,
     shown_checksums,
-    style_checksums,
 )
 from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
 
@@ -227,9 +226,6 @@ def stored_style(path: str, table: str) -> str | None:
     query = "SELECT styleQML FROM layer_styles WHERE f_table_name = ? AND length(styleQML) < ?"
     try:
         with snapshot(path) as connection:
-            if keeps_shown(connection):
-                found = style_checksums(connection)
-                require_unchanged(connection, {name: found[name] for name in found if name == f"style {table}"})
             row = connection.execute(query, (table, _LONGEST_STYLE)).fetchone()
     except DatabaseError:
         return None
@@ -257,7 +253,6 @@ def store_checksums(path: str) -> None:
         if bounds is not None:
             found[schema.BOUNDS] = digest([bounds])
         found.update(shown_checksums(connection))
-        found.update(style_checksums(connection))
     text = json.dumps(found)
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         changed = connection.execute("UPDATE parameters SET value = ? WHERE key = ?", (text, CHECKSUMS))

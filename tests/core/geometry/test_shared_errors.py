@@ -11,6 +11,7 @@ from semref.core.geometry.shared_errors import (
     MAP,
     PIXELS,
     MatchedPoints,
+    inverted,
     phase_deviation,
     refined_pose,
 )
@@ -124,3 +125,20 @@ def test_pixels_round_alike_only_along_rows_of_the_map_at_its_scale():
     assert phase_deviation(1j, 1.0, 1800.0) == pytest.approx(0.2887, abs=1e-3)
     assert phase_deviation(np.exp(0.5j), 1.0, 1800.0) < 0.01 and phase_deviation(1.1 + 0j, 1.0, 1800.0) < 0.01
     assert phase_deviation(1.0 + 0j, 0.0, 1800.0) == 0.0
+
+
+def test_matrices_are_inverted_together_as_each_by_itself():
+    draws = np.random.default_rng(3).normal(size=(5, 4, 13, 20))
+    matrices = draws @ draws.swapaxes(-1, -2) * np.logspace(-3, 3, 13)[:, None] * np.logspace(-3, 3, 13)
+    inverses, logarithms = inverted(matrices)
+    np.testing.assert_allclose(inverses, np.linalg.inv(matrices), rtol=1e-7)
+    np.testing.assert_allclose(logarithms, np.linalg.slogdet(matrices)[1], rtol=1e-10)
+
+
+def test_of_very_many_landmarks_so_many_are_used_from_first_to_last():
+    count = 1000
+    all_of_them = MatchedPoints(*(np.arange(count),) * 4, 1.0)
+    thinned = all_of_them.thinned(200)
+    assert len(thinned.image) == 200 and thinned.image[[0, -1]].tolist() == [0, count - 1]
+    assert len(np.unique(thinned.classes)) == 200
+    assert all_of_them.thinned(count) is all_of_them
