@@ -6,7 +6,6 @@ import json
 import shutil
 import struct
 import subprocess
-import zipfile
 
 import numpy as np
 import pytest
@@ -32,7 +31,6 @@ def test_a_file_whose_directory_can_not_be_read_is_not_known_as_one(written, tmp
     (directory,) = struct.unpack_from("<I", data, start + 16)
     data[directory : directory + 4] = b"none"
     (tmp_path / "odd.npz").write_bytes(data)
-    assert zipfile.is_zipfile(tmp_path / "odd.npz")
     assert is_onboard_file(str(tmp_path / "odd.npz")) is False
 
 
