@@ -60,6 +60,10 @@
    <translation>Ein Linienlayer oder der Pfad einer GPX-, KML-, .plan- oder .waypoints-Datei. Jede Linie ist eine eigene Route.</translation>
   </message>
   <message>
+   <source>A new or empty folder.</source>
+   <translation>Ein neuer oder leerer Ordner.</translation>
+  </message>
+  <message>
    <source>A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table.</source>
    <translation>Ein neuer oder leerer Ordner: die Klassen jedes Bildes, wie es lokalisiert wurde, als GeoTIFF mit der Klassentabelle.</translation>
   </message>
@@ -528,6 +532,10 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
    <translation>Konstellation</translation>
   </message>
   <message>
+   <source>Control points (.points)</source>
+   <translation>Passpunkte (.points)</translation>
+  </message>
+  <message>
    <source>Copied: {command}</source>
    <translation>Kopiert: {command}</translation>
   </message>
@@ -864,6 +872,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Fix</translation>
   </message>
   <message>
+   <source>Folder for the georeferenced images</source>
+   <translation>Ordner für die georeferenzierten Bilder</translation>
+  </message>
+  <message>
    <source>Folder for the label images</source>
    <translation>Ordner für die Klassenbilder</translation>
   </message>
@@ -912,6 +924,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Für Bilder eines Flugs mit bekannten Zeiten: Ein Standort, der von denen davor und danach nicht rechtzeitig zu erreichen ist, wird mit Grund als Sprung gekennzeichnet. Er bleibt ein gefundener Standort und wird mitgezählt.</translation>
   </message>
   <message>
+   <source>Format</source>
+   <translation>Format</translation>
+  </message>
+  <message>
    <source>Fraction of the map that is labeled</source>
    <translation>Anteil der Karte mit Klasse</translation>
   </message>
@@ -940,6 +956,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Ein mit „Referenzdatenbank erstellen“ oder mit diesem Algorithmus erzeugtes GeoPackage.</translation>
   </message>
   <message>
+   <source>GeoTIFF</source>
+   <translation>GeoTIFF</translation>
+  </message>
+  <message>
    <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
    <translation>GeoTIFF, 8 Bit pro Pixel, im Pixelraster des Bildes.</translation>
   </message>
@@ -952,8 +972,24 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>GeoTIFF, 8 Bit je Pixel, mit den Klassen des Modells; Pixel ohne Daten sind 0.</translation>
   </message>
   <message>
+   <source>GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image with a .points file, which the Georeferencer opens along with it.</source>
+   <translation>GeoTIFF: das Bild nach Norden gedreht, ringsum durchsichtig. World-Datei: eine Kopie des Bildes mit unveränderten Pixeln, daneben eine World-Datei und das KBS. Passpunkte: eine Kopie des Bildes mit einer .points-Datei, die der Georeferenzierer gleich mit öffnet.</translation>
+  </message>
+  <message>
+   <source>Georeference images</source>
+   <translation>Bilder georeferenzieren</translation>
+  </message>
+  <message>
    <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
    <translation>DATABASE oder CLASS_TABLE angeben: Das Klassenbild bringt keine eigene Klassentabelle mit.</translation>
+  </message>
+  <message>
+   <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
+
+Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
+   <translation>Gibt Bildern ihren Platz am Boden, wie ihn „Bilder lokalisieren“ gefunden hat: als GeoTIFFs, mit World-Dateien oder mit Passpunkten für den Georeferenzierer.
+
+Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine Ausrichtung haben. Die Bilder selbst bleiben, wie sie sind.</translation>
   </message>
   <message>
    <source>Good enough from (%)</source>
@@ -1104,12 +1140,24 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Mit {speed:g} Karteneinheiten pro Sekunde ist er von den Standorten davor und danach nicht zu erreichen.</translation>
   </message>
   <message>
+   <source>It has no fix.</source>
+   <translation>Es hat keinen Fix.</translation>
+  </message>
+  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Es darf die Datenbank selbst sein; sie wird dann ersetzt, wenn die neue vollständig ist.</translation>
   </message>
   <message>
    <source>It must be in the CRS of the label map; its pixels may be of another size.</source>
    <translation>Sie muss im KBS der Klassenkarte liegen; ihre Pixel dürfen eine andere Größe haben.</translation>
+  </message>
+  <message>
+   <source>Its camera was tilted; give FOOTPRINTS of the same run, which tell how it lies.</source>
+   <translation>Seine Kamera war geneigt; geben Sie FOOTPRINTS desselben Laufs an, die sagen, wie es liegt.</translation>
+  </message>
+  <message>
+   <source>Its fix has no heading and pixel size, as those of the topology vector.</source>
+   <translation>Sein Fix hat weder Ausrichtung noch Pixelgröße, wie die des Topologievektors.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1574,6 +1622,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Number of fixes</source>
    <translation>Anzahl der gefundenen Standorte</translation>
+  </message>
+  <message>
+   <source>Number of images</source>
+   <translation>Anzahl der Bilder</translation>
   </message>
   <message>
    <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
@@ -2540,6 +2592,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Bild zeigt {count} ganze Landmarken</translation>
   </message>
   <message>
+   <source>The images or their folder, where they don’t lie any more where they were localized.</source>
+   <translation>Die Bilder oder ihr Ordner, wenn sie nicht mehr dort liegen, wo sie lokalisiert wurden.</translation>
+  </message>
+  <message>
    <source>The key {path} can't be read: {reason}.</source>
    <translation>Der Schlüssel {path} kann nicht gelesen werden: {reason}.</translation>
   </message>
@@ -2836,8 +2892,20 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Es gibt keinen Ordner {folder}; ihn anlegen oder einen anderen überwachen.</translation>
   </message>
   <message>
+   <source>There is no image {path}; give IMAGES, the folder where it lies now.</source>
+   <translation>Es gibt kein Bild {path}; geben Sie mit IMAGES den Ordner an, in dem es jetzt liegt.</translation>
+  </message>
+  <message>
    <source>There is no landmark to export; choose another database or a larger area.</source>
    <translation>Es gibt keine Landmarke zu exportieren; eine andere Datenbank oder ein größeres Gebiet wählen.</translation>
+  </message>
+  <message>
+   <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
+   <translation>Die desselben Laufs: wie Bilder liegen, die mit geneigter Kamera aufgenommen wurden.</translation>
+  </message>
+  <message>
+   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, or where an image has fewer than four, the corners, edges and middle as the fix puts them do.</source>
+   <translation>Die desselben Laufs: Die übereinstimmenden Landmarken werden Passpunkte, mit ihrer Abweichung. Ohne sie, oder wo ein Bild weniger als vier hat, sind es Ecken, Kanten und Mitte, wie der Fix sie legt.</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
@@ -2996,6 +3064,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Was an jedem Punkt zu erwarten ist; „gap“ ist die Länge des Abschnitts ohne erwarteten Fix, in dem er liegt.</translation>
   </message>
   <message>
+   <source>What “Localize images” wrote, with all its columns.</source>
+   <translation>Was „Bilder lokalisieren“ geschrieben hat, mit allen Spalten.</translation>
+  </message>
+  <message>
    <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
    <translation>Wo widerspricht ein neues Orthofoto der Annotation? „Bild segmentieren“, dann „Klassenkarten vergleichen“: die Abweichungen als Polygone, die größten zuerst, zum Durchgehen im Reiter „Korrigieren“ des Bedienfelds. Ist die Annotation verbessert, bringt „Von der korrigierten Annotation zur Datenbank“ die Referenzdatenbank auf den neuen Stand.</translation>
   </message>
@@ -3098,6 +3170,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Without information</source>
    <translation>Ohne Hinweise</translation>
+  </message>
+  <message>
+   <source>World file</source>
+   <translation>World-Datei</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
@@ -3656,8 +3732,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{image} kann nicht auf der Karte gezeigt werden.</translation>
   </message>
   <message>
+   <source>{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.</source>
+   <translation>{image} war geneigt, was eine World-Datei nicht sagen kann; schreiben Sie stattdessen GeoTIFFs oder Passpunkte.</translation>
+  </message>
+  <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
    <translation>{image}: Abstand {distance:.3f}, Konfidenz {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{image}: left out. {reason}</source>
+   <translation>{image}: ausgelassen. {reason}</translation>
   </message>
   <message>
    <source>{issues} findings, {errors} of them errors</source>
@@ -3694,6 +3778,18 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{key}: “{layer}” has no field “{name}”; its fields are {names}.</source>
    <translation>{key}: „{layer}“ hat kein Feld „{name}“; seine Felder sind {names}.</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” is in {crs}, but the positions are in {positions_crs}; take the layers of one run of “Localize images”.</source>
+   <translation>{key}: „{source}“ ist in {crs}, die Positionen aber in {positions_crs}; nehmen Sie die Layer eines Laufs von „Bilder lokalisieren“.</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” is in {crs}, which does not measure in meters; take the positions as “Localize images” wrote them, in the database’s CRS.</source>
+   <translation>{key}: „{source}“ ist in {crs}, das nicht in Metern misst; nehmen Sie die Positionen so, wie „Bilder lokalisieren“ sie geschrieben hat, im KBS der Datenbank.</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” lacks {missing}; choose what “Localize images” wrote, with all its columns.</source>
+   <translation>{key}: „{source}“ fehlt {missing}; wählen Sie, was „Bilder lokalisieren“ geschrieben hat, mit allen Spalten.</translation>
   </message>
   <message>
    <source>{key}: “{text}” is not a list of numbers such as 1;2.</source>
@@ -4354,6 +4450,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{windows} windows, {references} landmarks.</source>
    <translation>{windows} Fenster, {references} Landmarken.</translation>
+  </message>
+  <message>
+   <source>{written} of {images} images are georeferenced.</source>
+   <translation>{written} von {images} Bildern sind georeferenziert.</translation>
   </message>
   <message>
    <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>

@@ -60,6 +60,10 @@
    <translation>Una capa de líneas, o la ruta de un archivo GPX, KML, .plan o .waypoints. Cada línea es una ruta propia.</translation>
   </message>
   <message>
+   <source>A new or empty folder.</source>
+   <translation>Una carpeta nueva o vacía.</translation>
+  </message>
+  <message>
    <source>A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table.</source>
    <translation>Una carpeta nueva o vacía: las etiquetas de cada imagen tal como se localizaron, un GeoTIFF con la tabla de clases.</translation>
   </message>
@@ -528,6 +532,10 @@ Las clases se emparejan por nombre, o por valor si los mapas no comparten nombre
    <translation>Constelación</translation>
   </message>
   <message>
+   <source>Control points (.points)</source>
+   <translation>Puntos de control (.points)</translation>
+  </message>
+  <message>
    <source>Copied: {command}</source>
    <translation>Copiado: {command}</translation>
   </message>
@@ -864,6 +872,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Posición encontrada</translation>
   </message>
   <message>
+   <source>Folder for the georeferenced images</source>
+   <translation>Carpeta para las imágenes georreferenciadas</translation>
+  </message>
+  <message>
    <source>Folder for the label images</source>
    <translation>Carpeta para las imágenes de etiquetas</translation>
   </message>
@@ -912,6 +924,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Para imágenes de un mismo vuelo cuyas horas se conocen: una posición encontrada que no se puede alcanzar a tiempo desde las anteriores y posteriores se marca como salto, con el motivo. Sigue siendo una posición encontrada y se cuenta.</translation>
   </message>
   <message>
+   <source>Format</source>
+   <translation>Formato</translation>
+  </message>
+  <message>
    <source>Fraction of the map that is labeled</source>
    <translation>Fracción del mapa que está etiquetada</translation>
   </message>
@@ -940,6 +956,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>GeoPackage creado por «Crear base de datos de referencia» o por este algoritmo.</translation>
   </message>
   <message>
+   <source>GeoTIFF</source>
+   <translation>GeoTIFF</translation>
+  </message>
+  <message>
    <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
    <translation>GeoTIFF, 8 bits por píxel, en la cuadrícula de la imagen.</translation>
   </message>
@@ -952,8 +972,24 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>GeoTIFF, 8 bits por píxel, con las clases del modelo; los píxeles sin datos son 0.</translation>
   </message>
   <message>
+   <source>GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image with a .points file, which the Georeferencer opens along with it.</source>
+   <translation>GeoTIFF: la imagen girada con el norte arriba, transparente alrededor. Archivo world: una copia de la imagen, con sus píxeles tal cual, junto a un archivo world y el SRC. Puntos de control: una copia de la imagen con un archivo .points, que el georreferenciador abre junto con ella.</translation>
+  </message>
+  <message>
+   <source>Georeference images</source>
+   <translation>Georreferenciar imágenes</translation>
+  </message>
+  <message>
    <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
    <translation>Indique DATABASE o CLASS_TABLE: la imagen de etiquetas no trae su propia tabla de clases.</translation>
+  </message>
+  <message>
+   <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
+
+Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
+   <translation>Da a las imágenes su lugar sobre el terreno, tal como lo encontró «Localizar imágenes»: como GeoTIFF, con archivos world o con puntos de control para el georreferenciador.
+
+Se omiten las imágenes sin posición y las posiciones del vector topológico, que no tienen rumbo. Las imágenes originales no cambian.</translation>
   </message>
   <message>
    <source>Good enough from (%)</source>
@@ -1104,12 +1140,24 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>No se puede alcanzar a {speed:g} unidades del mapa por segundo desde las posiciones encontradas antes y después.</translation>
   </message>
   <message>
+   <source>It has no fix.</source>
+   <translation>No tiene posición.</translation>
+  </message>
+  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Puede ser la propia base de datos, que entonces se reemplaza cuando la actualización está completa.</translation>
   </message>
   <message>
    <source>It must be in the CRS of the label map; its pixels may be of another size.</source>
    <translation>Debe estar en el SRC del mapa de etiquetas; sus píxeles pueden tener otro tamaño.</translation>
+  </message>
+  <message>
+   <source>Its camera was tilted; give FOOTPRINTS of the same run, which tell how it lies.</source>
+   <translation>Su cámara estaba inclinada; indique FOOTPRINTS de la misma ejecución, que dicen cómo yace.</translation>
+  </message>
+  <message>
+   <source>Its fix has no heading and pixel size, as those of the topology vector.</source>
+   <translation>Su posición no tiene rumbo ni tamaño de píxel, como las del vector topológico.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1574,6 +1622,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Number of fixes</source>
    <translation>Número de posiciones encontradas</translation>
+  </message>
+  <message>
+   <source>Number of images</source>
+   <translation>Número de imágenes</translation>
   </message>
   <message>
    <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
@@ -2540,6 +2592,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La imagen muestra {count} hitos enteros</translation>
   </message>
   <message>
+   <source>The images or their folder, where they don’t lie any more where they were localized.</source>
+   <translation>Las imágenes o su carpeta, si ya no están donde se localizaron.</translation>
+  </message>
+  <message>
    <source>The key {path} can't be read: {reason}.</source>
    <translation>No se puede leer la clave {path}: {reason}.</translation>
   </message>
@@ -2836,8 +2892,20 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No hay ninguna carpeta {folder}; créela o vigile otra.</translation>
   </message>
   <message>
+   <source>There is no image {path}; give IMAGES, the folder where it lies now.</source>
+   <translation>No existe la imagen {path}; indique en IMAGES la carpeta donde está ahora.</translation>
+  </message>
+  <message>
    <source>There is no landmark to export; choose another database or a larger area.</source>
    <translation>No hay ningún hito que exportar; elija otra base de datos o un área mayor.</translation>
+  </message>
+  <message>
+   <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
+   <translation>Las de la misma ejecución: cómo yacen las imágenes tomadas con la cámara inclinada.</translation>
+  </message>
+  <message>
+   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, or where an image has fewer than four, the corners, edges and middle as the fix puts them do.</source>
+   <translation>Las de la misma ejecución: los hitos que concuerdan pasan a ser puntos de control, con la desviación de cada uno. Sin ellas, o si una imagen tiene menos de cuatro, lo son las esquinas, los bordes y el centro según la posición hallada.</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
@@ -2996,6 +3064,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Qué esperar en cada punto; «gap» es la longitud del tramo sin posición esperada en que se encuentra.</translation>
   </message>
   <message>
+   <source>What “Localize images” wrote, with all its columns.</source>
+   <translation>Lo que escribió «Localizar imágenes», con todas sus columnas.</translation>
+  </message>
+  <message>
    <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
    <translation>¿Dónde contradice una nueva ortofoto a la anotación? «Segmentar imagen» y después «Comparar mapas de etiquetas»: las discrepancias como polígonos, las mayores primero, para recorrerlas en la pestaña «Corregir» del panel. Cuando la anotación está corregida, «De la anotación corregida a la base de datos» actualiza la base de datos de referencia.</translation>
   </message>
@@ -3098,6 +3170,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Without information</source>
    <translation>Sin información</translation>
+  </message>
+  <message>
+   <source>World file</source>
+   <translation>Archivo world</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
@@ -3656,8 +3732,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{image} no se puede mostrar en el mapa.</translation>
   </message>
   <message>
+   <source>{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.</source>
+   <translation>{image} estaba inclinada, lo que un archivo world no puede expresar; escriba GeoTIFF o puntos de control.</translation>
+  </message>
+  <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
    <translation>{image}: distancia {distance:.3f}, confianza {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{image}: left out. {reason}</source>
+   <translation>{image}: omitida. {reason}</translation>
   </message>
   <message>
    <source>{issues} findings, {errors} of them errors</source>
@@ -3694,6 +3778,18 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{key}: “{layer}” has no field “{name}”; its fields are {names}.</source>
    <translation>{key}: «{layer}» no tiene ningún campo «{name}»; sus campos son {names}.</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” is in {crs}, but the positions are in {positions_crs}; take the layers of one run of “Localize images”.</source>
+   <translation>{key}: «{source}» está en {crs}, pero las posiciones en {positions_crs}; tome las capas de una misma ejecución de «Localizar imágenes».</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” is in {crs}, which does not measure in meters; take the positions as “Localize images” wrote them, in the database’s CRS.</source>
+   <translation>{key}: «{source}» está en {crs}, que no mide en metros; tome las posiciones tal como las escribió «Localizar imágenes», en el SRC de la base de datos.</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” lacks {missing}; choose what “Localize images” wrote, with all its columns.</source>
+   <translation>{key}: a «{source}» le falta {missing}; elija lo que escribió «Localizar imágenes», con todas sus columnas.</translation>
   </message>
   <message>
    <source>{key}: “{text}” is not a list of numbers such as 1;2.</source>
@@ -4354,6 +4450,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{windows} windows, {references} landmarks.</source>
    <translation>{windows} ventanas, {references} hitos.</translation>
+  </message>
+  <message>
+   <source>{written} of {images} images are georeferenced.</source>
+   <translation>{written} de {images} imágenes están georreferenciadas.</translation>
   </message>
   <message>
    <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>

@@ -60,6 +60,10 @@
    <translation>Une couche de lignes, ou le chemin d’un fichier GPX, KML, .plan ou .waypoints. Chaque ligne est une route à part.</translation>
   </message>
   <message>
+   <source>A new or empty folder.</source>
+   <translation>Un dossier nouveau ou vide.</translation>
+  </message>
+  <message>
    <source>A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table.</source>
    <translation>Un dossier nouveau ou vide : les étiquettes de chaque image telles qu’elles ont été localisées, un GeoTIFF avec la table des classes.</translation>
   </message>
@@ -528,6 +532,10 @@ Les classes sont associées par leur nom, ou par leur valeur si les cartes n’o
    <translation>Constellation</translation>
   </message>
   <message>
+   <source>Control points (.points)</source>
+   <translation>Points de calage (.points)</translation>
+  </message>
+  <message>
    <source>Copied: {command}</source>
    <translation>Copié : {command}</translation>
   </message>
@@ -864,6 +872,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Position trouvée</translation>
   </message>
   <message>
+   <source>Folder for the georeferenced images</source>
+   <translation>Dossier des images géoréférencées</translation>
+  </message>
+  <message>
    <source>Folder for the label images</source>
    <translation>Dossier des images d’étiquettes</translation>
   </message>
@@ -912,6 +924,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Pour les images d’un même vol dont les heures sont connues : une position trouvée qui ne peut pas être atteinte à temps depuis celles d’avant et d’après est marquée comme saut, avec la raison. Elle reste une position trouvée et elle est comptée.</translation>
   </message>
   <message>
+   <source>Format</source>
+   <translation>Format</translation>
+  </message>
+  <message>
    <source>Fraction of the map that is labeled</source>
    <translation>Part de la carte qui est étiquetée</translation>
   </message>
@@ -940,6 +956,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>GeoPackage produit par « Créer une base de données de référence » ou par cet algorithme.</translation>
   </message>
   <message>
+   <source>GeoTIFF</source>
+   <translation>GeoTIFF</translation>
+  </message>
+  <message>
    <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
    <translation>GeoTIFF, 8 bits par pixel, sur la grille de l’image.</translation>
   </message>
@@ -952,8 +972,24 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>GeoTIFF, 8 bits par pixel, avec les classes du modèle ; les pixels sans données valent 0.</translation>
   </message>
   <message>
+   <source>GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image with a .points file, which the Georeferencer opens along with it.</source>
+   <translation>GeoTIFF : l’image tournée nord en haut, transparente autour. Fichier world : une copie de l’image, pixels inchangés, accompagnée d’un fichier world et du SCR. Points de calage : une copie de l’image avec un fichier .points, que le géoréférenceur ouvre en même temps.</translation>
+  </message>
+  <message>
+   <source>Georeference images</source>
+   <translation>Géoréférencer des images</translation>
+  </message>
+  <message>
    <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
    <translation>Donnez DATABASE ou CLASS_TABLE : l’image d’étiquettes n’apporte pas sa propre table des classes.</translation>
+  </message>
+  <message>
+   <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
+
+Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
+   <translation>Donne aux images leur place au sol, telle que « Localiser des images » l’a trouvée : en GeoTIFF, avec des fichiers world, ou avec des points de calage pour le géoréférenceur.
+
+Les images sans position sont laissées de côté, de même que les positions du vecteur topologique, qui n’ont pas de cap. Les images elles-mêmes ne changent pas.</translation>
   </message>
   <message>
    <source>Good enough from (%)</source>
@@ -1104,12 +1140,24 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Elle ne peut pas être atteinte à {speed:g} unités de carte par seconde depuis les positions trouvées avant et après elle.</translation>
   </message>
   <message>
+   <source>It has no fix.</source>
+   <translation>Elle n’a pas de position.</translation>
+  </message>
+  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>Ce peut être la base de données elle-même, qui est alors remplacée une fois la mise à jour terminée.</translation>
   </message>
   <message>
    <source>It must be in the CRS of the label map; its pixels may be of another size.</source>
    <translation>Elle doit être dans le SCR de la carte d’étiquettes ; ses pixels peuvent avoir une autre taille.</translation>
+  </message>
+  <message>
+   <source>Its camera was tilted; give FOOTPRINTS of the same run, which tell how it lies.</source>
+   <translation>Sa caméra était inclinée ; donnez FOOTPRINTS du même traitement, qui dit comment elle se place.</translation>
+  </message>
+  <message>
+   <source>Its fix has no heading and pixel size, as those of the topology vector.</source>
+   <translation>Sa position n’a ni cap ni taille de pixel, comme celles du vecteur topologique.</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1574,6 +1622,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Number of fixes</source>
    <translation>Nombre de positions trouvées</translation>
+  </message>
+  <message>
+   <source>Number of images</source>
+   <translation>Nombre d’images</translation>
   </message>
   <message>
    <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
@@ -2540,6 +2592,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’image montre {count} repères visuels entiers</translation>
   </message>
   <message>
+   <source>The images or their folder, where they don’t lie any more where they were localized.</source>
+   <translation>Les images ou leur dossier, si elles ne sont plus là où elles ont été localisées.</translation>
+  </message>
+  <message>
    <source>The key {path} can't be read: {reason}.</source>
    <translation>La clé {path} ne peut pas être lue : {reason}.</translation>
   </message>
@@ -2836,8 +2892,20 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a pas de dossier {folder} ; créez-le ou surveillez-en un autre.</translation>
   </message>
   <message>
+   <source>There is no image {path}; give IMAGES, the folder where it lies now.</source>
+   <translation>Il n’y a pas d’image {path} ; donnez dans IMAGES le dossier où elle se trouve maintenant.</translation>
+  </message>
+  <message>
    <source>There is no landmark to export; choose another database or a larger area.</source>
    <translation>Il n’y a aucun repère visuel à exporter ; choisissez une autre base de données ou une zone plus grande.</translation>
+  </message>
+  <message>
+   <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
+   <translation>Celles du même traitement : comment se placent les images prises avec une caméra inclinée.</translation>
+  </message>
+  <message>
+   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, or where an image has fewer than four, the corners, edges and middle as the fix puts them do.</source>
+   <translation>Celles du même traitement : les repères visuels concordants deviennent des points de calage, avec leur écart. Sans elles, ou si une image en a moins de quatre, ce sont les coins, les bords et le milieu selon la position trouvée.</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
@@ -2996,6 +3064,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>À quoi s’attendre en chaque point ; « gap » est la longueur du tronçon sans position attendue où il se trouve.</translation>
   </message>
   <message>
+   <source>What “Localize images” wrote, with all its columns.</source>
+   <translation>Ce que « Localiser des images » a écrit, avec toutes ses colonnes.</translation>
+  </message>
+  <message>
    <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
    <translation>Où une nouvelle orthophoto contredit-elle l’annotation ? « Segmenter une image », puis « Comparer des cartes d’étiquettes » : les divergences sous forme de polygones, les plus grandes d’abord, à parcourir dans l’onglet « Corriger » du panneau. Une fois l’annotation corrigée, « De l’annotation corrigée à la base de données » met à jour la base de données de référence.</translation>
   </message>
@@ -3098,6 +3170,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Without information</source>
    <translation>Sans les informations</translation>
+  </message>
+  <message>
+   <source>World file</source>
+   <translation>Fichier world</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
@@ -3656,8 +3732,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{image} ne peut pas être affichée sur la carte.</translation>
   </message>
   <message>
+   <source>{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.</source>
+   <translation>{image} était inclinée, ce qu’un fichier world ne peut pas dire ; écrivez plutôt des GeoTIFF ou des points de calage.</translation>
+  </message>
+  <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
    <translation>{image} : distance {distance:.3f}, confiance {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{image}: left out. {reason}</source>
+   <translation>{image} : laissée de côté. {reason}</translation>
   </message>
   <message>
    <source>{issues} findings, {errors} of them errors</source>
@@ -3694,6 +3778,18 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{key}: “{layer}” has no field “{name}”; its fields are {names}.</source>
    <translation>{key} : « {layer} » n’a pas de champ « {name} » ; ses champs sont {names}.</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” is in {crs}, but the positions are in {positions_crs}; take the layers of one run of “Localize images”.</source>
+   <translation>{key} : « {source} » est en {crs}, mais les positions en {positions_crs} ; prenez les couches d’un même traitement de « Localiser des images ».</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” is in {crs}, which does not measure in meters; take the positions as “Localize images” wrote them, in the database’s CRS.</source>
+   <translation>{key} : « {source} » est en {crs}, qui ne mesure pas en mètres ; prenez les positions telles que « Localiser des images » les a écrites, dans le SCR de la base de données.</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” lacks {missing}; choose what “Localize images” wrote, with all its columns.</source>
+   <translation>{key} : il manque {missing} à « {source} » ; choisissez ce que « Localiser des images » a écrit, avec toutes ses colonnes.</translation>
   </message>
   <message>
    <source>{key}: “{text}” is not a list of numbers such as 1;2.</source>
@@ -4354,6 +4450,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{windows} windows, {references} landmarks.</source>
    <translation>{windows} fenêtres, {references} repères visuels.</translation>
+  </message>
+  <message>
+   <source>{written} of {images} images are georeferenced.</source>
+   <translation>{written} images sur {images} sont géoréférencées.</translation>
   </message>
   <message>
    <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>

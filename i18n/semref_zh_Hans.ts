@@ -60,6 +60,10 @@
    <translation>线图层，或 GPX、KML、.plan、.waypoints 文件的路径。每条线为一条独立航线。</translation>
   </message>
   <message>
+   <source>A new or empty folder.</source>
+   <translation>一个新的或空的文件夹。</translation>
+  </message>
+  <message>
    <source>A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table.</source>
    <translation>新文件夹或空文件夹：每幅图像定位时所用的标签，为带类别表的 GeoTIFF。</translation>
   </message>
@@ -528,6 +532,10 @@ Classes are matched by name, or by value where the maps share no names. Maps of 
    <translation>星座匹配</translation>
   </message>
   <message>
+   <source>Control points (.points)</source>
+   <translation>控制点（.points）</translation>
+  </message>
+  <message>
    <source>Copied: {command}</source>
    <translation>已复制：{command}</translation>
   </message>
@@ -864,6 +872,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>已定位</translation>
   </message>
   <message>
+   <source>Folder for the georeferenced images</source>
+   <translation>地理配准影像的文件夹</translation>
+  </message>
+  <message>
    <source>Folder for the label images</source>
    <translation>标签图像文件夹</translation>
   </message>
@@ -912,6 +924,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>用于拍摄时间已知的同一次飞行的影像：若某个定位结果无法从前后的定位结果及时到达，则标记为跳变，并给出原因。它仍然是定位结果，并计入数量。</translation>
   </message>
   <message>
+   <source>Format</source>
+   <translation>格式</translation>
+  </message>
+  <message>
    <source>Fraction of the map that is labeled</source>
    <translation>标签图中有标签部分的比例</translation>
   </message>
@@ -940,6 +956,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>由“构建参考数据库”或本算法生成的 GeoPackage。</translation>
   </message>
   <message>
+   <source>GeoTIFF</source>
+   <translation>GeoTIFF</translation>
+  </message>
+  <message>
    <source>GeoTIFF, 8 bits a pixel, on the grid of the image.</source>
    <translation>GeoTIFF，每像元 8 位，采用影像的格网。</translation>
   </message>
@@ -952,8 +972,24 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>GeoTIFF，每像元 8 位，采用模型的类别；没有数据的像元为 0。</translation>
   </message>
   <message>
+   <source>GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image with a .points file, which the Georeferencer opens along with it.</source>
+   <translation>GeoTIFF：影像旋转为北朝上，四周透明。世界文件：影像的副本，像素不变，旁边附世界文件和坐标参考系。控制点：影像的副本及 .points 文件，地理配准工具会一并打开。</translation>
+  </message>
+  <message>
+   <source>Georeference images</source>
+   <translation>影像地理配准</translation>
+  </message>
+  <message>
    <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
    <translation>请给出 DATABASE 或 CLASS_TABLE：该标签影像自身不带类别表。</translation>
+  </message>
+  <message>
+   <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
+
+Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
+   <translation>按“定位影像”找到的位置给影像赋予地面位置：写成 GeoTIFF、附世界文件，或附地理配准工具用的控制点。
+
+没有定位结果的影像会被跳过，拓扑向量的定位结果没有航向，也会跳过。影像本身保持不变。</translation>
   </message>
   <message>
    <source>Good enough from (%)</source>
@@ -1104,12 +1140,24 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>以每秒 {speed:g} 地图单位的速度，无法从其前后的定位结果到达该位置。</translation>
   </message>
   <message>
+   <source>It has no fix.</source>
+   <translation>它没有定位结果。</translation>
+  </message>
+  <message>
    <source>It may be the database itself, which is then replaced when the update is complete.</source>
    <translation>可以是该数据库本身，更新完成后即被替换。</translation>
   </message>
   <message>
    <source>It must be in the CRS of the label map; its pixels may be of another size.</source>
    <translation>它必须与标签图使用相同的坐标参照系；其像元大小可以不同。</translation>
+  </message>
+  <message>
+   <source>Its camera was tilted; give FOOTPRINTS of the same run, which tell how it lies.</source>
+   <translation>拍摄时相机倾斜；请给出同一次运行的 FOOTPRINTS，它说明影像如何铺在地面上。</translation>
+  </message>
+  <message>
+   <source>Its fix has no heading and pixel size, as those of the topology vector.</source>
+   <translation>它的定位结果没有航向和像素大小（拓扑向量的结果即如此）。</translation>
   </message>
   <message>
    <source>JSON files (*.json)</source>
@@ -1574,6 +1622,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Number of fixes</source>
    <translation>定位结果数</translation>
+  </message>
+  <message>
+   <source>Number of images</source>
+   <translation>影像数</translation>
   </message>
   <message>
    <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
@@ -2540,6 +2592,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>影像显示 {count} 个完整地标</translation>
   </message>
   <message>
+   <source>The images or their folder, where they don’t lie any more where they were localized.</source>
+   <translation>影像或其文件夹，若它们已不在定位时的位置。</translation>
+  </message>
+  <message>
    <source>The key {path} can't be read: {reason}.</source>
    <translation>无法读取密钥 {path}：{reason}。</translation>
   </message>
@@ -2836,8 +2892,20 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>没有文件夹 {folder}；请创建该文件夹或监视其他文件夹。</translation>
   </message>
   <message>
+   <source>There is no image {path}; give IMAGES, the folder where it lies now.</source>
+   <translation>没有影像 {path}；请在 IMAGES 中给出它现在所在的文件夹。</translation>
+  </message>
+  <message>
    <source>There is no landmark to export; choose another database or a larger area.</source>
    <translation>没有可导出的地标；请选择其他数据库或更大的区域。</translation>
+  </message>
+  <message>
+   <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
+   <translation>同一次运行的结果：倾斜拍摄的影像如何铺在地面上。</translation>
+  </message>
+  <message>
+   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, or where an image has fewer than four, the corners, edges and middle as the fix puts them do.</source>
+   <translation>同一次运行的结果：一致的地标成为控制点，并注明各自的偏差。没有时，或某影像少于四个时，用定位结果给出的角点、边中点和中心。</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
@@ -2996,6 +3064,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>每点的预期情况；“gap”为该点所在的无预期定位航段的长度。</translation>
   </message>
   <message>
+   <source>What “Localize images” wrote, with all its columns.</source>
+   <translation>“定位影像”写出的结果，含其全部列。</translation>
+  </message>
+  <message>
    <source>Where does a new orthophoto contradict the annotation? “Segment image”, then “Compare label maps”: the disagreements as polygons, the largest first, to go through in the dock’s tab “Correct”. When the annotation is mended, “Corrected annotation to database” brings the reference database up to date.</source>
    <translation>新的正射影像在哪里与标注相矛盾？先“分割影像”，再“比较标签图”：不一致之处以多边形表示，最大的在前，可在面板的“修正”选项卡中逐一查看。标注更正之后，“从更正后的标注到数据库”使参考数据库保持最新。</translation>
   </message>
@@ -3098,6 +3170,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Without information</source>
    <translation>不含信息级</translation>
+  </message>
+  <message>
+   <source>World file</source>
+   <translation>世界文件</translation>
   </message>
   <message>
    <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
@@ -3656,8 +3732,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{image} 无法在地图上显示。</translation>
   </message>
   <message>
+   <source>{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.</source>
+   <translation>{image} 是倾斜拍摄的，世界文件无法表达；请改写 GeoTIFF 或控制点。</translation>
+  </message>
+  <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
    <translation>{image}：距离 {distance:.3f}，置信度 {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{image}: left out. {reason}</source>
+   <translation>{image}：已跳过。{reason}</translation>
   </message>
   <message>
    <source>{issues} findings, {errors} of them errors</source>
@@ -3694,6 +3778,18 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{key}: “{layer}” has no field “{name}”; its fields are {names}.</source>
    <translation>{key}：“{layer}”没有字段“{name}”；其字段为 {names}。</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” is in {crs}, but the positions are in {positions_crs}; take the layers of one run of “Localize images”.</source>
+   <translation>{key}：“{source}”使用 {crs}，而位置使用 {positions_crs}；请取“定位影像”同一次运行的图层。</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” is in {crs}, which does not measure in meters; take the positions as “Localize images” wrote them, in the database’s CRS.</source>
+   <translation>{key}：“{source}”使用 {crs}，其单位不是米；请使用“定位影像”写出的、位于数据库坐标参考系中的位置。</translation>
+  </message>
+  <message>
+   <source>{key}: “{source}” lacks {missing}; choose what “Localize images” wrote, with all its columns.</source>
+   <translation>{key}：“{source}”缺少 {missing}；请选择“定位影像”写出的结果，含其全部列。</translation>
   </message>
   <message>
    <source>{key}: “{text}” is not a list of numbers such as 1;2.</source>
@@ -4354,6 +4450,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{windows} windows, {references} landmarks.</source>
    <translation>{windows} 个窗口，{references} 个地标。</translation>
+  </message>
+  <message>
+   <source>{written} of {images} images are georeferenced.</source>
+   <translation>{images} 幅影像中有 {written} 幅已地理配准。</translation>
   </message>
   <message>
    <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>

@@ -15,6 +15,7 @@ from .algorithms.describe_image import DescribeImage
 from .algorithms.evaluate_localization import EvaluateLocalization
 from .algorithms.export_onboard import ExportOnboard
 from .algorithms.export_training_tiles import ExportTrainingTiles
+from .algorithms.georeference_images import GeoreferenceImages
 from .algorithms.localize_images import LocalizeImages
 from .algorithms.make_sample import MakeSample
 from .algorithms.rasterize_annotation import RasterizeAnnotation
@@ -38,6 +39,7 @@ ALGORITHMS = (
     ExportOnboard,
     DescribeImage,
     LocalizeImages,
+    GeoreferenceImages,
     EvaluateLocalization,
     AssessDatabase,
     AssessRoute,

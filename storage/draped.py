@@ -1,13 +1,15 @@
-"""An image with the georeference of its fix, to lie on the map as it was taken."""
+"""An image with the georeference of its fix: laid on the map as it was taken, for QGIS alone or for every program."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 import numpy as np
 from osgeo import gdal
 
 from ..core.errors import LabelMapError
 from ..core.geometry.footprint import is_parallelogram, on_ground
-from .gdal_errors import gdal_failure
+from .gdal_errors import gdal_failure, gdal_failures
 from .rasters import open_raster
 
 GRID = 16
@@ -29,31 +31,75 @@ def write_draped(image: str, target: str, crs_wkt: str, corners_xy: np.ndarray) 
         LabelMapError: The image can't be read, or the VRT not written.
     """
     source = open_raster(image)
-    footprint = np.asarray(corners_xy, np.float64)
     placed_path = f"{target}.placed.vrt"
-    placed = gdal.GetDriverByName("VRT").CreateCopy(placed_path, source)
+    # The warper reads the file, which must be complete.
+    _place(source, placed_path, crs_wkt, corners_xy).FlushCache()
+    _turn(target, placed_path, source, corners_xy, format="VRT")
+
+
+def write_geotiff(
+    image: str, target: str, crs_wkt: str, corners_xy: np.ndarray, going_on: Callable[[], bool] = lambda: True
+) -> None:
+    """Writes a GeoTIFF of an image on the ground, north up, transparent outside the image.
+
+    Photos are resampled bilinearly. One band is taken for labels: nearest neighbor, colors kept, 0 outside.
+
+    Args:
+        image: The file.
+        target: The GeoTIFF.
+        crs_wkt: WKT of the map's CRS.
+        corners_xy: As in ``write_draped``.
+        going_on: Asked now and then; False ends the work with a LabelMapError.
+
+    Raises:
+        LabelMapError: The image can't be read, or the GeoTIFF not written.
+    """
+    source = open_raster(image)
+    placed = _place(source, "", crs_wkt, corners_xy)
+    with gdal_failures() as failures:
+        _turn(
+            target,
+            placed,
+            source,
+            corners_xy,
+            format="GTiff",
+            resampleAlg="near" if source.RasterCount == 1 else "bilinear",
+            creationOptions=["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER"],
+            callback=lambda *_: int(going_on()),
+        )
+    if failures:
+        raise LabelMapError("storage.unwritable", path=target, reason=failures[0])
+
+
+def _place(source: gdal.Dataset, path: str, crs_wkt: str, corners_xy: np.ndarray) -> gdal.Dataset:
+    """A VRT of an image with its georeference; without a ``path`` in memory."""
+    footprint = np.asarray(corners_xy, np.float64)
+    placed = gdal.GetDriverByName("VRT").CreateCopy(path, source)
     if placed is None:
-        raise LabelMapError("storage.unwritable", path=placed_path, reason=gdal_failure())
-    level = is_parallelogram(footprint)
-    if level:
+        raise LabelMapError("storage.unwritable", path=path, reason=gdal_failure())
+    if is_parallelogram(footprint):
         placed.SetProjection(crs_wkt)
-        placed.SetGeoTransform(_geotransform(footprint, source))
+        placed.SetGeoTransform(geotransform(footprint, source))
     else:
         placed.SetGCPs(_control_points(footprint, source), crs_wkt)
-    # The warper reads the file, which must be complete.
-    del placed
+    return placed
+
+
+def _turn(
+    target: str, placed: str | gdal.Dataset, source: gdal.Dataset, corners_xy: np.ndarray, **options: object
+) -> None:
+    """Warps what ``_place`` gave, north up. Raises LabelMapError."""
     labels = source.RasterCount == 1
-    turned = gdal.Warp(
-        target, placed_path, format="VRT", dstNodata=0 if labels else None, dstAlpha=not labels, tps=not level
-    )
+    tilted = not is_parallelogram(np.asarray(corners_xy, np.float64))
+    turned = gdal.Warp(target, placed, dstNodata=0 if labels else None, dstAlpha=not labels, tps=tilted, **options)
     if turned is None:
         raise LabelMapError("storage.unwritable", path=target, reason=gdal_failure())
     turned.FlushCache()
 
 
-def _geotransform(footprint: np.ndarray, source: gdal.Dataset) -> tuple:
-    """GDAL's six numbers of a level image."""
-    (x0, y0), (x1, y1), _, (x3, y3) = footprint.tolist()
+def geotransform(corners_xy: np.ndarray, source: gdal.Dataset) -> tuple:
+    """GDAL's six numbers of a level image whose corners' map coordinates are (4, 2), upper left first, clockwise."""
+    (x0, y0), (x1, y1), _, (x3, y3) = np.asarray(corners_xy, np.float64).tolist()
     width, height = source.RasterXSize, source.RasterYSize
     return x0, (x1 - x0) / width, (x3 - x0) / height, y0, (y1 - y0) / width, (y3 - y0) / height
 

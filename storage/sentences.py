@@ -10,6 +10,9 @@ SENTENCES = {
     ),
     "storage.rotated_against": "One of the maps is rotated against the other; warp both to a north-up grid first.",
     "storage.no_overlap": "The reference and the prediction don't overlap; choose maps of the same ground.",
+    "storage.tilted_for_world_file": (
+        "{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead."
+    ),
     "storage.unwritable": "{path} can't be written: {reason}.",
     "storage.no_polygons": "The disagreements can't be made into polygons: {reason}.",
     "storage.database_unwritable": "The database can't be written: {reason}.",

@@ -115,8 +115,13 @@ class LabelImages:
 
 
 def label_image_names(paths: Sequence[str]) -> dict[str, str]:
-    """File names of the label images by the images' paths: the stem and ``.tif``; of several images with one stem the
-    second ``stem_2.tif`` and so on. The same for the same images in the same order."""
+    """File names of the label images by the images' paths, as ``unique_names`` gives them."""
+    return unique_names(paths, ".tif")
+
+
+def unique_names(paths: Sequence[str], suffix: str = "") -> dict[str, str]:
+    """File names for what is made of images, by the images' paths: the stem and ``suffix``, the image's own without;
+    of several images with one stem the second ``stem_2`` and so on. The same for the same images in the same order."""
     names: dict[str, str] = {}
     taken = set()
     for path in paths:
@@ -128,7 +133,7 @@ def label_image_names(paths: Sequence[str]) -> dict[str, str]:
             number += 1
             name = f"{stem}_{number}"
         taken.add(name.lower())
-        names[path] = f"{name}.tif"
+        names[path] = name + (suffix or os.path.splitext(path)[1])
     return names
 
 

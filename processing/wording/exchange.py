@@ -42,6 +42,17 @@ SENTENCES = {
     "exchange.no_field": "{key}: “{layer}” has no field “{name}”; its fields are {names}.",
     "exchange.no_class_filled": "“{source}” has no feature with a class; fill its class field first.",
     "exchange.no_results": "{path} holds no results of “Localize images”; localize the images again.",
+    "exchange.no_positions": (
+        "{key}: “{source}” lacks {missing}; choose what “Localize images” wrote, with all its columns."
+    ),
+    "exchange.positions_in_degrees": (
+        "{key}: “{source}” is in {crs}, which does not measure in meters; take the positions as “Localize images” "
+        "wrote them, in the database’s CRS."
+    ),
+    "exchange.other_run": (
+        "{key}: “{source}” is in {crs}, but the positions are in {positions_crs}; take the layers of one run of "
+        "“Localize images”."
+    ),
     "exchange.no_database_layers": (
         "{path} is not a SemRef reference database; choose one made by “Build reference database”."
     ),

@@ -28,6 +28,7 @@ NAMES = (
     "makesample",
     "describeimage",
     "localizeimages",
+    "georeferenceimages",
     "evaluatelocalization",
     "assessdatabase",
     "assessroute",

@@ -43,6 +43,7 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
         "exportonboard": {"DATABASE": area},
         "describeimage": {"INPUT": str(at / "images" / "0.png"), "DATABASE": area},
         "localizeimages": {"DATABASE": area, "IMAGES": [str(at / "images")], "METHOD": 2},
+        "georeferenceimages": {"POSITIONS": str(at / "positions.gpkg"), "IMAGES": [str(at / "images")]},
         "evaluatelocalization": {"DATABASE": area, "LABELS": labels, "TRIALS": 3, "METHODS": [1]},
         "assessdatabase": {**noise, "FOOTPRINT": "100", "SPACING": 80, "TRIALS": 20},
         "assessroute": {**noise, "ROUTE": str(at / "route.gpkg"), "SPACING": 60, "FOOTPRINT": 100, "TRIALS": 2},
@@ -115,6 +116,9 @@ def make_inputs(at: Path, run: Callable[..., Any]) -> None:
     west, north = 550000, 5220000
     line = f"LINESTRING ({west + 50} {north - 60}, {west + 200} {north - 150})"
     write_layer(at / "route.gpkg", [(line,)], fields=())
+    columns = [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_size", "real")]
+    fixes = [(f"POINT ({west + 60 + n} {north - 60})", f"{n}.png", "fix", 30.0 * n + seed, 1.0) for n in range(4)]
+    write_layer(at / "positions.gpkg", fixes, columns)
     write_text(at / "classes.csv", CLASSES_CSV)
     write_model(at / "colors.onnx")
     run("builddatabase", {"LABELS": str(at / "labels.tif"), **_BUILD, "DATABASE": str(at / "area.gpkg")})

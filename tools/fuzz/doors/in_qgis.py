@@ -158,7 +158,7 @@ def _binary_layers(world: World) -> dict[str, bytes]:
 def _inputs(folder: Path) -> dict[str, str]:
     """Small files of each kind, by name."""
     import onboard_area
-    from made_inputs import NORTH, WEST, scattered_objects, write_raster
+    from made_inputs import NORTH, WEST, scattered_objects, write_layer, write_raster
     from made_models import metadata, write_model
     from osgeo import gdal
 
@@ -178,6 +178,11 @@ def _inputs(folder: Path) -> dict[str, str]:
         "key": folder / "fleet.key",
         "model": write_model(folder / "model.onnx", metadata=metadata(tile_size=32)),
         "table": folder / "broken.csv",
+        "positions": write_layer(
+            folder / "positions.gpkg",
+            [(f"POINT ({WEST + 60} {NORTH - 60})", "image.png", "fix", 30.0, 1.0)],
+            [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_size", "real")],
+        ),
     }
     (folder / "layer.geojson").write_text(json.dumps(LAYER), encoding="ascii")
     (folder / "classes.csv").write_text(f"{_classes(onboard_area)}", encoding="ascii")
@@ -228,6 +233,11 @@ def _base(files: dict[str, str], out: Path) -> dict[str, dict[str, Any]]:
             "IMAGES": files["image"],
             "OUTPUT": layer,
             "ATTITUDE": files["cameras"],
+        },
+        "georeferenceimages": {
+            "POSITIONS": files["positions"],
+            "IMAGES": files["image"],
+            "OUTPUT": str(out / "placed"),
         },
         "assessroute": {"DATABASE": database, "ROUTE": files["route"], "TRIALS": 1, "OUTPUT": layer},
         "assessdatabase": {"DATABASE": database, "TRIALS": 1, "SPACING": 60, "OUTPUT": layer},

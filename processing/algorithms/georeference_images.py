@@ -1,0 +1,172 @@
+"""semref:georeferenceimages – images with a fix to georeferenced images."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ...core.errors import ImageError, SemRefError
+from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
+from ..framework.declarations import Choice, Files, FolderOutput, NumberResult, VectorSource
+from ..framework.localized_image import unique_names
+from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...storage.georeferences import ControlPoint
+    from ..exchange.positions import FoundImage
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
+
+GEOTIFF, WORLD_FILE, CONTROL_POINTS = range(3)
+
+LEAST_MATCHES = 4
+"""Landmarks from which on they are the control points; with fewer the corners are, as the fix puts them."""
+
+
+class GeoreferenceImages(SemRefAlgorithm):
+    ID = "georeferenceimages"
+    GROUP = LOCALIZATION
+    TAGS = ("georeference", "geotiff", "world file", "georeferencer", "ground control points", "gcp", "points", "lay")
+
+    POSITIONS = "POSITIONS"
+    FORMAT = "FORMAT"
+    FOOTPRINTS = "FOOTPRINTS"
+    MATCHES = "MATCHES"
+    IMAGES = "IMAGES"
+    OUTPUT = "OUTPUT"
+    IMAGE_COUNT = "IMAGE_COUNT"
+
+    def title(self) -> str:
+        return tr("Georeference images")
+
+    def summary(self) -> str:
+        return tr(
+            "Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or "
+            "with control points for the Georeferencer.\n\n"
+            "Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The "
+            "images themselves stay as they are."
+        )
+
+    def parameters(self) -> tuple[Declared, ...]:
+        return (
+            VectorSource(self.POSITIONS, tr("Positions"), tr("What “Localize images” wrote, with all its columns.")),
+            Choice(
+                self.FORMAT,
+                tr("Format"),
+                tr(
+                    "GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its "
+                    "pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image "
+                    "with a .points file, which the Georeferencer opens along with it."
+                ),
+                default=GEOTIFF,
+                options=(tr("GeoTIFF"), tr("World file"), tr("Control points (.points)")),
+            ),
+            VectorSource(
+                self.FOOTPRINTS,
+                tr("Footprints"),
+                tr("Those of the same run: how images lie that were taken with a tilted camera."),
+                optional=True,
+            ),
+            VectorSource(
+                self.MATCHES,
+                tr("Matches"),
+                tr(
+                    "Those of the same run: the landmarks that agree become control points, with how far each is off. "
+                    "Without them, or where an image has fewer than four, the corners, edges and middle as the fix "
+                    "puts them do."
+                ),
+                optional=True,
+            ),
+            Files(
+                self.IMAGES,
+                tr("Images"),
+                tr("The images or their folder, where they don’t lie any more where they were localized."),
+                optional=True,
+                advanced=True,
+            ),
+            FolderOutput(self.OUTPUT, tr("Folder for the georeferenced images"), tr("A new or empty folder.")),
+            NumberResult(self.IMAGE_COUNT, tr("Number of images")),
+        )
+
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
+        from ..compat import wkt_for_gdal
+        from ..exchange.positions import read_matches, read_positions
+
+        positions = values.source(self.POSITIONS)
+        found = read_positions(positions, values.source(self.FOOTPRINTS), self.POSITIONS, self.FOOTPRINTS)
+        placed = [image for image in found if image.has_place]
+        points = read_matches(values.source(self.MATCHES), positions, placed, self.MATCHES)
+        moved = self._moved(values)
+        names = unique_names([image.path for image in placed], ".tif" if self._format(values) == GEOTIFF else "")
+        written = 0
+        with outputs.folder(self.OUTPUT) as folder:
+            for n, image in enumerate(found):
+                check_canceled(feedback)
+                name = os.path.basename(image.path)
+                feedback.setProgressText(name)
+                refusal = _why_not(image)
+                if not refusal:
+                    file = moved.get(name, image.path)
+                    writer = _Writer(self._format(values), wkt_for_gdal(positions.sourceCrs()), feedback)
+                    target = str(Path(folder) / names[image.path])
+                    try:
+                        cancelable(writer, file, image, target, points.get(image.path, []), feedback=feedback)
+                        written += 1
+                    except SemRefError as error:
+                        # One bad image must not stop the others.
+                        check_canceled(feedback)
+                        refusal = self.worded(error)
+                if refusal:
+                    feedback.pushWarning(tr("{image}: left out. {reason}").format(image=name, reason=refusal))
+                feedback.setProgress(100 * (n + 1) / len(found))
+        text = tr("{written} of {images} images are georeferenced.")
+        feedback.pushInfo(text.format(written=written, images=len(found)))
+        return {self.IMAGE_COUNT: written}
+
+    def _format(self, values: Values) -> int:
+        return values.choice(self.FORMAT)
+
+    def _moved(self, values: Values) -> dict[str, str]:
+        """Where images lie now, by name."""
+        from ...storage.rasters import image_files
+
+        return {os.path.basename(path): path for path in image_files(values.files(self.IMAGES))}
+
+
+def _why_not(image: FoundImage) -> str:
+    """Why an image can't be laid on the ground; empty where it can."""
+    if image.position is None:
+        return tr("It has no fix.")
+    if not image.has_place:
+        return tr("Its fix has no heading and pixel size, as those of the topology vector.")
+    if image.was_leveled and image.ground is None:
+        return tr("Its camera was tilted; give FOOTPRINTS of the same run, which tell how it lies.")
+    return ""
+
+
+class _Writer:
+    """Writes one image in one of the formats; raises SemRefError."""
+
+    def __init__(self, kind: int, crs_wkt: str, feedback: QgsProcessingFeedback) -> None:
+        self._kind, self._crs_wkt, self._feedback = kind, crs_wkt, feedback
+
+    def __call__(self, file: str, image: FoundImage, target: str, points: list[ControlPoint]) -> None:
+        from ...storage.draped import write_geotiff
+        from ...storage.georeferences import corner_points, write_points, write_world_file
+        from ...storage.rasters import open_raster, require_whole_raster
+
+        if not os.path.isfile(file):
+            raise ImageError("algorithms.image_moved", path=file)
+        raster = open_raster(file)
+        corners = image.corners((raster.RasterYSize, raster.RasterXSize))
+        if self._kind == GEOTIFF:
+            write_geotiff(file, target, self._crs_wkt, corners, lambda: not self._feedback.isCanceled())
+        elif self._kind == WORLD_FILE:
+            write_world_file(file, target, self._crs_wkt, corners)
+        else:
+            chosen = points if len(points) >= LEAST_MATCHES else corner_points(file, corners)
+            write_points(file, target, self._crs_wkt, chosen)
+        require_whole_raster(target, os.path.basename(target))

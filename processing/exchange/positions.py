@@ -1,0 +1,171 @@
+"""Fixes as “Localize images” wrote them, read again: where each image lies, and its landmarks that agree."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...core.errors import ParameterError
+from ...core.geometry.footprint import image_corners
+from ...storage.georeferences import ControlPoint
+
+if TYPE_CHECKING:
+    from qgis.core import QgsFeature, QgsPointXY, QgsProcessingFeatureSource
+
+NEEDED = ("image", "status", "heading", "pixel_size")
+"""Columns of positions without which nothing can be laid on the ground."""
+
+
+@dataclass(frozen=True)
+class FoundImage:
+    """One row of the positions.
+
+    Attributes:
+        path: The image as the row names it.
+        status: As the row has it.
+        position: Map (x, y) of the image's center; None without a fix.
+        heading_deg: Of the image's top, clockwise from grid north; None where the method tells none.
+        pixel_size: Map units; None where the method tells none.
+        was_leveled: Whether the camera was tilted, so that position, heading and size alone don't tell the ground.
+        ground: (4, 2) corners of the ground it shows, upper left first, clockwise; None where no footprint was given.
+    """
+
+    path: str
+    status: str
+    position: tuple[float, float] | None
+    heading_deg: float | None
+    pixel_size: float | None
+    was_leveled: bool
+    ground: np.ndarray | None
+
+    @property
+    def has_place(self) -> bool:
+        """Whether position, heading and pixel size are known."""
+        return None not in (self.position, self.heading_deg, self.pixel_size)
+
+    def corners(self, shape_hw: tuple[int, int]) -> np.ndarray:
+        """(4, 2) map coordinates of the corners of an image of that (height, width), as ``ground``."""
+        if self.ground is not None:
+            return self.ground
+        height, width = shape_hw
+        return image_corners(self.position, self.heading_deg, self.pixel_size, width, height)
+
+    def in_pixels(self, east: float, north: float) -> tuple[float, float]:
+        """(right, down) in the image, pixels, of a way on the ground in map units; of a level image."""
+        heading = np.radians(self.heading_deg)
+        right = east * np.cos(heading) - north * np.sin(heading)
+        up = east * np.sin(heading) + north * np.cos(heading)
+        return float(right / self.pixel_size), float(-up / self.pixel_size)
+
+
+def read_positions(
+    source: QgsProcessingFeatureSource, footprints: QgsProcessingFeatureSource | None, key: str, footprints_key: str
+) -> list[FoundImage]:
+    """The rows of the positions, in their order.
+
+    Args:
+        source: The positions.
+        footprints: The footprints of the same run; None for none.
+        key: Of the positions, for errors.
+        footprints_key: Of the footprints, for errors.
+
+    Raises:
+        ParameterError: A layer lacks a column, the positions are in degrees, or the footprints in another CRS.
+    """
+    _require(source, NEEDED, key)
+    if source.sourceCrs().isGeographic() or not source.sourceCrs().isValid():
+        name = source.sourceCrs().authid() or source.sourceCrs().description()
+        raise ParameterError("exchange.positions_in_degrees", key=key, source=source.sourceName(), crs=name)
+    grounds = {}
+    if footprints is not None:
+        _require(footprints, ("image",), footprints_key)
+        _require_same_crs(footprints, source, footprints_key)
+        for feature in footprints.getFeatures():
+            corners = _corners(feature)
+            if corners is not None:
+                grounds[feature["image"]] = corners
+    return [_found(feature, grounds) for feature in source.getFeatures()]
+
+
+def read_matches(
+    source: QgsProcessingFeatureSource | None,
+    positions: QgsProcessingFeatureSource,
+    images: Sequence[FoundImage],
+    key: str,
+) -> dict[str, list[ControlPoint]]:
+    """The landmarks of each image that agree with the map, by the image's path.
+
+    Args:
+        source: The matches of the same run; None for none.
+        positions: The positions that ``images`` come from.
+        images: Those with a place.
+        key: Of the matches, for errors.
+
+    Raises:
+        ParameterError: The layer lacks a column, or is in another CRS.
+    """
+    points: dict[str, list[ControlPoint]] = {}
+    if source is None:
+        return points
+    _require(source, ("image", "image_column", "image_row", "seen_x", "seen_y"), key)
+    _require_same_crs(source, positions, key)
+    by_path = {image.path: image for image in images}
+    for feature in source.getFeatures():
+        image = by_path.get(feature["image"])
+        names = "image_column", "image_row", "seen_x", "seen_y"
+        column, row, seen_x, seen_y = (_number(feature, name) for name in names)
+        if image is None or not feature.hasGeometry() or None in (column, row, seen_x, seen_y):
+            continue
+        place = feature.geometry().asPoint()
+        off_px = image.in_pixels(seen_x - place.x(), seen_y - place.y())
+        points.setdefault(image.path, []).append(ControlPoint(column, row, place.x(), place.y(), off_px))
+    return points
+
+
+def _require(source: QgsProcessingFeatureSource, names: tuple[str, ...], key: str) -> None:
+    lacking = [name for name in names if source.fields().lookupField(name) < 0]
+    if lacking:
+        missing = ", ".join(lacking)
+        raise ParameterError("exchange.no_positions", key=key, source=source.sourceName(), missing=missing)
+
+
+def _require_same_crs(source: QgsProcessingFeatureSource, other: QgsProcessingFeatureSource, key: str) -> None:
+    if source.sourceCrs() != other.sourceCrs():
+        one, two = source.sourceCrs().authid(), other.sourceCrs().authid()
+        raise ParameterError("exchange.other_run", key=key, source=source.sourceName(), crs=one, positions_crs=two)
+
+
+def _found(feature: QgsFeature, grounds: dict[str, np.ndarray]) -> FoundImage:
+    has_point = feature.hasGeometry() and not feature.geometry().isEmpty()
+    point: QgsPointXY | None = feature.geometry().asPoint() if has_point else None
+    path = str(feature["image"] or "")
+    return FoundImage(
+        path,
+        str(feature["status"] or ""),
+        None if point is None else (point.x(), point.y()),
+        _number(feature, "heading"),
+        _number(feature, "pixel_size"),
+        feature.fieldNameIndex("camera_x") >= 0 and _number(feature, "camera_x") is not None,
+        grounds.get(path),
+    )
+
+
+def _number(feature: QgsFeature, name: str) -> float | None:
+    """A column's number; None for NULL and what is none."""
+    value: Any = feature[name]
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        return None
+    return number if np.isfinite(number) else None
+
+
+def _corners(feature: QgsFeature) -> np.ndarray | None:
+    """The four corners in the order they were written; None for another shape."""
+    geometry = feature.geometry()
+    rings = geometry.asMultiPolygon()[0] if geometry.isMultipart() else geometry.asPolygon()
+    ring = rings[0] if rings else []
+    return np.array([[point.x(), point.y()] for point in ring[:4]]) if len(ring) == 5 else None

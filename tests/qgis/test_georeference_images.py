@@ -1,0 +1,170 @@
+"""semref:georeferenceimages: images of fixes lie where they were taken, in every format, and the others are named."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_inputs import NORTH, WEST, scattered_objects, write_layer, write_raster
+from osgeo import gdal
+from qgis.core import QgsProcessingException
+
+from semref.core.geometry.frame import MapFrame
+from semref.core.simulation.views import View, cut
+
+GEOREFERENCE = "semref:georeferenceimages"
+LABELS = scattered_objects(900, 1000, 1300, seed=5)
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+SIZE = 300
+VIEW = View(WEST + 450.0, NORTH - 520.0, 30.0, 1.0, SIZE, SIZE)
+COLUMNS = [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_size", "real"), ("camera_x", "real")]
+
+
+@pytest.fixture(scope="module")
+def localized(run_algorithm, tmp_path_factory):
+    """The layers of one run: a level image, a tilted one, and one of elsewhere."""
+    folder = tmp_path_factory.mktemp("area")
+    parameters = {"REFERENCE_CLASSES": "1;2;3", "WINDOW_SIZE": SIZE, "STRIDE": 150, "MINIMUM_AREA": 20}
+    labels = write_raster(folder / "labels.tif", LABELS, names=NAMES)
+    database = str(folder / "area.gpkg")
+    run_algorithm("semref:builddatabase", {"LABELS": str(labels), **parameters, "DATABASE": database})
+    images = folder / "images"
+    images.mkdir()
+    tilted = View(WEST + 500.0, NORTH - 420.0, 200.0, 1.0, SIZE, SIZE, tilt_deg=25.0)
+    for name, view in (("level", VIEW), ("tilted", tilted)):
+        write_raster(images / f"{name}.png", cut(LABELS, MapFrame.at((WEST, NORTH), 1.0), view), transform=None)
+    write_raster(images / "elsewhere.png", scattered_objects(SIZE, SIZE, 200, seed=99), transform=None)
+    (folder / "cameras.csv").write_text("image,roll,pitch,field_of_view\ntilted.png,0,25,60\n", encoding="ascii")
+    outputs = {key: str(folder / f"{key}.gpkg") for key in ("OUTPUT", "FOOTPRINTS", "MATCHES")}
+    given = {"DATABASE": database, "IMAGES": str(images), "METHOD": 2, "ATTITUDE": str(folder / "cameras.csv")}
+    assert run_algorithm("semref:localizeimages", {**given, **outputs})["FIX_COUNT"] == 2
+    return outputs
+
+
+@pytest.fixture
+def georeference(run_algorithm, localized, tmp_path, feedback):
+    def run(**parameters):
+        given = {"POSITIONS": localized["OUTPUT"], "FOOTPRINTS": localized["FOOTPRINTS"]}
+        result = run_algorithm(GEOREFERENCE, {**given, "OUTPUT": str(tmp_path / "placed"), **parameters}, feedback)
+        return result, Path(result["OUTPUT"])
+
+    return run
+
+
+def agreement(path: Path) -> float:
+    """Share of the pixels of a georeferenced label image that the map has at their place, where it has labels."""
+    raster = gdal.Open(str(path))
+    seen = raster.GetRasterBand(1).ReadAsArray()
+    x0, dx, _, y0, _, dy = raster.GetGeoTransform()
+    rows, columns = np.nonzero(seen)
+    on_map = LABELS[
+        np.floor(NORTH - y0 - (rows + 0.5) * dy).astype(int), np.floor(x0 + (columns + 0.5) * dx - WEST).astype(int)
+    ]
+    return float((on_map == seen[rows, columns]).mean())
+
+
+def test_geotiffs_show_on_the_ground_what_the_map_has_there(georeference):
+    result, folder = georeference()
+    assert result["IMAGE_COUNT"] == 2
+    assert sorted(path.name for path in folder.iterdir()) == ["level.tif", "tilted.tif"]
+    for name in ("level", "tilted"):
+        raster = gdal.Open(str(folder / f"{name}.tif"))
+        assert raster.GetSpatialRef().GetAuthorityCode(None) == "32632"
+        assert raster.GetGeoTransform()[2] == raster.GetGeoTransform()[4] == 0
+        assert agreement(folder / f"{name}.tif") > 0.93
+
+
+def test_those_without_a_fix_are_named_with_the_reason(georeference, feedback):
+    georeference()
+    assert "elsewhere.png: left out. It has no fix." in feedback.textLog()
+
+
+def test_a_world_file_puts_the_untouched_copy_where_the_image_was_taken(georeference, localized, feedback):
+    result, folder = georeference(FORMAT=1)
+    assert result["IMAGE_COUNT"] == 1
+    assert sorted(path.name for path in folder.iterdir()) == ["level.pgw", "level.png", "level.png.aux.xml"]
+    assert "tilted.png was tilted" in feedback.textLog()
+    raster = gdal.Open(str(folder / "level.png"))
+    assert raster.GetSpatialRef().GetAuthorityCode(None) == "32632"
+    x0, across_x, down_x, y0, across_y, down_y = raster.GetGeoTransform()
+    middle = x0 + (across_x + down_x) * SIZE / 2, y0 + (across_y + down_y) * SIZE / 2
+    assert middle == pytest.approx(VIEW.position, abs=1.0)
+    assert np.degrees(np.arctan2(-across_y, across_x)) == pytest.approx(30, abs=0.3)
+    numbers = [float(line) for line in (folder / "level.pgw").read_text().split()]
+    assert numbers == pytest.approx(
+        [across_x, across_y, down_x, down_y, x0 + (across_x + down_x) / 2, y0 + (across_y + down_y) / 2], rel=1e-6
+    )
+
+
+def points_of(path: Path) -> np.ndarray:
+    first, header, *lines = path.read_text(encoding="utf-8").splitlines()
+    assert first.startswith("#CRS: PROJ") and header.startswith("mapX,mapY,sourceX,sourceY,enable")
+    return np.array([[float(value) for value in line.split(",")] for line in lines])
+
+
+def test_matched_landmarks_become_control_points_with_how_far_each_is_off(georeference, localized):
+    _, folder = georeference(FORMAT=2, MATCHES=localized["MATCHES"])
+    points = points_of(folder / "level.png.points")
+    assert (folder / "level.png").is_file() and len(points) > 10
+    # Where the view shows each pixel: the landmarks' places on the map agree to a pixel or two.
+    heading = np.radians(VIEW.heading_deg)
+    right, up = points[:, 2] - SIZE / 2, points[:, 3] + SIZE / 2
+    east = VIEW.position[0] + right * np.cos(heading) + up * np.sin(heading)
+    north = VIEW.position[1] - right * np.sin(heading) + up * np.cos(heading)
+    assert np.hypot(points[:, 0] - east, points[:, 1] - north).max() < 3
+    assert 0 < np.median(points[:, 7]) < 2
+    np.testing.assert_allclose(np.hypot(points[:, 5], points[:, 6]), points[:, 7], rtol=1e-6)
+
+
+def test_without_matches_corners_edges_and_middle_are_the_control_points(georeference):
+    _, folder = georeference(FORMAT=2)
+    points = points_of(folder / "tilted.png.points")
+    assert points[:, 2:4].tolist() == [[c, -r] for r in (0, 150, 300) for c in (0, 150, 300)]
+
+
+def test_a_tilted_image_without_its_footprint_is_left_out(georeference, feedback):
+    result, _ = georeference(FOOTPRINTS=None)
+    assert result["IMAGE_COUNT"] == 1
+    assert "tilted.png: left out. Its camera was tilted; give FOOTPRINTS" in feedback.textLog()
+
+
+def made_positions(path: Path, image: str, columns=COLUMNS, **more) -> str:
+    values = {"image": image, "status": "fix", "heading": 0.0, "pixel_size": 1.0, "camera_x": None}
+    row = [values[name] for name, _ in columns]
+    return str(write_layer(path, [(f"POINT ({WEST + 200} {NORTH - 200})", *row)], columns, **more))
+
+
+def test_images_that_were_moved_are_found_by_name(georeference, tmp_path):
+    (tmp_path / "here").mkdir()
+    write_raster(tmp_path / "here" / "one.png", LABELS[:100, :100], transform=None)
+    positions = made_positions(tmp_path / "p.gpkg", "/where/it/was/one.png")
+    result, folder = georeference(POSITIONS=positions, FOOTPRINTS=None, IMAGES=[str(tmp_path / "here")])
+    assert result["IMAGE_COUNT"] == 1
+    west, _, _, north, _, _ = gdal.Open(str(folder / "one.tif")).GetGeoTransform()
+    assert (west, north) == pytest.approx((WEST + 150, NORTH - 150), abs=0.01)
+
+
+def test_an_image_that_is_gone_is_named_and_does_not_stop_the_others(georeference, tmp_path, feedback):
+    result, _ = georeference(POSITIONS=made_positions(tmp_path / "p.gpkg", "/no/one.png"), FOOTPRINTS=None)
+    assert result["IMAGE_COUNT"] == 0
+    assert "There is no image /no/one.png" in feedback.textLog()
+
+
+def test_a_photo_keeps_its_bands_and_is_transparent_around(georeference, tmp_path):
+    photo = np.full((3, 60, 80), 200, np.uint8)
+    write_raster(tmp_path / "photo.tif", photo, crs=None, transform=None)
+    positions = made_positions(tmp_path / "p.gpkg", str(tmp_path / "photo.tif"))
+    _, folder = georeference(POSITIONS=positions, FOOTPRINTS=None)
+    raster = gdal.Open(str(folder / "photo.tif"))
+    assert raster.RasterCount == 4
+    assert raster.GetRasterBand(4).GetColorInterpretation() == gdal.GCI_AlphaBand
+
+
+def test_layers_of_something_else_are_refused(georeference, tmp_path):
+    positions = made_positions(tmp_path / "p.gpkg", "one.png", COLUMNS[:2])
+    with pytest.raises(QgsProcessingException, match="POSITIONS: “p” lacks heading, pixel_size"):
+        georeference(POSITIONS=positions, FOOTPRINTS=None)
+    degrees = made_positions(tmp_path / "d.gpkg", "one.png", crs=4326)
+    with pytest.raises(QgsProcessingException, match="EPSG:4326, which does not measure in meters"):
+        georeference(POSITIONS=degrees, FOOTPRINTS=None)
