@@ -123,8 +123,11 @@ class DisagreementMap:
         self._folder.cleanup()
 
     def write_rows(self, first_row: int, codes_hw: np.ndarray) -> None:
-        """Writes (rows, W) uint16 codes, 0 where nothing is."""
-        self._raster.GetRasterBand(1).WriteArray(codes_hw, 0, first_row)
+        """Writes (rows, W) uint16 codes, 0 where nothing is; raises LabelMapError where there is no room for them."""
+        with gdal_failures() as failures:
+            self._raster.GetRasterBand(1).WriteArray(codes_hw, 0, first_row)
+        if failures:
+            raise LabelMapError("storage.unwritable", path=self._path, reason=failures[0])
 
     def outline(self, proceed: Callable[[float], bool]) -> None:
         """Makes the polygons.
@@ -133,25 +136,33 @@ class DisagreementMap:
             proceed: Is told the share done (0…1) and says whether to go on.
 
         Raises:
-            LabelMapError: GDAL could not make them.
+            LabelMapError: GDAL could not make them, or there is no room for all of them.
         """
-        self._raster.FlushCache()
-        self._database = ogr.GetDriverByName("GPKG").CreateDataSource(self._polygons)
-        self._layer = self._database.CreateLayer("polygons", geom_type=ogr.wkbPolygon, options=["SPATIAL_INDEX=NO"])
-        self._layer.CreateField(ogr.FieldDefn("code", ogr.OFTInteger))
-        self._database.StartTransaction()
-        band = self._raster.GetRasterBand(1)
         stopped: list[bool] = []
 
         def report(share: float, message: str, data: object) -> int:
             stopped.extend([] if proceed(share) else [True])
             return int(not stopped)
 
+        # A commit that finds the disk full takes back all polygons, and says so to nobody who does not listen.
         with gdal_failures() as failures:
+            self._raster.FlushCache()
+            self._make_layer()
+            band = self._raster.GetRasterBand(1)
             gdal.Polygonize(band, band, self._layer, 0, [], callback=report)
+            self._database.CommitTransaction()
         if failures and not stopped:
             raise LabelMapError("storage.no_polygons", reason=failures[0])
-        self._database.CommitTransaction()
+
+    def _make_layer(self) -> None:
+        """Begins to write polygons; raises RuntimeError where GDAL can't."""
+        self._database = ogr.GetDriverByName("GPKG").CreateDataSource(self._polygons)
+        if self._database is not None:
+            self._layer = self._database.CreateLayer("polygons", geom_type=ogr.wkbPolygon, options=["SPATIAL_INDEX=NO"])
+        if self._layer is None:
+            raise RuntimeError(gdal.GetLastErrorMsg())
+        self._layer.CreateField(ogr.FieldDefn("code", ogr.OFTInteger))
+        self._database.StartTransaction()
 
     def ranked(self, minimum_area: float) -> list[tuple[int, float]]:
         """(number of the polygon, area in square map units), the largest first, of equal ones the first."""
