@@ -7,6 +7,7 @@ found in dicts named ``SENTENCES``, one module a room (``core/sentences/<room>.p
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
@@ -64,6 +65,9 @@ class Sentence:
 LONGEST_VALUE = 500
 """Characters of a value in a sentence; paths have hardly more, and of what is longer the ends are enough."""
 
+LONGEST_LIST = 1500
+"""Characters after which a list of values is cut: some hundred names of classes are listed whole."""
+
 _KEPT_BEFORE, _KEPT_BEHIND = 300, 150
 _LARGEST_WHOLE = 10**64
 
@@ -120,11 +124,28 @@ def _shown(value: object, template: Callable[[Sentence], str]) -> object:
     if isinstance(value, Sentence):
         return _Worded(filled(value, template))
     if isinstance(value, tuple):
-        return _Worded(", ".join(str(_shown(part, template)) for part in value))
+        return _Worded(_listed(value, template))
     if isinstance(value, int) and abs(value) >= _LARGEST_WHOLE:
         # Python refuses to write numbers of some thousand digits.
         return "…"
+    if isinstance(value, (list, dict, set)):
+        # What a file holds where something else should be.
+        with contextlib.suppress(ValueError, RecursionError):
+            return _Worded(legible(str(value)))
+        return "…"
     return _Worded(legible(str(value))) if isinstance(value, (str, PurePath, BaseException)) else value
+
+
+def _listed(values: tuple, template: Callable[[Sentence], str]) -> str:
+    """Values with commas between them, and a mark for those that there is no room for."""
+    shown: list[str] = []
+    room = LONGEST_LIST
+    for value in values:
+        shown.append(str(_shown(value, template)))
+        room -= len(shown[-1]) + len(", ")
+        if room < 0:
+            return ", ".join([*shown[:-1], "…"])
+    return ", ".join(shown)
 
 
 def legible(text: str) -> str:

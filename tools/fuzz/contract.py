@@ -80,6 +80,10 @@ class World:
     def forget(self) -> None:
         """Takes what is there now as what should be; the secret counts as not read."""
         self._names = set(os.listdir(self.folder))
+        self.excuse_reading()
+
+    def excuse_reading(self) -> None:
+        """The secret counts as not read: a user may name it as an input."""
         written = os.stat(self.secret).st_mtime_ns
         os.utime(self.secret, ns=(written - 10**12, written))
 

@@ -91,3 +91,24 @@ def test_a_long_value_is_cut_in_its_middle():
 def test_a_path_of_usual_length_is_told_whole():
     path = "/folder" * 60 + "/name.png"
     assert english(Sentence("labels.damaged", path=path)).startswith(f"{path} is damaged")
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        ([0] * 9000, "0, 0, 0"),
+        ({"a": ["x\n"] * 9000}, "{'a': ['x\\n', "),
+        ({"a": 10**5000}, "…"),
+        (("name\n",) * 9000, "name\\n, name\\n, "),
+    ],
+    ids=["list", "dict", "number of 5,000 digits in a dict", "values with commas"],
+)
+def test_what_holds_many_values_is_cut_too(value, said):
+    text = english(Sentence("segmentation.not_a_segmentor", source="a.onnx", kind=value))
+    assert f"a.onnx is a model of type {said}" in text
+    assert "…" in text and len(text) < 1700 and text.isprintable()
+
+
+def test_names_of_all_classes_of_a_table_are_told_whole():
+    names = tuple(f"class {n}" for n in range(1, 129))
+    assert ", ".join(names) in english(Sentence("segmentation.not_a_segmentor", source="a.onnx", kind=names))
