@@ -3772,6 +3772,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{key} ist {number}, das ist keine Zahl; geben Sie eine an.</translation>
   </message>
   <message>
+   <source>{key} is “{text}”: a path or text has no character of value 0; remove it.</source>
+   <translation>{key} ist „{text}“: Ein Pfad oder Text enthält kein Zeichen mit dem Wert 0; entfernen Sie es.</translation>
+  </message>
+  <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
    <translation>{key}: Das Gebiet von Objekt {feature} lässt sich nicht in das KBS der Klassenkarte bringen; das KBS des Layers prüfen.</translation>
   </message>

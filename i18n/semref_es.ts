@@ -3772,6 +3772,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{key} es {number}, que no es un número; indique uno.</translation>
   </message>
   <message>
+   <source>{key} is “{text}”: a path or text has no character of value 0; remove it.</source>
+   <translation>{key} es «{text}»: una ruta o un texto no contiene ningún carácter de valor 0; elimínelo.</translation>
+  </message>
+  <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
    <translation>{key}: el área del objeto espacial {feature} no se puede llevar al SRC del mapa de etiquetas; compruebe el SRC de la capa.</translation>
   </message>

@@ -3772,6 +3772,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{key} vaut {number}, qui n’est pas un nombre ; donnez-en un.</translation>
   </message>
   <message>
+   <source>{key} is “{text}”: a path or text has no character of value 0; remove it.</source>
+   <translation>{key} vaut « {text} » : un chemin ou un texte ne contient pas de caractère de valeur 0 ; supprimez-le.</translation>
+  </message>
+  <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
    <translation>{key} : la zone de l’entité {feature} ne peut pas être amenée dans le SCR de la carte d’étiquettes ; vérifiez le SCR de la couche.</translation>
   </message>

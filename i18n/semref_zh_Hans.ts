@@ -3772,6 +3772,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{key} 为 {number}，不是数字；请输入一个数字。</translation>
   </message>
   <message>
+   <source>{key} is “{text}”: a path or text has no character of value 0; remove it.</source>
+   <translation>{key} 为“{text}”：路径或文本中不能有值为 0 的字符；请将其删除。</translation>
+  </message>
+  <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
    <translation>{key}：要素 {feature} 的区域无法转换到标签图的坐标参照系；请检查图层的坐标参照系。</translation>
   </message>

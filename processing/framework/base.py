@@ -134,8 +134,9 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         values = Values(self, parameters, context)
-        clear_beside_inputs(self, values)
         try:
+            values.require_texts()
+            clear_beside_inputs(self, values)
             # First: QGIS opens layers to see whether they can be.
             for definition in self.parameterDefinitions():
                 if definition.type() == "raster":
@@ -159,6 +160,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         self._refusal = None
         try:
             values = Values(self, parameters, context)
+            values.require_texts()
             clear_beside_inputs(self, values)
             require_outputs_apart(self, values, self.MAY_REPLACE)
             self.read_layers(values)

@@ -56,6 +56,13 @@ class Values:
         """Whether a value was given."""
         return self.raw(key) not in (None, "")
 
+    def require_texts(self) -> None:
+        """Raises ParameterError for a text with a character 0: Python's files refuse it, C's libraries end there."""
+        for key, value in self._parameters.items():
+            for part in value if isinstance(value, (list, tuple)) else (value,):
+                if isinstance(part, str) and "\0" in part:
+                    raise ParameterError("algorithms.no_text", key=key, text=part)
+
     def _read(self, kind: str, key: str, *more: Any) -> Any:
         return getattr(self._algorithm, f"parameterAs{kind}")(self._parameters, key, self.context, *more)
 

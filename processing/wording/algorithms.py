@@ -3,6 +3,7 @@
 SENTENCES = {
     "algorithms.no_list_of_numbers": "{key}: “{text}” is not a list of numbers such as 1;2.",
     "algorithms.no_number": "{key} is {number}, which is no number; give one.",
+    "algorithms.no_text": "{key} is “{text}”: a path or text has no character of value 0; remove it.",
     "algorithms.footprints": "FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.",
     "algorithms.pixel_size": "The pixel size is {pixel_size:g} m; it must be more than 0.",
     "algorithms.too_many_pixels": (

@@ -162,3 +162,24 @@ def test_a_project_keeps_no_circle_that_can_not_be(qgis_app, prior):
         project.writeEntry("SemRef", f"/{key}", value)
     state = read_state(project)
     assert (state.prior, state.method, state.opacity) == (None, 0, 0)
+
+
+@pytest.mark.parametrize("given", [{"CLASS_TABLE": "classes.\0csv"}, {"OUTPUT": "x\0.tif"}, {"INPUT": "colors\0.tif"}])
+def test_a_text_with_a_character_0_is_refused(run_algorithm, tmp_path, given):
+    """Python's files raise ValueError for it, and GDAL reads a name only up to there."""
+    write_raster(tmp_path / "colors.tif", LABELS)
+    (tmp_path / "classes.csv").write_text("value,name\n1,building\n", encoding="ascii")
+    paths = {"INPUT": "colors.tif", "CLASS_TABLE": "classes.csv", "OUTPUT": "x.tif", **given}
+    with pytest.raises(QgsProcessingException) as refused:
+        run_algorithm("semref:decodecolorlabels", {key: str(tmp_path / path) for key, path in paths.items()})
+    text = str(refused.value).splitlines()[-1]
+    assert text.startswith(f"{next(iter(given))} is “") and "character of value 0" in text
+
+
+def test_a_list_of_images_with_a_character_0_is_refused(run_algorithm, tmp_path, qgis_app):
+    from qgis.core import QgsApplication, QgsProcessingContext
+
+    algorithm = QgsApplication.processingRegistry().algorithmById("semref:localizeimages").create()
+    parameters = {"DATABASE": str(tmp_path / "area.gpkg"), "IMAGES": ["a.png", "b\0.png"], "OUTPUT": "memory:"}
+    possible, reason = algorithm.checkParameterValues(parameters, QgsProcessingContext())
+    assert not possible and reason.startswith("IMAGES is “b\\x00.png”")

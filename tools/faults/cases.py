@@ -45,7 +45,7 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
         "localizeimages": {"DATABASE": area, "IMAGES": [str(at / "images")], "METHOD": 2},
         "georeferenceimages": {"POSITIONS": str(at / "positions.gpkg"), "IMAGES": [str(at / "images")]},
         "evaluatelocalization": {"DATABASE": area, "LABELS": labels, "TRIALS": 1, "METHODS": [1]},
-        "assessdatabase": {**noise, "FOOTPRINT": "100", "SPACING": 120, "TRIALS": 5},
+        "assessdatabase": {**noise, "FOOTPRINT": "100", "SPACING": 120, "TRIALS": 20},
         "assessroute": {**noise, "ROUTE": str(at / "route.gpkg"), "SPACING": 150, "FOOTPRINT": 100, "TRIALS": 1},
         "annotationtodatabase": {**layer, "PIXEL_SIZE": 1, **_BUILD, "REFERENCE_CLASSES": "building;water;bare_land"},
         "orthophototodisagreements": {"IMAGE": color, "MODEL": model, "LABELS": labels},
