@@ -11,6 +11,7 @@ Ends with 1 where that is not so; ``--write`` puts the table into docs/reliabili
 from __future__ import annotations
 
 import argparse
+import datetime
 import os
 import platform
 import shutil
@@ -26,8 +27,19 @@ sys.path += [str(TOOLS.parent / "tests" / "data"), str(TOOLS)]
 for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "GDAL_NUM_THREADS"):
     os.environ[variable] = "1"
 
+from bench import machine  # noqa: E402
+
 from faults import command_line, page, readers, trials  # noqa: E402
 from faults.writers import make_quick, tried_writers  # noqa: E402
+
+
+def _told(options: argparse.Namespace, seconds: float) -> str:
+    """By which command, when, of which commit and on what machine the table came about."""
+    given = f"--kills {options.kills} --disks {options.disks} --most-steps {options.most_steps} --seed {options.seed}"
+    return (
+        f"*`.venv/bin/python -m tools.faults {given}` on {datetime.date.today().isoformat()}, {machine.revision()}, "
+        f"{seconds / 60:.0f} minutes. {machine.hardware()}; {machine.versions()}.*"
+    )
 
 
 def main() -> int:
@@ -68,8 +80,7 @@ def main() -> int:
             print(rows[-1].line(), *rows[-1].finds, sep="\n    ", flush=True)
         print(*failed, sep="\n", flush=True)
         finds += failed
-        machine = f"QGIS {Qgis.QGIS_VERSION.split('-')[0]}, GDAL {gdal.__version__}, Python {platform.python_version()}"
-        table = page.table(rows, machine, time.monotonic() - started)
+        table = page.table(rows, _told(options, time.monotonic() - started))
         print(table, flush=True)
         if options.write:
             page.write(TOOLS.parent / "docs" / "reliability.md", table)

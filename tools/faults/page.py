@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bench.page import write_section
+
 if TYPE_CHECKING:
     from .trials import Row
 
-BEGIN, END = "<!-- bench:faults -->", "<!-- /bench:faults -->"
 
-
-def table(rows: Sequence[Row], machine: str, seconds: float) -> str:
-    """Markdown: a row a writer, with how many faults it survived of those that were injected."""
+def table(rows: Sequence[Row], told: str) -> str:
+    """Markdown: a row a writer, with how many faults it survived of those that were injected; ``told`` below it."""
     kinds = list(dict.fromkeys(kind for row in rows for kind in row.counts))
     lines = ["| writer | " + " | ".join(kinds) + " | half moved, taken back |", "|---" * (len(kinds) + 2) + "|"]
     for row in rows:
@@ -24,13 +24,10 @@ def table(rows: Sequence[Row], machine: str, seconds: float) -> str:
     finds = sum(len(row.finds) for row in rows)
     lines.append("")
     lines.append(f"{finds or 'None'} of these lost anything, left anything half or ended otherwise than it said.")
-    lines.append(f"{machine}; {seconds / 60:.0f} minutes on two busy cores.")
+    lines += ["", told]
     return "\n".join(lines)
 
 
 def write(path: Path, text: str) -> None:
     """Puts the table between its marks."""
-    page = path.read_text(encoding="utf-8")
-    before, _, rest = page.partition(BEGIN)
-    _, _, after = rest.partition(END)
-    path.write_text(f"{before}{BEGIN}\n{text}\n{END}{after}", encoding="utf-8")
+    write_section(path, "faults", text)
