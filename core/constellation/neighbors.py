@@ -52,7 +52,9 @@ class ClassMatcher:
 
 def as_float32(points: np.ndarray) -> np.ndarray:
     """(n, 2) float32 of (n,) complex points."""
-    return np.column_stack([points.real, points.imag]).astype(np.float32)
+    pairs = np.empty((len(points), 2), np.float32)
+    pairs[:, 0], pairs[:, 1] = points.real, points.imag
+    return pairs
 
 
 def make_tree(points_xy: np.ndarray) -> Any:  # noqa: ANN401 -- OpenCV tells no type of it

@@ -17,6 +17,7 @@ from semref.core.constellation.verification import (
     center_noise,
     expected_objects,
     match_ratios,
+    median,
     noise_factor,
     rough_scores,
     telling_objects,
@@ -81,6 +82,12 @@ def test_noise_is_measured_without_bias_from_few_matches_or_many(count):
         center, turn = fit_similarity(image, on_map, np.ones(count))
         factors.append(noise_factor(np.abs(center + turn * image - on_map), 4, CONSTELLATION) ** 2)
     assert np.mean(factors) == pytest.approx(1, abs=0.08)
+
+
+@pytest.mark.parametrize("count", [1, 2, 7, 60])
+def test_the_median_of_few_values_is_numpys(count):
+    values = np.random.default_rng(count).normal(size=count)
+    assert median(values) == np.median(values)
 
 
 def test_a_few_exact_matches_do_not_make_the_noise_vanish():

@@ -46,6 +46,12 @@ def test_points_give_their_similarity_back_whatever_their_weights():
     assert center == pytest.approx(LEVEL.center) and turn == pytest.approx(LEVEL.turn)
 
 
+def test_points_that_coincide_leave_open_what_they_do_not_tell():
+    found = fit_tilted(np.zeros(4, complex), np.full(4, LEVEL.center + 2), np.ones(4), LEVEL, 500.0)
+    assert found.center == pytest.approx(LEVEL.center + 2)
+    assert (found.turn, found.stretch, found.slope) == (pytest.approx(LEVEL.turn), 0, 0)
+
+
 @pytest.mark.parametrize("pose", [TILTED, STEEP])
 def test_exact_points_of_a_tilted_camera_give_its_pose_back(pose):
     on_map = pose.on_map(IMAGE)
