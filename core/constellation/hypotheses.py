@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..geometry.pose import fit_similarity
 from ..localization import Prior
 from .index import ConstellationIndex, expand_ranges, key_ranges, like_triangles
 from .settings import ConstellationSettings
@@ -159,7 +158,7 @@ def find_seeds(
         stretch, hits = expand_ranges(first[portion], last[portion])
         source, hits = which[portion][stretch], hits if near is None else near[hits]
         agree = like_triangles(index, hits, source, numbers, reach)
-        found.append(_poses(index, query, triple[source[agree]], hits[agree]))
+        found.append(_poses(index, query, triple, source[agree], hits[agree]))
     centers, turns, focuses = (np.concatenate(parts) for parts in zip(*found)) if found else [np.empty(0, complex)] * 3
     kept = _allowed(index, centers, turns, prior)
     poses = centers[kept], turns[kept], focuses[kept]
@@ -186,21 +185,29 @@ def _portions(spans: np.ndarray, most: int) -> Iterator[slice]:
 
 
 def _poses(
-    index: ConstellationIndex, query: SeenLandmarks, triple: np.ndarray, hits: np.ndarray
+    index: ConstellationIndex, query: SeenLandmarks, triple: np.ndarray, source: np.ndarray, hits: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Centers, turns and the triangles' middles in the image of like triangles whose classes agree.
 
     Args:
         index: The map's catalogue.
         query: The image's objects.
-        triple: (H, 3) corners in the image.
+        triple: (Q, 3) corners of the image's triangles.
+        source: (H,) the triangle of the image of each hit.
         hits: (H,) the triangles of the index that are like them.
     """
     members = index.members(hits)
-    same = (index.ranks[members] == query.ranks[triple]).all(axis=1)
-    members, image = members[same], query.points[triple[same]]
-    centers, turns = fit_similarity(image, index.points[members], np.ones(image.shape))
-    return centers, turns, image.mean(axis=1)
+    if not index.keys_tell_classes:
+        same = (index.ranks[members] == query.ranks[triple[source]]).all(axis=1)
+        members, source = members[same], source[same]
+    # Least squares of three points each, the same as ``fit_similarity``: what only the image tells once a triangle.
+    corners = query.points[triple]
+    middles = corners.mean(axis=1)
+    away = corners - middles[:, None]
+    away = away.conj() / np.maximum((away.real**2 + away.imag**2).sum(axis=1), 1e-300)[:, None]
+    a, b, c = (index.points[members[:, k]] for k in range(3))
+    middles, turns = middles[source], away[source, 1] * (b - a) + away[source, 2] * (c - a)
+    return (a + b + c) / 3 - turns * middles, turns, middles
 
 
 def _triangles_near(index: ConstellationIndex, query: SeenLandmarks, prior: Prior | None) -> np.ndarray | None:
@@ -266,51 +273,62 @@ def _clusters(
     turn_cell = settings.cell_of_turn
     cell = settings.cell_of_image * diagonal * np.exp(np.round(log_size / turn_cell) * turn_cell)
     around = int(np.ceil(2 * np.pi / turn_cell))
+    across, along, turned = centers.real / cell, centers.imag / cell, (angle + np.pi) / (2 * np.pi) * around
+    sizes, regions = np.floor(log_size / turn_cell + 0.5), _regions(centers, region)
     found = []
     for shift in (0.0, 0.5):
-        cells = np.column_stack(
-            [
-                np.floor(centers.real / cell + shift),
-                np.floor(centers.imag / cell + shift),
-                np.floor(log_size / turn_cell + 0.5),
-                np.floor((angle + np.pi) / (2 * np.pi) * around + shift) % around,
-            ]
-        ).astype(np.int64)
-        found.append(_cell_means(cells, poses, settings.seeds, _regions(centers, region)))
+        cells = np.floor(across + shift), np.floor(along + shift), sizes, np.floor(turned + shift) % around
+        found.append(_cell_means(cells, poses, settings.seeds, regions))
     centers, turns, focuses, votes = (np.concatenate(parts) for parts in zip(*found))
     order = np.argsort(-votes, kind="stable")
+    # A cluster that neither lattice cuts is found twice.
+    once = list({pose: number for number, pose in reversed([*enumerate(zip(centers[order], turns[order]))])}.values())
+    order = order[np.sort(np.array(once, np.int64))]
     return Seeds(centers[order], turns[order], focuses[order], votes[order], capped)
 
 
-def _regions(centers: np.ndarray, edge: float | None) -> np.ndarray:
-    """(H,) number of the square that each center lies in."""
+def _regions(centers: np.ndarray, edge: float | None) -> np.ndarray | None:
+    """(H,) number of the square that each center lies in; None where all are in one."""
     if edge is None or not len(centers):
-        return np.zeros(len(centers), np.int64)
+        return None
     column, row = np.floor(centers.real / edge).astype(np.int64), np.floor(centers.imag / edge).astype(np.int64)
     return (column - column.min()) * (np.ptp(row) + 1) + row - row.min()
 
 
 def _cell_means(
-    cells: np.ndarray, values: tuple[np.ndarray, ...], seed_count: int, regions: np.ndarray
+    cells: tuple[np.ndarray, ...], values: tuple[np.ndarray, ...], seed_count: int, regions: np.ndarray | None
 ) -> tuple[np.ndarray, ...]:
-    """Means of each of the complex values (H,) in the fullest cells (H, D) of every region (H,), and their counts."""
-    if not len(cells):
+    """Means of each of the complex values (H,) in the fullest cells of every region (H,), and their counts.
+
+    ``cells``: whole numbers (H,) a dimension.
+    """
+    if not len(cells[0]):
         return (*(np.empty(0, complex) for _ in values), np.empty(0, np.int64))
-    low = cells.min(axis=0)
-    spans = cells.max(axis=0) - low + 1
-    key = np.zeros(len(cells), np.int64)
-    for column in range(cells.shape[1]):
-        key = key * spans[column] + (cells[:, column] - low[column])
-    order = np.argsort(key, kind="stable")
+    key = np.zeros(len(cells[0]), np.int64)
+    for column in cells:
+        place = (column - column.min()).astype(np.int64)
+        key = key * (int(place.max()) + 1) + place
+    order = np.argsort(key)
     starts = np.flatnonzero(np.concatenate([[True], np.diff(key[order]) != 0]))
     votes = np.diff(np.append(starts, len(order)))
-    best = _fullest(votes, regions[order[starts]], seed_count)
-    return (*(np.add.reduceat(value[order], starts)[best] / votes[best] for value in values), votes[best])
+    best = _fullest(votes, None if regions is None else regions[order[starts]], seed_count)
+    starts, votes = starts[best], votes[best]
+    which, places = expand_ranges(starts, starts + votes)
+    members = order[places]
+    # In the order in which they came, so that equal cells have equal means.
+    members, begins = members[np.lexsort((members, which))], np.cumsum(votes) - votes
+    return (*(np.add.reduceat(value[members], begins) / votes for value in values), votes)
 
 
-def _fullest(votes: np.ndarray, regions: np.ndarray, count: int) -> np.ndarray:
+def _fullest(votes: np.ndarray, regions: np.ndarray | None, count: int) -> np.ndarray:
     """The ``count`` fullest cells of each region, fullest first."""
+    if regions is None and len(votes) > count:
+        least = np.partition(votes, len(votes) - count)[len(votes) - count]
+        order = np.flatnonzero(votes >= least)
+        return order[np.argsort(-votes[order], kind="stable")[:count]]
     order = np.argsort(-votes, kind="stable")
+    if regions is None:
+        return order
     by_region = order[np.argsort(regions[order], kind="stable")]
     starts = np.flatnonzero(np.concatenate([[True], np.diff(regions[by_region]) != 0]))
     place = np.arange(len(by_region)) - np.repeat(starts, np.diff(np.append(starts, len(by_region))))

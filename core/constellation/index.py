@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -84,13 +85,17 @@ class ConstellationIndex:
 
     def members(self, triangles: np.ndarray) -> np.ndarray:
         """(H, 3) catalogue objects A, B, C of triangles (H,) given by their number in ``triangles``."""
-        codes = self.triangles[triangles].astype(np.int64)
-        pairs = neighbor_pairs(self.neighbors.shape[1])
-        anchors, pair = np.divmod(codes // len(ORDERS), len(pairs))
-        rows = self.neighbors[anchors]
-        chosen = np.take_along_axis(rows, pairs[pair], axis=1)
-        triple = np.column_stack([anchors, chosen])
-        return np.take_along_axis(triple, ORDERS[codes % len(ORDERS)], axis=1)
+        corners = _corner_places(self.neighbors.shape[1])
+        anchors, corner = np.divmod(self.triangles[triangles].astype(np.int64), len(corners))
+        places = corners[corner]
+        # The neighbors of anchor n begin at n K; an anchor is told by −1.
+        near = self.neighbors.ravel()[np.maximum(places, 0) + (anchors * self.neighbors.shape[1])[:, None]]
+        return np.where(places < 0, anchors[:, None], near)
+
+    @property
+    def keys_tell_classes(self) -> bool:
+        """Whether triangles of other classes have other keys, so that their classes need no second look."""
+        return len(self.class_values) ** 3 <= LABEL_BUCKETS
 
     def anchors(self) -> np.ndarray:
         """(T,) the object that each triangle was made of with two of its neighbors."""
@@ -215,19 +220,18 @@ def key_ranges(
         (R,) given triangle, (R,) first and (R,) last + 1 triangle of the index, none empty.
     """
     low, high = quantized(numbers - tolerances), quantized(numbers + tolerances)
-    which = np.arange(len(numbers))
-    cells = low.copy()
-    for column in range(len(CELLS) - 1):
-        spans = high[which, column] - low[which, column] + 1
-        repeat = np.repeat(np.arange(len(which)), spans)
-        step = np.arange(len(repeat)) - np.repeat(np.cumsum(spans) - spans, spans)
-        which, cells = which[repeat], cells[repeat]
-        cells[:, column] += step
-    count = len(index.class_values)
-    first_key = cell_keys(ranks[which], count, cells)
-    last_key = first_key + (high[which, -1] - low[which, -1]).astype(np.uint32)
+    spans = high - low + 1
+    # All cells of a triangle but those of the last number, which are neighbors in the index: counted up like digits.
+    each = spans[:, :-1].prod(axis=1)
+    which = np.repeat(np.arange(len(numbers)), each)
+    counted = np.arange(len(which)) - np.repeat(np.cumsum(each) - each, each)
+    first_key = cell_keys(ranks, len(index.class_values), low)[which]
+    for column in reversed(range(len(CELLS) - 1)):
+        counted, step = np.divmod(counted, spans[which, column])
+        first_key += (step * int(CELLS[column + 1 :].prod())).astype(np.uint32)
+    last_key = first_key + (spans[which, -1] - 1).astype(np.uint32)
     # Ascending keys are found several times faster: neighboring searches share their way through the cache.
-    order = np.argsort(first_key, kind="stable")
+    order = np.argsort(first_key)
     first = np.searchsorted(index.keys, first_key[order], side="left")
     last = np.searchsorted(index.keys, last_key[order], side="right")
     some = last > first
@@ -265,10 +269,11 @@ def like_triangles(
     reach = tolerances / FINE_UNIT + 0.5
     low = np.clip(np.ceil(wanted - reach), 0, FINE_STEPS).astype(np.uint8)
     high = np.clip(np.floor(wanted + reach), 0, FINE_STEPS).astype(np.uint8)
-    left = np.arange(len(hits))
+    values, left = index.fine.ravel(), np.arange(len(hits))
     for column in range(len(CELLS)):
-        value, which = index.fine[hits[left], column], source[left]
-        left = left[(value >= low[which, column]) & (value <= high[which, column])]
+        value = values[hits * len(CELLS) + column]
+        agree = np.flatnonzero((value >= low[:, column].copy()[source]) & (value <= high[:, column].copy()[source]))
+        hits, source, left = hits[agree], source[agree], left[agree]
     return left
 
 
@@ -298,6 +303,14 @@ def _all_triangles(
         parts.append((keys, codes.astype(np.int32), np.rint(fine_values(numbers)).astype(np.uint8)))
     keys, codes, fine = (np.concatenate([part[i] for part in parts]) for i in range(3))
     return neighbors, keys, codes, fine
+
+
+@lru_cache
+def _corner_places(neighbor_count: int) -> np.ndarray:
+    """(P · 6, 3) places of A, B, C among an anchor's neighbors, −1 for the anchor, by the rest of a triangle's code."""
+    pairs = neighbor_pairs(neighbor_count)
+    triples_of = np.column_stack([np.full(len(pairs), -1), pairs])
+    return triples_of[:, ORDERS].reshape(-1, 3)
 
 
 def _chunks(usable: np.ndarray, exists: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:

@@ -5,9 +5,6 @@ Told in docs/method.md#constellation.
 
 from __future__ import annotations
 
-import itertools
-import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +14,9 @@ from .settings import ConstellationSettings
 DIRECTIONS = np.exp(2j * np.pi * np.arange(16) / 16)
 CUTS = np.linspace(-0.4, 0.4, 9)
 """Where the image is cut in two: directions, and how far from the middle in half diagonals."""
+
+_DIRECTIONS, _BEGINS = np.repeat(DIRECTIONS, len(CUTS)), np.tile(CUTS, len(DIRECTIONS))
+"""Of every side of every cut."""
 
 
 @dataclass(frozen=True)
@@ -66,38 +66,42 @@ def empty_side(of_image: Agreement, of_map: Agreement, diagonal: float, settings
     Returns:
         The side for which that is the most likely; None where no side is empty.
     """
-    best, found = settings.empty_side_log_odds[1], None
-    for side in _sides(diagonal):
-        told = [_told(seen, side, settings) for seen in (of_image, of_map)]
-        if min(told) >= settings.empty_side_log_odds[0] and sum(told) >= best:
-            best, found = sum(told), side
-    return found
+    each, both = settings.empty_side_log_odds
+    told = np.array([_told(seen, diagonal, settings) for seen in (of_image, of_map)])
+    summed = np.where(told.min(axis=0) >= each, told.sum(axis=0), -np.inf)
+    best = int(summed.argmax())
+    if summed[best] < both:
+        return None
+    return Side(complex(_DIRECTIONS[best]), float(_BEGINS[best]) * diagonal / 2)
 
 
 def is_uneven(of_image: Agreement, diagonal: float, settings: ConstellationSettings) -> bool:
     """Whether on some side hardly any of the image's landmarks agree, so that another place is worth a search."""
-    return any(_told(of_image, side, settings) >= settings.uneven_log_odds for side in _sides(diagonal))
+    return bool((_told(of_image, diagonal, settings) >= settings.uneven_log_odds).any())
 
 
-def _sides(diagonal: float) -> Iterator[Side]:
-    """Both sides of every cut of an image whose diagonal has so many pixels."""
-    for direction, cut in itertools.product(DIRECTIONS, CUTS):
-        yield Side(complex(direction), float(cut) * diagonal / 2)
+def _told(seen: Agreement, diagonal: float, settings: ConstellationSettings) -> np.ndarray:
+    """(S,) how much more likely two shares are than one, for both sides of every cut of an image.
+
+    0 where there are too few landmarks to tell, or the side is not emptier.
+    """
+    along = (_DIRECTIONS[:, None].conj() * seen.points).real
+    inside = along > _BEGINS[:, None] * diagonal / 2
+    here, agree = inside.sum(axis=1), inside[:, seen.agree].sum(axis=1)
+    there, others = len(seen.points) - here, int(seen.agree.sum()) - agree
+    tells = (np.minimum(here, there) >= settings.empty_side_landmarks) & (
+        agree * there <= settings.empty_side_share * others * here
+    )
+    told = _likelihood(agree, here) + _likelihood(others, there) - _likelihood(agree + others, here + there)
+    return np.where(tells, told, 0.0)
 
 
-def _told(seen: Agreement, side: Side, settings: ConstellationSettings) -> float:
-    """How much more likely two shares are than one; 0 where there are too few to tell, or the side is not emptier."""
-    inside = side.holds(seen.points)
-    here, there = int(inside.sum()), int((~inside).sum())
-    if min(here, there) < settings.empty_side_landmarks:
-        return 0.0
-    agree, others = int(seen.agree[inside].sum()), int(seen.agree[~inside].sum())
-    if agree * there > settings.empty_side_share * others * here:
-        return 0.0
-    return _likelihood(agree, here) + _likelihood(others, there) - _likelihood(agree + others, here + there)
+def _likelihood(successes: np.ndarray, trials: np.ndarray) -> np.ndarray:
+    """Largest ln likelihood of shares."""
+    failures = trials - successes
+    return _weighed(successes, trials) + _weighed(failures, trials)
 
 
-def _likelihood(successes: int, trials: int) -> float:
-    """Largest ln likelihood of a share."""
-    share = successes / trials
-    return sum(count * math.log(part) for count, part in ((successes, share), (trials - successes, 1 - share)) if count)
+def _weighed(part: np.ndarray, whole: np.ndarray) -> np.ndarray:
+    """Numbers times ln of their share in others; 0 for none."""
+    return part * np.log(np.maximum(part, 1) / np.maximum(whole, 1))

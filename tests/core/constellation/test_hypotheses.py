@@ -1,10 +1,13 @@
 """Seeds of a cut of a made catalogue, whose pose is known."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
-from semref.core.constellation.hypotheses import find_seeds, query_triangles
+from semref.core.constellation.hypotheses import _poses, find_seeds, query_triangles
 from semref.core.constellation.settings import CONSTELLATION
+from semref.core.geometry.pose import fit_similarity
 from semref.core.localization import Prior
 
 ORIGIN = (500_000.0, 5_200_000.0)
@@ -24,6 +27,28 @@ def test_the_true_pose_has_the_most_votes(index, cut, place):
     assert abs(seeds.centers[0] - made.pose.center) < 5
     assert abs(seeds.turns[0] / made.pose.turn - 1) < 0.02
     assert not seeds.capped and (np.diff(seeds.votes) <= 0).all()
+
+
+def test_no_cluster_is_told_twice(index, cut):
+    seeds = seeds_of(index, cut(*TRUE).query, Prior(pixel_size_range=SCALES))
+    assert len(set(zip(seeds.centers.tolist(), seeds.turns.tolist()))) == len(seeds.votes) > CONSTELLATION.seeds
+
+
+def test_poses_are_the_fits_of_triangles_whose_classes_agree(index, cut):
+    query = cut(*TRUE).query
+    triple, hits = query_triangles(query, CONSTELLATION).members[:3], np.arange(900)
+    members, source = index.members(hits), hits % 3
+    same = (index.ranks[members] == query.ranks[triple[source]]).all(axis=1)
+    assert 0 < same.sum() < len(hits) and index.keys_tell_classes
+    # With ten classes triangles of several ones share a key.
+    many = dataclasses.replace(index, class_values=np.arange(10, dtype=np.uint8))
+    found = _poses(many, query, triple, source, hits)
+    image = query.points[triple[source[same]]]
+    expected = fit_similarity(image, index.points[members[same]], np.ones(image.shape))
+    for part, wanted in zip(found, (*expected, image.mean(axis=1))):
+        np.testing.assert_allclose(part, wanted, rtol=1e-9, atol=1e-6)
+    some = _poses(index, query, triple, source[same], hits[same])
+    assert all(np.array_equal(*parts) for parts in zip(found, some))
 
 
 def test_the_mirrored_image_has_far_fewer_votes_for_any_pose(index, cut):
