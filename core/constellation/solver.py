@@ -19,16 +19,17 @@ from ..geometry.pose import (
 )
 from ..geometry.shared_errors import LANDMARKS, VIEW, MatchedPoints, refined_pose
 from ..landmarks.landmarks import Landmarks
-from ..localization import RISK, Localization, Matches, Method, Place, Prior, Status
+from ..localization import LEAST_RISK, RISK, Localization, Matches, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
-from .hypotheses import QueryTriangles, SeenLandmarks, find_seeds, query_triangles
+from .hypotheses import QueryTriangles, Seeds, SeenLandmarks, find_seeds, query_triangles
 from .index import ConstellationIndex, full_area
 from .parts import Agreement, empty_side, is_uneven
 from .settings import ConstellationSettings
 from .verification import (
     PoseEvidence,
     Verifier,
+    median,
     rough_scores,
     telling_objects,
     verify,
@@ -77,8 +78,7 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
         searched = replace(searched, found=_with_repeats(verifier, query, found))
         is_last = cap is None or some is triangles and not capped
         if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings):
-            decoys, _ = _solve(verifier, query.mirrored(), some.mirrored(), blind, cap)
-            searched = replace(searched, decoys=decoys)
+            searched = replace(searched, decoys=_decoys(verifier, query, some, blind, cap, searched))
             if risk_of_best(searched.opponents(index), settings) <= allowed_risk:
                 break
     decided = _decide(objects, query, verifier, searched, allowed_risk)
@@ -138,15 +138,23 @@ def _solve(
     verifier: Verifier, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int | None
 ) -> tuple[list[PoseEvidence], bool]:
     """The best few poses at different places, best first; and whether the search was capped."""
+    found, seeds = _level(verifier, query, triangles, prior, cap)
+    return _tilted(verifier, query, found, seeds), seeds.capped
+
+
+def _level(
+    verifier: Verifier, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int | None
+) -> tuple[list[PoseEvidence], Seeds]:
+    """The best few poses of a level camera at different places, best first; and the clusters they come from."""
     settings = verifier.index.settings
     seeds = find_seeds(verifier.index, query, triangles, prior, cap)
+    found: list[PoseEvidence] = []
     if not len(seeds.centers):
-        return [], seeds.capped
+        return found, seeds
     gates = [gate * query.diagonal for gate in settings.rough_gates]
     rough = query.select(telling_objects(query, settings.rough_objects))
     centers, turns, scores = rough_scores(verifier.index, rough, seeds.centers, seeds.turns, gates)
     telling = query.select(telling_objects(query, settings.largest_objects))
-    found: list[PoseEvidence] = []
     tried: list[Pose] = []
     best = 0.0
     for number in np.argsort(-scores, kind="stable"):
@@ -164,7 +172,15 @@ def _solve(
             _add(query, found, verify(verifier, telling, seed), settings)
         if len(tried) == settings.verified:
             break
-    strongest = max(found, key=lambda evidence: evidence.log_odds)
+    return _best_first(found), seeds
+
+
+def _tilted(verifier: Verifier, query: SeenLandmarks, level: list[PoseEvidence], seeds: Seeds) -> list[PoseEvidence]:
+    """The best few poses with those of a camera that may be tilted, best first."""
+    settings, found = verifier.index.settings, list(level)
+    if not found:
+        return found
+    strongest, telling = found[0], query.select(telling_objects(query, settings.largest_objects))
     if strongest.log_odds > 0:
         focus = complex(telling.points[strongest.matched].mean()) if len(strongest.matched) else 0j
         _add(query, found, verify_tilted(verifier, telling, strongest.pose, focus), settings)
@@ -173,7 +189,29 @@ def _solve(
             pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
             evidence = verify_tilted(verifier, telling, pose, complex(seeds.focuses[number]))
             _add(query, found, evidence, settings)
-    return sorted(found, key=lambda evidence: -evidence.log_odds), seeds.capped
+    return _best_first(found)
+
+
+def _best_first(found: list[PoseEvidence]) -> list[PoseEvidence]:
+    return sorted(found, key=lambda evidence: -evidence.log_odds)
+
+
+def _decoys(  # noqa: PLR0913 - a search as the image's, and what that found
+    verifier: Verifier,
+    query: SeenLandmarks,
+    triangles: QueryTriangles,
+    prior: Prior | None,
+    cap: int | None,
+    searched: _Searched,
+) -> list[PoseEvidence]:
+    """The best few poses of the mirrored image, best first; those of tilted cameras only where they could count."""
+    mirrored, settings = query.mirrored(), verifier.index.settings
+    level, seeds = _level(verifier, mirrored, triangles.mirrored(), prior, cap)
+    opponents = replace(searched, decoys=level).opponents(verifier.index)
+    strongest = opponents.strongest + settings.mirror_tilted
+    if risk_against(opponents, strongest, settings) <= LEAST_RISK:
+        return level
+    return _tilted(verifier, mirrored, level, seeds)
 
 
 def _agrees(evidence: PoseEvidence, settings: ConstellationSettings) -> bool:
@@ -202,7 +240,7 @@ def _with_repeats(verifier: Verifier, query: SeenLandmarks, found: list[PoseEvid
         moved = verify(verifier, telling, Pose(best.pose.center + step, best.pose.turn))
         if not any(same_place(query, moved, other, settings) for other in all_found):
             all_found.append(moved)
-    return sorted(all_found, key=lambda evidence: -evidence.log_odds)
+    return _best_first(all_found)
 
 
 def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> list[complex]:
@@ -211,7 +249,7 @@ def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) ->
     points, ranks = index.points[evidence.objects], index.ranks[evidence.objects]
     if len(points) < settings.minimum_objects:
         return []
-    noise = float(np.median(evidence.deviations))
+    noise = median(evidence.deviations)
     steps = (points[:, None] - points[None])[ranks[:, None] == ranks[None]]
     longest = settings.repeat_reach * np.ptp(points.real)
     steps = steps[(np.abs(steps) > settings.same_place_in_noise * noise) & (np.abs(steps) < longest)]
@@ -223,7 +261,7 @@ def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) ->
 
 def same_place(query: SeenLandmarks, one: PoseEvidence, other: PoseEvidence, settings: ConstellationSettings) -> bool:
     """Whether two poses put the image's objects on the same spots, as far as their noise tells."""
-    noise = max((float(np.median(e.deviations)) if len(e.deviations) else 0.0) for e in (one, other))
+    noise = max((median(e.deviations) if len(e.deviations) else 0.0) for e in (one, other))
     reach = max(settings.same_place_in_noise * noise, 2.0 * abs(one.pose.turn))
     if not (one.pose.is_level and other.pose.is_level):
         reach = max(reach, settings.same_tilted_place * query.diagonal * abs(one.pose.turn))
@@ -232,7 +270,7 @@ def same_place(query: SeenLandmarks, one: PoseEvidence, other: PoseEvidence, set
 
 def _distance(query: SeenLandmarks, pose: Pose, other: Pose) -> float:
     """Median distance on the map between an image's objects at two poses."""
-    return float(np.median(np.abs(pose.on_map(query.points) - other.on_map(query.points))))
+    return median(np.abs(pose.on_map(query.points) - other.on_map(query.points)))
 
 
 @dataclass(frozen=True)
@@ -321,7 +359,10 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence) -
         return None
     telling = telling_objects(query, settings.largest_objects)
     others = query.select(np.setdiff1d(telling[best.possible], telling[best.matched]))
-    found, _ = _solve(verifier, others, query_triangles(others, settings), None, settings.maximum_hits[0])
+    triangles, cap = _rounds(query_triangles(others, settings), settings)[0]
+    found, seeds = _level(verifier, others, triangles, None, cap)
+    if found and (found[0].log_odds > 0 or not best.pose.is_level):
+        found = _tilted(verifier, others, found, seeds)
     evident = found and found[0].log_odds >= settings.minimum_log_odds
     return found[0] if evident and not same_place(query, found[0], best, settings) else None
 

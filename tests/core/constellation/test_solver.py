@@ -5,11 +5,12 @@ import dataclasses
 import numpy as np
 import pytest
 
+from semref.core.constellation import solver
 from semref.core.constellation.hypotheses import find_seeds, query_triangles
 from semref.core.constellation.index import build_index
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.constellation.solver import localize, make_query, matches_at
-from semref.core.constellation.verification import Verifier, weigh
+from semref.core.constellation.verification import Verifier, verify_tilted, weigh
 from semref.core.database.model import MapLandmarks
 from semref.core.geometry.pose import Pose
 from semref.core.labels.sources import ArrayLabels
@@ -153,6 +154,21 @@ def test_most_spoilt_views_are_found_and_no_fix_is_wrong(ground):
 def test_a_mirrored_view_gets_no_fix(ground):
     for center in ((1400, 1600), (1000, 2000), (2000, 900)):
         assert solve(ground, mirrored(ground.see(seen_from(*center, 77.0)))).status != Status.FIX
+
+
+def test_a_tilted_camera_is_tried_for_the_mirror_only_where_it_could_change_the_risk(ground, monkeypatch):
+    tried = []
+    monkeypatch.setattr(solver, "verify_tilted", lambda *args: tried.append(args) or verify_tilted(*args))
+    counts, found = [], []
+    for least in (CONSTELLATION.mirror_tilted, 1e9):
+        settings = dataclasses.replace(CONSTELLATION, mirror_tilted=least)
+        index = dataclasses.replace(ground.index, settings=settings)
+        objects = ground.see(seen_from(1400, 1600, 77.0), NOISE)
+        tried.clear()
+        found.append(localize(objects, (SIZE, SIZE), index, PRIOR))
+        counts.append(len(tried))
+    assert counts[0] <= 1 < counts[1]
+    assert found[0].is_fix and found[0].confidence == found[1].confidence and found[0].best == found[1].best
 
 
 def test_a_view_of_another_town_gets_no_fix(ground):
