@@ -1,6 +1,14 @@
 """What differs between QGIS 3.22 and today, in one place."""
 
-from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsField, QgsProcessing, QgsUnitTypes, QgsWkbTypes
+from qgis.core import (
+    Qgis,
+    QgsCoordinateReferenceSystem,
+    QgsField,
+    QgsMapSettings,
+    QgsProcessing,
+    QgsUnitTypes,
+    QgsWkbTypes,
+)
 from qgis.PyQt.QtCore import QVariant
 
 try:
@@ -59,3 +67,6 @@ else:
     SOURCE_POINT = QgsProcessing.TypeVectorPoint
     SOURCE_LINE = QgsProcessing.TypeVectorLine
     SOURCE_FILE = QgsProcessing.TypeFile
+
+MAP_TILE = Qgis.MapSettingsFlag.RenderMapTile if hasattr(Qgis, "MapSettingsFlag") else QgsMapSettings.RenderMapTile
+"""Pieces drawn one by one fit together."""

@@ -8,6 +8,7 @@ import numpy as np
 from osgeo import gdal
 
 from ..core.errors import LabelMapError
+from ..core.geometry.frame import MapFrame
 from .gdal_errors import gdal_failures
 
 JPEG_QUALITY = 85
@@ -26,6 +27,46 @@ def write_tiff(path: Path, bands: np.ndarray, kind: int) -> None:
 def write_jpeg(path: Path, bands: np.ndarray) -> None:
     """(1 or 3, H, W) uint8 as a grey or RGB JPEG."""
     _write(path, bands, gdal.GDT_Byte, "JPEG", [f"QUALITY={JPEG_QUALITY}"])
+
+
+class ColorPicture:
+    """A georeferenced GeoTIFF with red, green, blue and opacity, written tile by tile.
+
+    A context manager: leaving it closes the file, and raises LabelMapError when GDAL could not write (disk full).
+    """
+
+    def __init__(self, path: str, frame: MapFrame) -> None:
+        """Creates the file where ``frame`` lies, all of it transparent. Raises LabelMapError."""
+        self._path = path
+        height, width = frame.shape_hw
+        options = ["TILED=YES", "COMPRESS=DEFLATE", "PHOTOMETRIC=RGB", "ALPHA=YES", "BIGTIFF=IF_SAFER"]
+        with gdal_failures() as failures:
+            self._dataset = gdal.GetDriverByName("GTiff").Create(path, width, height, 4, gdal.GDT_Byte, options)
+            if self._dataset is not None:
+                self._dataset.SetGeoTransform(frame.geotransform)
+                self._dataset.SetProjection(frame.crs)
+        self._raise(failures)
+
+    def __enter__(self) -> ColorPicture:
+        return self
+
+    def __exit__(self, kind: object, error: object, traceback: object) -> None:
+        dataset, self._dataset = self._dataset, None
+        with gdal_failures() as failures:
+            del dataset
+        if error is None:
+            self._raise(failures)
+
+    def write(self, column: int, row: int, pixels_hw4: np.ndarray) -> None:
+        """Writes (height, width, 4) uint8, red first, whose first pixel comes to ``column``, ``row``."""
+        with gdal_failures() as failures:
+            for number in range(4):
+                self._dataset.GetRasterBand(number + 1).WriteArray(pixels_hw4[:, :, number], column, row)
+        self._raise(failures)
+
+    def _raise(self, failures: list[str]) -> None:
+        if failures:
+            raise LabelMapError("storage.unwritable", path=self._path, reason=failures[0])
 
 
 def _write(path: Path, bands: np.ndarray, kind: int, driver: str, options: list[str]) -> None:

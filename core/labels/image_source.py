@@ -44,3 +44,27 @@ class ArrayImage:
         """Views of a piece of the image, and of where it has data."""
         piece = slice(row, row + height), slice(column, column + width)
         return self._image_hw3[piece], None if self._has_data_hw is None else self._has_data_hw[piece]
+
+
+class ImagePart:
+    """A piece of another image, as an image of its own."""
+
+    def __init__(self, image: ImageSource, column: int, row: int, shape_hw: tuple[int, int]) -> None:
+        """Nothing is read yet.
+
+        Args:
+            image: The whole.
+            column: Of the whole, the piece's first.
+            row: Of the whole, the piece's first.
+            shape_hw: (height, width) of the piece, which lies wholly on the image.
+        """
+        self._image, self._column, self._row, self._shape_hw = image, column, row, shape_hw
+
+    @property
+    def shape_hw(self) -> tuple[int, int]:
+        """(height, width) in pixels."""
+        return self._shape_hw
+
+    def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
+        """As the whole reads it."""
+        return self._image.read(self._column + column, self._row + row, width, height)

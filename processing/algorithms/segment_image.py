@@ -6,10 +6,12 @@ from collections.abc import Iterable, Iterator
 from contextlib import closing
 from typing import TYPE_CHECKING
 
+from ..compat import wkt_for_gdal
 from ..framework import offers
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import Number, RasterLayer, RasterOutput
+from ..framework.declarations import MapExtent, Number, RasterLayer, RasterOutput
 from ..framework.photo_labels import describe
+from ..framework.photo_source import PhotoSource
 from ..packages.components import ONNXRUNTIME, OPENCV
 from ..threads import worker_threads
 from ..translation import tr
@@ -20,8 +22,8 @@ if TYPE_CHECKING:
 
     from ...core.labels.image_source import ImageSource
     from ...core.segmentation.model import SegmentationModel
-    from ...storage.images import GdalImage
     from ..framework.outputs import Outputs
+    from ..framework.photo_source import Photo
     from ..framework.values import Values
 
 
@@ -36,6 +38,7 @@ class SegmentImage(SemRefAlgorithm):
     OVERLAP = "OVERLAP"
     RESOLUTION = "RESOLUTION"
     CLASS_TABLE = "CLASS_TABLE"
+    EXTENT = "EXTENT"
     OUTPUT = "OUTPUT"
 
     def title(self) -> str:
@@ -46,6 +49,7 @@ class SegmentImage(SemRefAlgorithm):
             "Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).\n\n"
             "The image is brought to the resolution of the model where both are known and looked at in overlapping "
             "tiles, so that no seams show. The label map lies where the image lies and has the classes of the model."
+            "\n\nMap tiles and web maps are drawn by QGIS at the model’s resolution in the extent that is given."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -54,9 +58,9 @@ class SegmentImage(SemRefAlgorithm):
                 self.INPUT,
                 tr("Photo or orthophoto"),
                 tr(
-                    "Any raster with or without georeference. Red, green and blue are found by color interpretation or "
-                    "wavelength, else they are the first three bands; a single band is taken as gray. Bands of more "
-                    "than 8 bits are stretched from their 2nd to their 98th percentile."
+                    "Any raster with or without georeference, or any map of tiles. Red, green and blue are found by "
+                    "color interpretation or wavelength, else they are the first three bands; a single band is taken "
+                    "as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile."
                 ),
             ),
             offers.model(
@@ -89,6 +93,12 @@ class SegmentImage(SemRefAlgorithm):
                 ),
                 advanced=True,
             ),
+            MapExtent(
+                self.EXTENT,
+                tr("Extent"),
+                tr("The part of the image that is wanted; needed for maps of tiles, else all of the image."),
+                optional=True,
+            ),
             RasterOutput(
                 self.OUTPUT,
                 tr("Label map"),
@@ -97,25 +107,26 @@ class SegmentImage(SemRefAlgorithm):
         )
 
     def read_layers(self, values: Values) -> None:
-        self._layer = values.image(self.INPUT)
+        self._source = PhotoSource(values, self.INPUT, self.EXTENT)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
         from ...core.segmentation.model import SegmentationModel
         from ...core.segmentation.tiling import segment
-        from ...storage.images import GdalImage
         from ...storage.label_map_file import LabelMapFile, whole_tile_rows
 
         table = values.class_table(self.CLASS_TABLE)
         feedback.setProgressText(tr("Loading the model"))
         model = SegmentationModel(values.file(self.MODEL), worker_threads(), table)
         check_canceled(feedback)
-        photo = GdalImage(self._layer.path)
-        image = self._at_resolution(values, photo, model, feedback)
+        resolution_cm = values.optional_number(self.RESOLUTION)
+        resolution_m = model.settings.resolution_m if resolution_cm is None else resolution_cm / 100
+        photo = self._source.open(resolution_m, feedback)
+        image = self._at_resolution(photo, resolution_m, model, feedback)
         overlap = values.optional_number(self.OVERLAP)
         overlap = model.settings.overlap if overlap is None else overlap / 100
         height, width = image.shape_hw
-        transform = _resized_transform(photo.geotransform, photo.shape_hw, image.shape_hw)
-        grid = width, height, transform, self._layer.file.crs_wkt
+        transform = _resized_transform(photo.geotransform, photo.image.shape_hw, image.shape_hw)
+        grid = width, height, transform, wkt_for_gdal(photo.crs)
         classes = model.classes
         feedback.setProgressText(tr("Segmenting"))
         # The steps are closed first: threads they hold are let go before the file is cleared away.
@@ -129,17 +140,15 @@ class SegmentImage(SemRefAlgorithm):
                 label_map.write_rows(first, labels_hw)
 
     def _at_resolution(
-        self, values: Values, photo: GdalImage, model: SegmentationModel, feedback: QgsProcessingFeedback
+        self, photo: Photo, resolution_m: float | None, model: SegmentationModel, feedback: QgsProcessingFeedback
     ) -> ImageSource:
-        """The photo at the resolution asked for or the model's; says how it is read."""
+        """The photo at that resolution; says how it is read."""
         from ...core.segmentation.resampling import at_resolution
         from ..exchange.images import pixel_size_m
 
-        resolution_cm = values.optional_number(self.RESOLUTION)
-        resolution_m = model.settings.resolution_m if resolution_cm is None else resolution_cm / 100
-        image = at_resolution(photo, pixel_size_m(photo, self._layer.crs), resolution_m)
-        describe(model, photo, feedback)
-        if image is not photo:
+        image = at_resolution(photo.image, pixel_size_m(photo.file, photo.crs), resolution_m)
+        describe(model, photo.file, feedback)
+        if image is not photo.image:
             height, width = image.shape_hw
             text = tr("Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.")
             feedback.pushInfo(text.format(resolution=100 * resolution_m, width=width, height=height))

@@ -125,6 +125,10 @@ class Values:
         """A rectangle in ``crs``; an empty one if it was left out."""
         return self._read("Extent", key, crs)
 
+    def extent_as_given(self, key: str) -> tuple[QgsRectangle, QgsCoordinateReferenceSystem]:
+        """A rectangle and the CRS that it was given in; the project's where none was said."""
+        return self._read("Extent", key), self._read("ExtentCrs", key)
+
     def crs(self, key: str) -> QgsCoordinateReferenceSystem:
         """A CRS; an invalid one if it was left out."""
         return self._read("Crs", key)

@@ -53,6 +53,25 @@ SENTENCES = {
         "{key}: “{source}” is in {crs}, but the positions are in {positions_crs}; take the layers of one run of "
         "“Localize images”."
     ),
+    "exchange.extent_needed": (
+        "“{layer}” has no edges of its own to go by; give EXTENT, the ground that is wanted of it."
+    ),
+    "exchange.resolution_needed": (
+        "“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION."
+    ),
+    "exchange.extent_not_drawn": "The extent for “{layer}” does not fit its CRS {crs}; choose another one.",
+    "exchange.drawing_too_large": (
+        "“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a "
+        "smaller EXTENT, or get the image as a file from whoever offers it."
+    ),
+    "exchange.not_drawn": "“{layer}” can’t be drawn: {reason}.",
+    "exchange.nothing_drawn": (
+        "Nothing of “{layer}” shows in the extent: there is no ground of it, or its server does not answer."
+    ),
+    "exchange.extent_outside_image": "EXTENT does not touch “{image}”; choose a part of it.",
+    "exchange.extent_without_place": (
+        "“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out."
+    ),
     "exchange.no_database_layers": (
         "{path} is not a SemRef reference database; choose one made by “Build reference database”."
     ),

@@ -1,0 +1,198 @@
+"""Layers that are no file – map tiles, web maps, virtual rasters of services – drawn by QGIS into one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import ceil
+from typing import Callable
+
+import numpy as np
+from qgis.core import (
+    QgsBilinearRasterResampler,
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCoordinateTransformContext,
+    QgsCsException,
+    QgsDistanceArea,
+    QgsMapRendererSequentialJob,
+    QgsMapSettings,
+    QgsPointXY,
+    QgsRasterLayer,
+    QgsRectangle,
+)
+from qgis.PyQt.QtCore import QEventLoop, QSize, QTimer
+from qgis.PyQt.QtGui import QColor, QImage
+
+from ...core.errors import ImageError
+from ...core.geometry.frame import MapFrame
+from ...storage.pictures import ColorPicture
+from ..compat import MAP_TILE, is_metric, wkt_for_gdal
+from .reference_systems import describe_crs, utm_zone
+
+MOST_PIXELS = 64_000_000
+"""Of one drawing: 8,000 × 8,000 pixels, some thousand tiles of a server. Whoever needs more should have the file."""
+
+TILE_PX = 1024
+"""Edge of what is drawn at a time; a cancel ends the drawing of one within CANCEL_EVERY_MS."""
+
+CANCEL_EVERY_MS = 200
+
+TRUE_TO_SCALE = 0.01
+"""A CRS whose meters are off by more than this share (as those of web maps are: a third in Europe) is not drawn in."""
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What is drawn.
+
+    Attributes:
+        layer: What ``drawable`` gave.
+        crs: Metric, true to scale.
+        frame: Where the pixels lie.
+    """
+
+    layer: QgsRasterLayer
+    crs: QgsCoordinateReferenceSystem
+    frame: MapFrame
+
+
+def needs_drawing(layer: QgsRasterLayer | None) -> bool:
+    """Whether a layer is no raster that GDAL reads from a file."""
+    return layer is not None and layer.isValid() and layer.providerType() != "gdal"
+
+
+def drawable(layer: QgsRasterLayer) -> QgsRasterLayer:
+    """A copy of a layer to be drawn in another thread, opaque and smooth; for the thread that the layer lives in."""
+    copy = layer.clone()
+    copy.setOpacity(1.0)
+    for set_resampler in (copy.resampleFilter().setZoomedInResampler, copy.resampleFilter().setZoomedOutResampler):
+        set_resampler(QgsBilinearRasterResampler())
+    return copy
+
+
+def plan_drawing(
+    layer: QgsRasterLayer,
+    extent: QgsRectangle,
+    extent_crs: QgsCoordinateReferenceSystem,
+    pixel_size_m: float,
+    context: QgsCoordinateTransformContext,
+) -> Drawing:
+    """What shall be drawn of a layer.
+
+    Args:
+        layer: What ``drawable`` gave.
+        extent: The ground wanted.
+        extent_crs: Its CRS.
+        pixel_size_m: Meters.
+        context: How the project transforms coordinates.
+
+    Raises:
+        ImageError: The extent can't be brought to a metric CRS, or is too large.
+    """
+    crs = _true_crs(extent, extent_crs, context)
+    try:
+        ground = QgsCoordinateTransform(extent_crs, crs, context).transformBoundingBox(extent)
+    except QgsCsException:
+        ground = QgsRectangle()
+    if ground.isEmpty() or not ground.isFinite():
+        raise ImageError("exchange.extent_not_drawn", layer=layer.name(), crs=describe_crs(extent_crs))
+    width, height = (max(1, ceil(side / pixel_size_m)) for side in (ground.width(), ground.height()))
+    if width * height > MOST_PIXELS:
+        most = MOST_PIXELS // 1_000_000
+        raise ImageError(
+            "exchange.drawing_too_large", layer=layer.name(), width=width, height=height, most_million=most
+        )
+    transform = ground.xMinimum(), pixel_size_m, 0.0, ground.yMaximum(), 0.0, -pixel_size_m
+    return Drawing(layer, crs, MapFrame(wkt_for_gdal(crs), transform, (height, width)))
+
+
+def draw(
+    drawing: Drawing, path: str, context: QgsCoordinateTransformContext, canceled: Callable[[], bool]
+) -> Iterator[float]:
+    """Draws into a GeoTIFF; yields the share done (0…1) tile by tile.
+
+    Args:
+        drawing: What.
+        path: Of the new file.
+        context: How the project transforms coordinates.
+        canceled: Asked several times a second; once True the drawing ends early.
+
+    Raises:
+        ImageError: Nothing of the layer shows there.
+        LabelMapError: The file can't be written.
+    """
+    height, width = drawing.frame.shape_hw
+    places = [(column, row) for row in range(0, height, TILE_PX) for column in range(0, width, TILE_PX)]
+    anything, problems = False, []
+    with ColorPicture(path, drawing.frame) as picture:
+        for n, (column, row) in enumerate(places, start=1):
+            shape_hw = min(TILE_PX, height - row), min(TILE_PX, width - column)
+            pixels_hw4, errors = _drawn(drawing, column, row, shape_hw, context, canceled)
+            anything = anything or bool(pixels_hw4[:, :, 3].any())
+            problems += errors
+            picture.write(column, row, pixels_hw4)
+            yield n / len(places)
+    if problems:
+        raise ImageError("exchange.not_drawn", layer=drawing.layer.name(), reason=problems[0])
+    if not anything:
+        raise ImageError("exchange.nothing_drawn", layer=drawing.layer.name())
+
+
+def _drawn(
+    drawing: Drawing,
+    column: int,
+    row: int,
+    shape_hw: tuple[int, int],
+    context: QgsCoordinateTransformContext,
+    canceled: Callable[[], bool],
+) -> tuple[np.ndarray, list[str]]:
+    """(height, width, 4) uint8 of a piece, red first; what went wrong."""
+    height, width = shape_hw
+    x_min, y_min, x_max, y_max = drawing.frame.part(column, row, shape_hw).extent
+    settings = QgsMapSettings()
+    settings.setLayers([drawing.layer])
+    settings.setDestinationCrs(drawing.crs)
+    settings.setTransformContext(context)
+    settings.setOutputSize(QSize(width, height))
+    settings.setExtent(QgsRectangle(x_min, y_min, x_max, y_max))
+    settings.setBackgroundColor(QColor(0, 0, 0, 0))
+    settings.setFlag(MAP_TILE, True)
+    job = QgsMapRendererSequentialJob(settings)
+    loop, timer = QEventLoop(), QTimer()
+    job.finished.connect(loop.quit)
+    timer.timeout.connect(lambda: job.cancelWithoutBlocking() if canceled() else None)
+    timer.start(CANCEL_EVERY_MS)
+    job.start()
+    if job.isActive():
+        loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+    timer.stop()
+    return _pixels(job.renderedImage(), shape_hw), [error.message for error in job.errors()]
+
+
+def _pixels(image: QImage, shape_hw: tuple[int, int]) -> np.ndarray:
+    height, width = shape_hw
+    if image.isNull():
+        return np.zeros((height, width, 4), np.uint8)
+    plain = image.convertToFormat(QImage.Format.Format_RGBA8888)
+    bits = plain.constBits()
+    bits.setsize(plain.bytesPerLine() * plain.height())
+    return np.frombuffer(bits, np.uint8).reshape(height, plain.bytesPerLine() // 4, 4)[:, :width].copy()
+
+
+def _true_crs(
+    extent: QgsRectangle, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
+) -> QgsCoordinateReferenceSystem:
+    """The extent's CRS where it is metric and its meters are such, else the UTM zone."""
+    if is_metric(crs) and abs(_scale(extent.center(), crs, context) - 1) <= TRUE_TO_SCALE:
+        return crs
+    return utm_zone(crs, extent, context)
+
+
+def _scale(place: QgsPointXY, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext) -> float:
+    """Meters on the ground of a map unit eastwards."""
+    measure = QgsDistanceArea()
+    measure.setSourceCrs(crs, context)
+    measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030")
+    step = 100.0
+    return measure.measureLine(place, QgsPointXY(place.x() + step, place.y())) / step

@@ -1,0 +1,119 @@
+"""The photo of a raster parameter: a file or a part of it, or any other layer drawn by QGIS."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingUtils, QgsRasterLayer
+
+from ...core.errors import ImageError
+from ..exchange.layers import RasterLayer, image_layer
+from ..translation import tr
+from .base import follow_shares
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...core.labels.image_source import ImageSource
+    from ...storage.images import GdalImage
+    from .values import Values
+
+
+@dataclass(frozen=True)
+class Photo:
+    """An image that is open.
+
+    Attributes:
+        file: The whole of it.
+        image: What is wanted of it.
+        geotransform: GDAL's six numbers of ``image``; None without a georeference.
+        crs: Of the ground; an invalid one for none.
+    """
+
+    file: GdalImage
+    image: ImageSource
+    geotransform: tuple[float, ...] | None
+    crs: QgsCoordinateReferenceSystem
+
+
+class PhotoSource:
+    """What ``key`` and ``extent_key`` name, taken out of layers in the thread that they live in. Raises ImageError."""
+
+    def __init__(self, values: Values, key: str, extent_key: str) -> None:
+        from ..exchange.rendering import drawable, needs_drawing
+
+        layer = values.raster(key)
+        self._values, self._extent_key = values, extent_key
+        self._file: RasterLayer | None = None
+        self._layer: QgsRasterLayer | None = None
+        if needs_drawing(layer):
+            if not values.has(extent_key):
+                raise ImageError("exchange.extent_needed", layer=layer.name())
+            self._layer = drawable(layer)
+        else:
+            self._file = image_layer(layer, key)
+
+    def open(self, resolution_m: float | None, feedback: QgsProcessingFeedback) -> Photo:
+        """The photo; a layer that is no file is drawn with pixels of that size.
+
+        Raises:
+            ImageError: It can't be read or drawn.
+            Canceled: The user canceled.
+        """
+        from ...storage.images import GdalImage
+
+        if self._file is None:
+            path, crs = self.drawn(resolution_m, feedback)
+            file = GdalImage(path)
+            return Photo(file, file, file.geotransform, crs)
+        file, crs = GdalImage(self._file.path), self._file.crs
+        if not self._values.has(self._extent_key):
+            return Photo(file, file, file.geotransform, crs)
+        return self._part(file, crs)
+
+    def drawn(
+        self, resolution_m: float | None, feedback: QgsProcessingFeedback
+    ) -> tuple[str, QgsCoordinateReferenceSystem]:
+        """(path of a GeoTIFF that lasts as long as QGIS runs, its CRS) of a layer that is no file."""
+        from ..exchange.rendering import draw, plan_drawing
+
+        if resolution_m is None:
+            raise ImageError("exchange.resolution_needed", layer=self._layer.name())
+        context = self._values.transform_context
+        extent, crs = self._values.extent_as_given(self._extent_key)
+        drawing = plan_drawing(self._layer, extent, crs, resolution_m, context)
+        height, width = drawing.frame.shape_hw
+        text = tr(
+            "Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Whether its images may be used so "
+            "is for the terms of whoever offers it to say."
+        )
+        resolution_cm = 100 * resolution_m
+        feedback.pushInfo(text.format(layer=self._layer.name(), width=width, height=height, resolution=resolution_cm))
+        feedback.setProgressText(tr("Drawing the layer"))
+        path = QgsProcessingUtils.generateTempFilename("drawn.tif")
+        follow_shares(draw(drawing, path, context, feedback.isCanceled), feedback)
+        return path, drawing.crs
+
+    def _part(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> Photo:
+        from ...core.labels.image_source import ImagePart
+
+        name, transform = self._file.path, file.geotransform
+        if transform is None or transform[2] or transform[4] or not crs.isValid():
+            raise ImageError("exchange.extent_without_place", image=name)
+        wanted = self._values.extent(self._extent_key, crs)
+        x0, dx, _, y0, _, dy = transform
+        height, width = file.shape_hw
+        columns = sorted(((wanted.xMinimum() - x0) / dx, (wanted.xMaximum() - x0) / dx))
+        rows = sorted(((wanted.yMinimum() - y0) / dy, (wanted.yMaximum() - y0) / dy))
+        (left, right), (top, bottom) = _within(columns, width), _within(rows, height)
+        if right <= left or bottom <= top:
+            raise ImageError("exchange.extent_outside_image", image=name)
+        part = ImagePart(file, left, top, (bottom - top, right - left))
+        return Photo(file, part, (x0 + left * dx, dx, 0.0, y0 + top * dy, 0.0, dy), crs)
+
+
+def _within(ends: list[float], length: int) -> tuple[int, int]:
+    """First pixel and the one after the last that two places touch, on an image of that length."""
+    first, last = (min(max(end, -1.0), length + 1.0) for end in ends)
+    return max(0, int(first // 1)), min(length, -int(-last // 1))

@@ -1,0 +1,59 @@
+"""A server of map tiles on loopback whose ground is known everywhere: squares of three colors in EPSG:3857."""
+
+from __future__ import annotations
+
+import threading
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+
+import cv2
+import numpy as np
+from made_models import painted
+
+SQUARE = 150.0
+"""Edge of a square, units of EPSG:3857."""
+
+_WORLD = 2 * np.pi * 6378137.0
+_TILE = 256
+
+
+def labels_at(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Class 1, 2 or 3 at places of EPSG:3857."""
+    return ((np.floor(x / SQUARE) + 2 * np.floor(y / SQUARE)) % 3 + 1).astype(int)
+
+
+def tile_png(zoom: int, column: int, row: int) -> bytes:
+    size = _WORLD / 2**zoom / _TILE
+    steps = (np.arange(_TILE) + 0.5) * size
+    x = column * size * _TILE - _WORLD / 2 + steps
+    y = _WORLD / 2 - row * size * _TILE - steps
+    pixels = painted(labels_at(*np.meshgrid(x, y)))
+    return cv2.imencode(".png", pixels[:, :, ::-1])[1].tobytes()
+
+
+@contextmanager
+def tile_server(status: int = 200, delay_s: float = 0.0):
+    """Gives the URI of an XYZ layer; ``status`` other than 200 answers every tile with it; ``delay_s`` before each."""
+    stop = threading.Event()
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self):
+            stop.wait(delay_s)
+            zoom, column, row = (int(part) for part in self.path.split(".")[0].strip("/").split("/"))
+            self.send_response(status)
+            self.send_header("Content-Type", "image/png")
+            self.end_headers()
+            if status == 200:
+                self.wfile.write(tile_png(zoom, column, row))
+
+        def log_message(self, *_):
+            pass
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        yield f"type=xyz&url=http://127.0.0.1:{server.server_port}/{{z}}/{{x}}/{{y}}.png&zmin=0&zmax=18"
+    finally:
+        stop.set()
+        server.shutdown()
+        server.server_close()

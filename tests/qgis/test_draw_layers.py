@@ -1,0 +1,144 @@
+"""Map tiles and parts of images: what shows on the canvas becomes a label map of the ground it shows."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import numpy as np
+import pytest
+from made_inputs import NORTH, WEST, scattered_objects, write_raster
+from made_models import metadata, painted, write_model
+from osgeo import gdal
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsProcessingException,
+    QgsProject,
+    QgsRasterLayer,
+)
+from tile_server import labels_at, tile_server
+
+SEGMENT = "semref:segmentimage"
+EXTENT = f"{WEST},{WEST + 1200},{NORTH - 900},{NORTH} [EPSG:32632]"
+LABELS = scattered_objects(170, 230, 60, seed=3, background=0)
+SEEN = np.where(LABELS == 0, 1, LABELS)
+
+
+@pytest.fixture(scope="module")
+def model(tmp_path_factory):
+    """A network for pixels of 2 m."""
+    return str(write_model(tmp_path_factory.mktemp("model") / "colors.onnx", metadata=metadata(resolution=200)))
+
+
+@pytest.fixture
+def tiles(qgis_app):
+    """`tiles(**server)` gives a layer of map tiles."""
+    stack = []
+
+    def make(**server):
+        context = tile_server(**server)
+        layer = QgsRasterLayer(context.__enter__(), "tiles", "wms")
+        stack.append(context)
+        assert layer.isValid()
+        return layer
+
+    yield make
+    for context in stack:
+        context.__exit__(None, None, None)
+
+
+@pytest.fixture
+def segment(run_algorithm, model, feedback, tmp_path):
+    def run(layer, **parameters):
+        given = {"INPUT": layer, "MODEL": model, "EXTENT": EXTENT, "OUTPUT": str(tmp_path / "labels.tif")}
+        return gdal.Open(run_algorithm(SEGMENT, {**given, **parameters}, feedback)["OUTPUT"])
+
+    return run
+
+
+def agreement(raster) -> float:
+    """Share of a label map's pixels that have the class that the tiles' ground has at their place."""
+    found = raster.ReadAsArray()
+    x0, dx, _, y0, _, dy = raster.GetGeoTransform()
+    rows, columns = np.mgrid[0 : found.shape[0] : 7, 0 : found.shape[1] : 7]
+    crs = QgsCoordinateReferenceSystem.fromWkt(raster.GetProjection())
+    to_tiles = QgsCoordinateTransform(crs, QgsCoordinateReferenceSystem("EPSG:3857"), QgsProject.instance())
+    places = zip((x0 + (columns + 0.5) * dx).ravel().tolist(), (y0 + (rows + 0.5) * dy).ravel().tolist())
+    moved = np.array([(p.x(), p.y()) for p in (to_tiles.transform(x, y) for x, y in places)])
+    return float((labels_at(*moved.T) == found[rows, columns].ravel()).mean())
+
+
+def test_map_tiles_become_a_label_map_in_the_extents_crs_at_the_models_resolution(segment, tiles, feedback):
+    raster = segment(tiles())
+    assert (raster.RasterXSize, raster.RasterYSize) == (600, 450)
+    assert raster.GetGeoTransform() == (WEST, 2, 0, NORTH, 0, -2)
+    assert agreement(raster) > 0.95
+    assert "Drawing “tiles” with 600 × 450 pixels of 200 cm." in feedback.textLog()
+
+
+def test_an_extent_in_web_mercator_is_drawn_true_to_scale(segment, tiles):
+    to_tiles = QgsCoordinateTransform(
+        QgsCoordinateReferenceSystem("EPSG:32632"), QgsCoordinateReferenceSystem("EPSG:3857"), QgsProject.instance()
+    )
+    one, other = to_tiles.transform(WEST, NORTH - 900), to_tiles.transform(WEST + 1200, NORTH)
+    raster = segment(tiles(), EXTENT=f"{one.x()},{other.x()},{one.y()},{other.y()} [EPSG:3857]")
+    assert raster.GetSpatialRef().GetAuthorityCode(None) == "32632"
+    assert 600 <= raster.RasterXSize < 640 and 450 <= raster.RasterYSize < 490
+    assert agreement(raster) > 0.95
+
+
+def test_a_resolution_given_is_the_one_that_is_drawn(segment, tiles):
+    raster = segment(tiles(), RESOLUTION=400)
+    assert (raster.RasterXSize, raster.GetGeoTransform()[1]) == (300, 4)
+
+
+def test_tiles_without_an_extent_or_a_resolution_are_refused(segment, tiles, tmp_path):
+    with pytest.raises(QgsProcessingException, match="“tiles” has no edges of its own to go by; give EXTENT"):
+        segment(tiles(), EXTENT=None)
+    nameless = str(write_model(tmp_path / "any.onnx"))
+    with pytest.raises(QgsProcessingException, match="the model does not say its own; give RESOLUTION"):
+        segment(tiles(), MODEL=nameless)
+
+
+def test_more_ground_than_may_be_drawn_is_refused_before_any_tile(segment, tiles):
+    extent = f"{WEST},{WEST + 90_000},{NORTH - 90_000},{NORTH} [EPSG:32632]"
+    with pytest.raises(QgsProcessingException, match="more than 64 million; choose a smaller EXTENT"):
+        segment(tiles(), EXTENT=extent)
+
+
+def test_a_server_without_tiles_is_said(segment, tiles, tmp_path):
+    with pytest.raises(QgsProcessingException, match="Nothing of “tiles” shows in the extent"):
+        segment(tiles(status=404))
+    assert not (tmp_path / "labels.tif").exists()
+
+
+def test_a_cancel_ends_the_drawing_within_a_second(segment, tiles, feedback):
+    layer = tiles(delay_s=30)
+    ended = []
+    threading.Timer(1.0, lambda: (feedback.cancel(), ended.append(time.monotonic()))).start()
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        segment(layer)
+    assert time.monotonic() - ended[0] < 2
+
+
+@pytest.mark.parametrize("north_up", [True, False])
+def test_a_part_of_a_file_is_segmented_alone(segment, model, tmp_path, north_up):
+    photo = np.moveaxis(painted(LABELS), 2, 0)
+    north, step = (NORTH, -2) if north_up else (NORTH - 340, 2)
+    image = write_raster(tmp_path / "a.tif", photo if north_up else photo[:, ::-1], transform=(WEST, 2, 0, north, 0, step))
+    raster = segment(str(image), EXTENT=f"{WEST + 41},{WEST + 199},{NORTH - 161},{NORTH - 59} [EPSG:32632]")
+    seen = SEEN[29:81, 20:100]
+    found = raster.ReadAsArray()
+    np.testing.assert_array_equal(found if north_up else found[::-1], seen)
+    assert raster.GetGeoTransform()[0] == WEST + 40
+    assert raster.GetGeoTransform()[3] == (NORTH - 58 if north_up else NORTH - 162)
+
+
+def test_an_extent_beside_the_image_or_without_a_place_is_refused(segment, tmp_path):
+    photo = np.moveaxis(painted(LABELS), 2, 0)
+    placed = write_raster(tmp_path / "a.tif", photo, transform=(WEST, 2, 0, NORTH, 0, -2))
+    with pytest.raises(QgsProcessingException, match="EXTENT does not touch"):
+        segment(str(placed), EXTENT=f"{WEST - 900},{WEST - 200},{NORTH - 161},{NORTH - 59} [EPSG:32632]")
+    with pytest.raises(QgsProcessingException, match="EXTENT can’t be found on it"):
+        segment(str(write_raster(tmp_path / "b.png", photo, transform=None)))
