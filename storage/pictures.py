@@ -10,6 +10,7 @@ from osgeo import gdal
 from ..core.errors import LabelMapError
 from ..core.geometry.frame import MapFrame
 from .gdal_errors import gdal_failures
+from .rasters import open_raster
 
 JPEG_QUALITY = 85
 
@@ -27,6 +28,15 @@ def write_tiff(path: Path, bands: np.ndarray, kind: int) -> None:
 def write_jpeg(path: Path, bands: np.ndarray) -> None:
     """(1 or 3, H, W) uint8 as a grey or RGB JPEG."""
     _write(path, bands, gdal.GDT_Byte, "JPEG", [f"QUALITY={JPEG_QUALITY}"])
+
+
+def copy_part(source: str, target: str, window: tuple[int, int, int, int]) -> None:
+    """Copies a piece of a raster, (first column, first row, width, height), to a GeoTIFF. Raises LabelMapError."""
+    options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER"]
+    with gdal_failures() as failures:
+        gdal.Translate(target, open_raster(source), format="GTiff", srcWin=list(window), creationOptions=options)
+    if failures:
+        raise LabelMapError("storage.unwritable", path=target, reason=failures[0])
 
 
 class ColorPicture:

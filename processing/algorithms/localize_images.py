@@ -15,13 +15,16 @@ from ..framework.declarations import (
     File,
     Files,
     FolderOutput,
+    MapExtent,
     Number,
     NumberResult,
     PointOutput,
     PolygonOutput,
+    RasterLayer,
 )
 from ..framework.localized_image import LabelImages, LocalizedImage, say, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches, write_positions
+from ..framework.photo_source import PhotoSource
 from ..translation import tr
 from ..wording.camera_messages import camera_remark
 from ..wording.sentences import worded
@@ -59,6 +62,8 @@ class LocalizeImages(SemRefAlgorithm):
     MATCHES = "MATCHES"
     LABELS = "LABELS"
     RISK = "RISK"
+    LAYER = "LAYER"
+    EXTENT = "EXTENT"
     FIX_COUNT = "FIX_COUNT"
 
     def title(self) -> str:
@@ -83,6 +88,7 @@ class LocalizeImages(SemRefAlgorithm):
                     "Label images, or folders of them: single-band class values, or colors decoded by the database’s "
                     "class table; with a model, photos. They need no georeference."
                 ),
+                optional=True,
             ),
             offers.model(
                 tr(
@@ -120,6 +126,29 @@ class LocalizeImages(SemRefAlgorithm):
                 minimum=LEAST_RISK,
                 maximum=0.5,
                 decimals=12,
+            ),
+            *self._layer_parameters(),
+        )
+
+    def _layer_parameters(self) -> tuple[Declared, ...]:
+        """What is localized instead of images, or with them."""
+        return (
+            RasterLayer(
+                self.LAYER,
+                tr("Layer to try"),
+                tr(
+                    "A raster or a map of tiles, of which the extent is localized as if it were an image, at the "
+                    "model’s resolution (label colors: at the database’s): would this place be found?"
+                ),
+                optional=True,
+                advanced=True,
+            ),
+            MapExtent(
+                self.EXTENT,
+                tr("Extent of the layer to try"),
+                tr("Needed for maps of tiles, else all of the layer."),
+                optional=True,
+                advanced=True,
             ),
         )
 
@@ -205,11 +234,17 @@ class LocalizeImages(SemRefAlgorithm):
 
     def check(self, values: Values) -> None:
         priors.scales(values, self._method(values))
+        if not values.has(self.LAYER) and not values.files(self.IMAGES):
+            raise ParameterError("algorithms.no_images")
+
+    def read_layers(self, values: Values) -> None:
+        self._layer = PhotoSource(values, self.LAYER, self.EXTENT) if values.has(self.LAYER) else None
 
     def _method(self, values: Values) -> Method:
         return Method.of_number(values.choice(self.METHOD))
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
+        from ...core.geometry.camera import Camera
         from ...core.localizer.localizer import Localizer
         from ...core.localizer.settings import LOCALIZER
         from ..exchange.reference_systems import database_crs
@@ -221,6 +256,9 @@ class LocalizeImages(SemRefAlgorithm):
         localize = self._localizing(values, method, Localizer(database, settings), crs)
         read_labels = self._label_reader(values, database.class_table, feedback)
         paths, cameras = self._images(values, method, feedback)
+        if self._layer is not None:
+            size_m = getattr(read_labels, "resolution_m", None) or database.parameters.pixel_size
+            paths, cameras = [*paths, self._layer.file(size_m, feedback)], [*cameras, Camera()]
         with outputs.folder(self.LABELS) as folder:
             keep = LabelImages(folder, paths, database.class_table)
             localized = []
@@ -261,7 +299,7 @@ class LocalizeImages(SemRefAlgorithm):
         from ...storage.rasters import image_files
 
         paths = image_files(values.files(self.IMAGES))
-        if not paths:
+        if not paths and self._layer is None:
             raise ParameterError("algorithms.no_images")
         cameras = cancelable(read_cameras, paths, values.file(self.ATTITUDE), feedback=feedback)
         if method == Method.TOPOLOGY_VECTOR:

@@ -36,6 +36,11 @@ class PhotoLabels:
         self._feedback = feedback
         self._is_described = False
 
+    @property
+    def resolution_m(self) -> float | None:
+        """Pixel size that the network was trained on; None where it does not say."""
+        return self._model.settings.resolution_m
+
     def __call__(self, path: str) -> np.ndarray:
         from ...core.labels.image_files import MAXIMUM_IMAGE_PIXELS
         from ...core.segmentation.photo_labels import PhotoLabels as Labels

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -64,7 +65,7 @@ class PhotoSource:
         from ...storage.images import GdalImage
 
         if self._file is None:
-            path, crs = self.drawn(resolution_m, feedback)
+            path, crs = self._drawn(resolution_m, feedback)
             file = GdalImage(path)
             return Photo(file, file, file.geotransform, crs)
         file, crs = GdalImage(self._file.path), self._file.crs
@@ -72,7 +73,26 @@ class PhotoSource:
             return Photo(file, file, file.geotransform, crs)
         return self._part(file, crs)
 
-    def drawn(
+    def file(self, resolution_m: float, feedback: QgsProcessingFeedback) -> str:
+        """The path of a file that shows what is wanted; one that had to be made lasts as long as QGIS runs.
+
+        Raises:
+            ImageError: It can't be read or drawn.
+            Canceled: The user canceled.
+        """
+        from ...storage.images import GdalImage
+        from ...storage.pictures import copy_part
+
+        if self._file is None:
+            return self._drawn(resolution_m, feedback)[0]
+        if not self._values.has(self._extent_key):
+            return self._file.path
+        window = self._window(GdalImage(self._file.path), self._file.crs)
+        path = QgsProcessingUtils.generateTempFilename(f"{_stem(self._file.path)}.tif")
+        copy_part(self._file.path, path, window)
+        return path
+
+    def _drawn(
         self, resolution_m: float | None, feedback: QgsProcessingFeedback
     ) -> tuple[str, QgsCoordinateReferenceSystem]:
         """(path of a GeoTIFF that lasts as long as QGIS runs, its CRS) of a layer that is no file."""
@@ -91,13 +111,20 @@ class PhotoSource:
         resolution_cm = 100 * resolution_m
         feedback.pushInfo(text.format(layer=self._layer.name(), width=width, height=height, resolution=resolution_cm))
         feedback.setProgressText(tr("Drawing the layer"))
-        path = QgsProcessingUtils.generateTempFilename("drawn.tif")
+        path = QgsProcessingUtils.generateTempFilename(f"{_stem(self._layer.name())}.tif")
         follow_shares(draw(drawing, path, context, feedback.isCanceled), feedback)
         return path, drawing.crs
 
     def _part(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> Photo:
         from ...core.labels.image_source import ImagePart
 
+        left, top, width, height = self._window(file, crs)
+        x0, dx, _, y0, _, dy = file.geotransform
+        part = ImagePart(file, left, top, (height, width))
+        return Photo(file, part, (x0 + left * dx, dx, 0.0, y0 + top * dy, 0.0, dy), crs)
+
+    def _window(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[int, int, int, int]:
+        """(first column, first row, width, height) of what the extent touches. Raises ImageError."""
         name, transform = self._file.path, file.geotransform
         if transform is None or transform[2] or transform[4] or not crs.isValid():
             raise ImageError("exchange.extent_without_place", image=name)
@@ -109,8 +136,13 @@ class PhotoSource:
         (left, right), (top, bottom) = _within(columns, width), _within(rows, height)
         if right <= left or bottom <= top:
             raise ImageError("exchange.extent_outside_image", image=name)
-        part = ImagePart(file, left, top, (bottom - top, right - left))
-        return Photo(file, part, (x0 + left * dx, dx, 0.0, y0 + top * dy, 0.0, dy), crs)
+        return left, top, right - left, bottom - top
+
+
+def _stem(name: str) -> str:
+    """What a file may be called after a layer or a path: letters, digits and what joins them."""
+    stem = os.path.splitext(os.path.basename(name))[0]
+    return "".join(letter if letter.isalnum() or letter in "-_." else "_" for letter in stem)[:60] or "layer"
 
 
 def _within(ends: list[float], length: int) -> tuple[int, int]:

@@ -10,7 +10,7 @@ SENTENCES = {
         "The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT."
     ),
     "algorithms.nothing_to_assess": "{path} has neither labels nor landmarks; build it again.",
-    "algorithms.no_images": "IMAGES is empty; choose at least one image or a folder with images.",
+    "algorithms.no_images": "IMAGES is empty; choose at least one image, a folder with images, or a LAYER.",
     "algorithms.image_moved": "There is no image {path}; give IMAGES, the folder where it lies now.",
     "algorithms.no_route_layer": (
         "ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file."

@@ -22,18 +22,21 @@ def labels_at(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     return ((np.floor(x / SQUARE) + 2 * np.floor(y / SQUARE)) % 3 + 1).astype(int)
 
 
-def tile_png(zoom: int, column: int, row: int) -> bytes:
+def tile_png(zoom: int, column: int, row: int, ground=labels_at) -> bytes:
     size = _WORLD / 2**zoom / _TILE
     steps = (np.arange(_TILE) + 0.5) * size
     x = column * size * _TILE - _WORLD / 2 + steps
     y = _WORLD / 2 - row * size * _TILE - steps
-    pixels = painted(labels_at(*np.meshgrid(x, y)))
+    pixels = painted(ground(*np.meshgrid(x, y)))
     return cv2.imencode(".png", pixels[:, :, ::-1])[1].tobytes()
 
 
 @contextmanager
-def tile_server(status: int = 200, delay_s: float = 0.0):
-    """Gives the URI of an XYZ layer; ``status`` other than 200 answers every tile with it; ``delay_s`` before each."""
+def tile_server(status: int = 200, delay_s: float = 0.0, ground=labels_at):
+    """Gives the URI of an XYZ layer.
+
+    status: other than 200 answers every tile with it; delay_s: before each; ground: classes at (x, y) of EPSG:3857.
+    """
     stop = threading.Event()
 
     class Handler(BaseHTTPRequestHandler):
@@ -44,7 +47,7 @@ def tile_server(status: int = 200, delay_s: float = 0.0):
             self.send_header("Content-Type", "image/png")
             self.end_headers()
             if status == 200:
-                self.wfile.write(tile_png(zoom, column, row))
+                self.wfile.write(tile_png(zoom, column, row, ground))
 
         def log_message(self, *_):
             pass

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from made_inputs import NORTH, WEST, scattered_objects, write_raster
 from made_models import metadata, painted, write_model
-from osgeo import gdal
+from osgeo import gdal, ogr, osr
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
@@ -126,7 +126,9 @@ def test_a_cancel_ends_the_drawing_within_a_second(segment, tiles, feedback):
 def test_a_part_of_a_file_is_segmented_alone(segment, model, tmp_path, north_up):
     photo = np.moveaxis(painted(LABELS), 2, 0)
     north, step = (NORTH, -2) if north_up else (NORTH - 340, 2)
-    image = write_raster(tmp_path / "a.tif", photo if north_up else photo[:, ::-1], transform=(WEST, 2, 0, north, 0, step))
+    image = write_raster(
+        tmp_path / "a.tif", photo if north_up else photo[:, ::-1], transform=(WEST, 2, 0, north, 0, step)
+    )
     raster = segment(str(image), EXTENT=f"{WEST + 41},{WEST + 199},{NORTH - 161},{NORTH - 59} [EPSG:32632]")
     seen = SEEN[29:81, 20:100]
     found = raster.ReadAsArray()
@@ -142,3 +144,46 @@ def test_an_extent_beside_the_image_or_without_a_place_is_refused(segment, tmp_p
         segment(str(placed), EXTENT=f"{WEST - 900},{WEST - 200},{NORTH - 161},{NORTH - 59} [EPSG:32632]")
     with pytest.raises(QgsProcessingException, match="EXTENT can’t be found on it"):
         segment(str(write_raster(tmp_path / "b.png", photo, transform=None)))
+
+
+KNOWN = {"0": "building", "1": "water", "2": "bare_land"}
+AREA = scattered_objects(900, 1000, 1300, seed=5, background=0)
+
+
+def area_at(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Classes of AREA, 1 m a pixel in EPSG:32632, at places of EPSG:3857; 0 outside."""
+    systems = [osr.SpatialReference() for _ in range(2)]
+    for system, code in zip(systems, (3857, 32632)):
+        system.ImportFromEPSG(code)
+        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    places = np.column_stack([x.ravel(), y.ravel()]).tolist()
+    moved = np.array(osr.CoordinateTransformation(*systems).TransformPoints(places))
+    columns, rows = np.floor(moved[:, 0] - WEST).astype(int), np.floor(NORTH - moved[:, 1]).astype(int)
+    inside = (columns >= 0) & (columns < 1000) & (rows >= 0) & (rows < 900)
+    found = np.zeros(len(moved), int)
+    found[inside] = AREA[rows[inside], columns[inside]]
+    return found.reshape(x.shape)
+
+
+@pytest.fixture(scope="module")
+def database(build_area):
+    return build_area(AREA, ["unlabeled", "building", "water", "bare_land"], 300, 150)
+
+
+@pytest.mark.parametrize("kind", ["tiles", "file"])
+def test_a_place_framed_on_a_layer_is_localized_as_an_image(run_algorithm, database, tiles, tmp_path, kind):
+    if kind == "tiles":
+        layer = tiles(ground=area_at)
+        network = str(write_model(tmp_path / "m.onnx", metadata=metadata(resolution=100, class_names=KNOWN)))
+        more = {"LAYER": layer, "MODEL": network}
+    else:
+        names = ["unlabeled", "building", "water", "bare_land"]
+        more = {"LAYER": str(write_raster(tmp_path / "map.tif", AREA, names=names))}
+    extent = f"{WEST + 300},{WEST + 650},{NORTH - 700},{NORTH - 350} [EPSG:32632]"
+    given = {"DATABASE": database, "METHOD": 2, "EXTENT": extent, "OUTPUT": str(tmp_path / "p.gpkg"), **more}
+    result = run_algorithm("semref:localizeimages", given)
+    assert result["FIX_COUNT"] == 1
+    positions = ogr.Open(result["OUTPUT"])
+    (row,) = (feature.items() for feature in positions.GetLayer(0))
+    assert (row["x"], row["y"]) == pytest.approx((WEST + 475, NORTH - 525), abs=2)
+    assert gdal.Open(row["image"]).RasterXSize == 350
