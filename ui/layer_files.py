@@ -24,6 +24,13 @@ def raster_layers(project: QgsProject) -> list[QgsRasterLayer]:
     return sorted(found, key=lambda layer: layer.name().lower())
 
 
+def drawn_layers(project: QgsProject) -> list[QgsRasterLayer]:
+    """Rasters that are no file of GDAL's, as map tiles are, in the order of their names."""
+    layers = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer)]
+    found = [layer for layer in layers if layer.isValid() and layer.providerType() != "gdal"]
+    return sorted(found, key=lambda layer: layer.name().lower())
+
+
 def project_databases(project: QgsProject) -> dict[str, str]:
     """Names of the reference databases whose layers the project has, by path: that of the group, else of the file."""
     found: dict[str, str] = {}

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Callable
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingUtils, QgsRasterLayer
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransformContext,
+    QgsProcessingUtils,
+    QgsRasterLayer,
+    QgsRectangle,
+)
 
 from ...core.errors import ImageError
 from ..exchange.layers import RasterLayer, image_layer
@@ -137,6 +143,44 @@ class PhotoSource:
         if right <= left or bottom <= top:
             raise ImageError("exchange.extent_outside_image", image=name)
         return left, top, right - left, bottom - top
+
+
+def draw_for_model(
+    layer: QgsRasterLayer,
+    extent: QgsRectangle,
+    crs: QgsCoordinateReferenceSystem,
+    model_path: str,
+    context: QgsCoordinateTransformContext,
+    canceled: Callable[[], bool],
+) -> str:
+    """Draws a piece of a layer as large as a network wants it; for a background thread.
+
+    Args:
+        layer: What ``rendering.drawable`` gave.
+        extent: The ground wanted.
+        crs: Of the extent.
+        model_path: The network.
+        context: How the project transforms coordinates.
+        canceled: Asked several times a second.
+
+    Returns:
+        The path of a GeoTIFF that lasts as long as QGIS runs.
+
+    Raises:
+        SemRefError: The model can't be read or does not say its resolution, or the layer can't be drawn.
+    """
+    from ...core.segmentation.model import SegmentationModel
+    from ..exchange.rendering import draw, plan_drawing
+
+    resolution_m = SegmentationModel(model_path, 1).settings.resolution_m
+    if resolution_m is None:
+        raise ImageError("exchange.resolution_unknown", layer=layer.name(), model=model_path)
+    drawing = plan_drawing(layer, extent, crs, resolution_m, context)
+    path = QgsProcessingUtils.generateTempFilename(f"{_stem(layer.name())}.tif")
+    for _ in draw(drawing, path, context, canceled):
+        if canceled():
+            break
+    return path
 
 
 def _stem(name: str) -> str:

@@ -59,6 +59,9 @@ SENTENCES = {
     "exchange.resolution_needed": (
         "“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION."
     ),
+    "exchange.resolution_unknown": (
+        "“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does."
+    ),
     "exchange.extent_not_drawn": "The extent for “{layer}” does not fit its CRS {crs}; choose another one.",
     "exchange.drawing_too_large": (
         "“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a "

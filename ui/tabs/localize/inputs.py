@@ -21,7 +21,7 @@ from qgis.PyQt.QtWidgets import (
 from ....core.localization import Method
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
-from ...layer_files import layer_file, raster_layers
+from ...layer_files import drawn_layers, layer_file, raster_layers
 from ...widgets.buttons import tool_button
 from ...widgets.layouts import narrow, row_of
 from .image_list import ImageList
@@ -34,11 +34,13 @@ _FOLDER_SETTING = "semref/dock/image_folder"
 class ImageBox(QgsCollapsibleGroupBox):
     """The images, and the buttons that add and remove them.
 
-    refused: names of layers that are not added because they are no file.
+    refused: names of layers that are not added because they are no file; drawAsked: the layer, such as map tiles, of
+    which the map's extent shall become an image.
     """
 
     changed = pyqtSignal()
     refused = pyqtSignal(list)
+    drawAsked = pyqtSignal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Images"), parent)
@@ -100,11 +102,22 @@ class ImageBox(QgsCollapsibleGroupBox):
             action = self.layers.addAction(QgsApplication.getThemeIcon("/mIconRaster.svg"), layer.name())
             # The file, not the layer, which may be removed while the menu is open.
             action.triggered.connect(partial(self._add_layer, layer_file(layer)))
+        for layer in drawn_layers(QgsProject.instance()):
+            action = self.layers.addAction(
+                QgsApplication.getThemeIcon("/mActionZoomToArea.svg"),
+                tr("{layer}: what the map shows").format(layer=layer.name()),
+            )
+            action.triggered.connect(partial(self._ask_to_draw, layer.id()))
         if self.layers.isEmpty():
-            self.layers.addAction(tr("The project has no raster layer of a file.")).setEnabled(False)
+            self.layers.addAction(tr("The project has no raster layer.")).setEnabled(False)
 
     def _add_layer(self, path: str, *_checked) -> None:
         self.list.add([path])
+
+    def _ask_to_draw(self, layer_id: str, *_checked) -> None:
+        layer = QgsProject.instance().mapLayer(layer_id)
+        if layer is not None:
+            self.drawAsked.emit(layer)
 
     def _add(self, paths: list[str]) -> None:
         if any(paths):

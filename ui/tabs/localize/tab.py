@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from qgis.core import QgsProject, QgsSettings
+from qgis.core import QgsProject, QgsRasterLayer, QgsSettings
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QProgressBar, QPushButton, QVBoxLayout, QWidget
@@ -23,6 +23,7 @@ from ...widgets.layouts import MARGIN_PX
 from ...widgets.messages import Messages
 from ...widgets.status_line import StatusLine
 from .inputs import ImageBox, MethodRow
+from .map_image import MapImage
 from .prior_row import PriorRow
 from .results import ResultsBox
 from .shown_hit import ShownHit
@@ -46,6 +47,7 @@ class LocalizeTab(QWidget):
         self._results_file = self._model_used = ""
         self.run = LocalizationRun(self)
         self.images = ImageBox()
+        self.map_image = MapImage(canvas, self)
         self.method = MethodRow()
         self.prior = PriorRow(canvas)
         self.localize_button = QPushButton()
@@ -68,6 +70,12 @@ class LocalizeTab(QWidget):
         self._database.changed.connect(self._show_idle)
         self.images.changed.connect(self._show_idle)
         self.images.refused.connect(self._refuse_layers)
+        self.images.drawAsked.connect(self._draw)
+        self.map_image.made.connect(self._add_drawn)
+        self.map_image.failed.connect(self._messages.error)
+        self.map_image.broke.connect(self._messages.bug)
+        for ended in (self.map_image.failed, self.map_image.broke):
+            ended.connect(self._show_idle)
         self.localize_button.clicked.connect(self._localize_or_cancel)
         self.results.keepAsked.connect(self._keep_results)
         self.results.saveAsked.connect(self._save_results)
@@ -85,6 +93,7 @@ class LocalizeTab(QWidget):
     def shut_down(self) -> None:
         """Cancels what runs and clears the canvas."""
         self.run.abandon()
+        self.map_image.shut_down()
         self.hit.shut_down()
         self.prior.shut_down()
         self._layers = ResultLayers()
@@ -215,6 +224,16 @@ class LocalizeTab(QWidget):
     def _show_copied(self, text: str) -> None:
         self.state.show_text(tr("Copied: {command}").format(command=text))
 
+    def _draw(self, layer: QgsRasterLayer) -> None:
+        self.state.show_text(tr("Drawing “{layer}” as the map shows it…").format(layer=layer.name()))
+        self.map_image.draw(layer, self.images.model_path())
+
+    def _add_drawn(self, path: str) -> None:
+        self.images.list.add([path])
+        self._messages.info(tr("What the map shows is an image of the list now; it lasts until QGIS is closed."))
+
     def _refuse_layers(self, names: list[str]) -> None:
-        sentence = tr("{layers}: not added, because a layer has to be one file of an image.")
+        sentence = tr(
+            "{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it."
+        )
         self._messages.warning(sentence.format(layers=", ".join(names)))
