@@ -88,6 +88,10 @@
    <translation>Ein Punkt je Versuch und Verfahren an der wahren Position, mit dem, was gefunden wurde, und wie weit es daneben liegt.</translation>
   </message>
   <message>
+   <source>A raster or a map of tiles, of which the extent is localized as if it were an image, at the model’s resolution (label colors: at the database’s): would this place be found?</source>
+   <translation>Ein Raster oder eine Kachelkarte, deren Ausschnitt lokalisiert wird, als wäre er ein Bild, in der Auflösung des Modells (Klassenfarben: in der der Datenbank): Würde dieser Ort gefunden?</translation>
+  </message>
+  <message>
    <source>A segmentation network with its classes in its metadata; models made for Deepness will do.</source>
    <translation>Ein Segmentierungsnetz mit seinen Klassen in den Metadaten; für Deepness gemachte Modelle passen.</translation>
   </message>
@@ -220,8 +224,8 @@
    <translation>Eine andere Zahl gibt andere Versuche, dieselbe Zahl dieselben.</translation>
   </message>
   <message>
-   <source>Any raster with or without georeference. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
-   <translation>Ein beliebiges Raster mit oder ohne Georeferenz. Rot, Grün und Blau ergeben sich aus der Farbinterpretation oder der Wellenlänge, sonst sind es die ersten drei Kanäle; ein einzelner Kanal gilt als Grau. Kanäle mit mehr als 8 Bit werden vom 2. bis zum 98. Perzentil gestreckt.</translation>
+   <source>Any raster with or without georeference, or any map of tiles. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
+   <translation>Beliebiges Raster mit oder ohne Georeferenz oder eine beliebige Kachelkarte. Rot, Grün und Blau werden an Farbinterpretation oder Wellenlänge erkannt, sonst sind es die ersten drei Kanäle; ein einzelner Kanal gilt als grau. Kanäle mit mehr als 8 Bit werden vom 2. bis zum 98. Perzentil gestreckt.</translation>
   </message>
   <message>
    <source>Approximate heading (°)</source>
@@ -426,6 +430,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Choose a layer of issues or disagreements</source>
    <translation>Einen Layer mit Befunden oder Abweichungen wählen</translation>
+  </message>
+  <message>
+   <source>Choose a model first: it says how large the pixels of the map shall be.</source>
+   <translation>Wählen Sie zuerst ein Modell: Es sagt, wie groß die Pixel der Karte sein sollen.</translation>
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -652,8 +660,24 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Suchgebiet zeichnen</translation>
   </message>
   <message>
+   <source>Drawing the layer</source>
+   <translation>Layer wird gezeichnet</translation>
+  </message>
+  <message>
+   <source>Drawing “{layer}” as the map shows it…</source>
+   <translation>„{layer}“ wird gezeichnet, wie die Karte es zeigt …</translation>
+  </message>
+  <message>
+   <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Whether its images may be used so is for the terms of whoever offers it to say.</source>
+   <translation>„{layer}“ wird mit {width} × {height} Pixeln von {resolution:g} cm gezeichnet. Ob seine Bilder so genutzt werden dürfen, sagen die Bedingungen des Anbieters.</translation>
+  </message>
+  <message>
    <source>Draws the vector of the image selected in the results over the window’s</source>
    <translation>Zeichnet den Vektor des in den Ergebnissen ausgewählten Bildes über den des Fensters</translation>
+  </message>
+  <message>
+   <source>EXTENT does not touch “{image}”; choose a part of it.</source>
+   <translation>EXTENT berührt „{image}“ nicht; wählen Sie einen Teil davon.</translation>
   </message>
   <message>
    <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
@@ -734,6 +758,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Extent</source>
    <translation>Ausdehnung</translation>
+  </message>
+  <message>
+   <source>Extent of the layer to try</source>
+   <translation>Ausschnitt des Layers zum Ausprobieren</translation>
   </message>
   <message>
    <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
@@ -1048,8 +1076,8 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Wie viele der Landmarken, die der Mitte am nächsten liegen, ein Vektor enthält.</translation>
   </message>
   <message>
-   <source>IMAGES is empty; choose at least one image or a folder with images.</source>
-   <translation>IMAGES ist leer; mindestens ein Bild oder einen Ordner mit Bildern wählen.</translation>
+   <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
+   <translation>IMAGES ist leer; wählen Sie mindestens ein Bild, einen Ordner mit Bildern oder einen LAYER.</translation>
   </message>
   <message>
    <source>INPUT is not a vector layer that can be read; choose a polygon layer.</source>
@@ -1262,6 +1290,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Lay image on map</source>
    <translation>Auf Karte legen</translation>
+  </message>
+  <message>
+   <source>Layer to try</source>
+   <translation>Layer zum Ausprobieren</translation>
   </message>
   <message>
    <source>Laying an image on the map</source>
@@ -1512,6 +1544,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Nächster Doppelgänger im Abstand {value:.3f}</translation>
   </message>
   <message>
+   <source>Needed for maps of tiles, else all of the layer.</source>
+   <translation>Für Kachelkarten nötig, sonst der ganze Layer.</translation>
+  </message>
+  <message>
    <source>Next image (Alt+Down)</source>
    <translation>Nächstes Bild (Alt+Ab)</translation>
   </message>
@@ -1598,6 +1634,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
    <translation>Von {name} (Objekt {id}) ist nichts zu sehen: Objekt {other} liegt darüber.</translation>
+  </message>
+  <message>
+   <source>Nothing of “{layer}” shows in the extent: there is no ground of it, or its server does not answer.</source>
+   <translation>Von „{layer}“ ist im Ausschnitt nichts zu sehen: Dort gibt es nichts davon, oder der Server antwortet nicht.</translation>
   </message>
   <message>
    <source>Nothing was found.</source>
@@ -2500,6 +2540,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Kantenlänge eines Quadrats ist {size:g}; sie in Karteneinheiten angeben.</translation>
   </message>
   <message>
+   <source>The extent for “{layer}” does not fit its CRS {crs}; choose another one.</source>
+   <translation>Der Ausschnitt für „{layer}“ passt nicht zu seinem KBS {crs}; wählen Sie einen anderen.</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>Die Datei kann Länge und Breite nicht angeben: Die Karte ist dafür zu groß, oder ein Pol liegt darin.</translation>
   </message>
@@ -2752,6 +2796,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Dem Zertifikat des Paketindex wird nicht vertraut; fragen Sie Ihre Netzverwaltung, wie pip hier eingerichtet wird, oder installieren Sie aus einem Ordner mit Wheels.</translation>
   </message>
   <message>
+   <source>The part of the image that is wanted; needed for maps of tiles, else all of the image.</source>
+   <translation>Der gewünschte Teil des Bildes; für Kachelkarten nötig, sonst das ganze Bild.</translation>
+  </message>
+  <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
    <translation>Die Pixelgröße ist {pixel_size:g} m; sie muss größer als 0 sein.</translation>
   </message>
@@ -2776,8 +2824,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Prioritätsfeld „{priority_field}“ enthält keine Zahlen; eines mit Zahlen wählen.</translation>
   </message>
   <message>
-   <source>The project has no raster layer of a file.</source>
-   <translation>Das Projekt hat keinen Rasterlayer aus einer Datei.</translation>
+   <source>The project has no raster layer.</source>
+   <translation>Das Projekt hat keinen Rasterlayer.</translation>
   </message>
   <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
@@ -2958,10 +3006,14 @@ Der Bericht vergleicht die Verfahren, mit den beiden Tabellen von He &amp; Wu 20
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
 
-The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.</source>
+The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.
+
+Map tiles and web maps are drawn by QGIS at the model’s resolution in the extent that is given.</source>
    <translation>Macht aus einem Foto oder Orthofoto mit einem Segmentierungsnetz (ONNX) eine Klassenkarte.
 
-Das Bild wird, wo beide bekannt sind, auf die Auflösung des Modells gebracht und in überlappenden Kacheln betrachtet, sodass keine Nähte zu sehen sind. Die Klassenkarte liegt, wo das Bild liegt, und hat die Klassen des Modells.</translation>
+Das Bild wird in die Auflösung des Modells gebracht, wo beide bekannt sind, und in überlappenden Kacheln betrachtet, damit keine Nähte zu sehen sind. Die Klassenkarte liegt, wo das Bild liegt, und hat die Klassen des Modells.
+
+Kachel- und Webkarten zeichnet QGIS in der Auflösung des Modells im angegebenen Ausschnitt.</translation>
   </message>
   <message>
    <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
@@ -3058,6 +3110,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>What the confidence is worth</source>
    <translation>Was die Konfidenz wert ist</translation>
+  </message>
+  <message>
+   <source>What the map shows is an image of the list now; it lasts until QGIS is closed.</source>
+   <translation>Was die Karte zeigt, ist jetzt ein Bild der Liste; es bleibt, bis QGIS geschlossen wird.</translation>
   </message>
   <message>
    <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
@@ -3804,12 +3860,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{lacking} Fenster ({share:.0%}) zeigen weniger als drei Landmarken und haben keinen Vektor.</translation>
   </message>
   <message>
-   <source>{layers}: not added, because a layer has to be one file of an image.</source>
-   <translation>{layers}: nicht hinzugefügt, weil ein Layer eine einzelne Bilddatei sein muss.</translation>
+   <source>{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it.</source>
+   <translation>{layers}: nicht hinzugefügt, weil es keine Bilddatei ist. Die Layer-Schaltfläche fügt hinzu, was die Karte davon zeigt.</translation>
   </message>
   <message>
    <source>{layer} has places that are no numbers; remove the features that have them.</source>
    <translation>{layer} hat Koordinaten, die keine Zahlen sind; entfernen Sie die Objekte, die solche haben.</translation>
+  </message>
+  <message>
+   <source>{layer}: what the map shows</source>
+   <translation>{layer}: was die Karte zeigt</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -4460,12 +4520,36 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{written} von {images} Bildern sind georeferenziert.</translation>
   </message>
   <message>
+   <source>“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.</source>
+   <translation>„{image}“ hat keine oder eine gedrehte Georeferenz, sodass EXTENT darauf nicht zu finden ist; lassen Sie EXTENT weg.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION.</source>
+   <translation>„{layer}“ lässt sich in jeder Auflösung zeichnen, und das Modell nennt seine nicht; geben Sie RESOLUTION an.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
+   <translation>„{layer}“ lässt sich in jeder Auflösung zeichnen, und {model} nennt seine nicht; wählen Sie ein Modell, das sie nennt.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can’t be drawn: {reason}.</source>
+   <translation>„{layer}“ kann nicht gezeichnet werden: {reason}.</translation>
+  </message>
+  <message>
    <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>
    <translation>„{layer}“ kommt von {provider}; zuerst als GeoTIFF speichern.</translation>
   </message>
   <message>
+   <source>“{layer}” has no edges of its own to go by; give EXTENT, the ground that is wanted of it.</source>
+   <translation>„{layer}“ hat keine eigenen Grenzen; geben Sie mit EXTENT an, welcher Teil davon gewünscht ist.</translation>
+  </message>
+  <message>
    <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
    <translation>„{layer}“ enthält Geometrien vom Typ {kind}; ein Annotationslayer enthält Polygone.</translation>
+  </message>
+  <message>
+   <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
+   <translation>„{layer}“ würde mit {width} × {height} Pixeln gezeichnet, das sind mehr als {most_million} Millionen; wählen Sie einen kleineren EXTENT, oder holen Sie das Bild als Datei vom Anbieter.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

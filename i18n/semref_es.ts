@@ -88,6 +88,10 @@
    <translation>Un punto por cada ensayo y método en la posición verdadera, con lo que se encontró y a qué distancia está.</translation>
   </message>
   <message>
+   <source>A raster or a map of tiles, of which the extent is localized as if it were an image, at the model’s resolution (label colors: at the database’s): would this place be found?</source>
+   <translation>Un ráster o un mapa de teselas cuya extensión se localiza como si fuera una imagen, con la resolución del modelo (colores de clases: con la de la base de datos): ¿se encontraría este lugar?</translation>
+  </message>
+  <message>
    <source>A segmentation network with its classes in its metadata; models made for Deepness will do.</source>
    <translation>Una red de segmentación con sus clases en los metadatos; los modelos hechos para Deepness sirven.</translation>
   </message>
@@ -220,8 +224,8 @@
    <translation>Otro número da otros ensayos; el mismo número, los mismos.</translation>
   </message>
   <message>
-   <source>Any raster with or without georeference. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
-   <translation>Cualquier ráster, con o sin georreferencia. El rojo, el verde y el azul se encuentran por la interpretación de color o la longitud de onda; si no, son las tres primeras bandas; una banda única se toma como gris. Las bandas de más de 8 bits se estiran de su percentil 2 a su percentil 98.</translation>
+   <source>Any raster with or without georeference, or any map of tiles. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
+   <translation>Cualquier ráster con o sin georreferencia, o cualquier mapa de teselas. Rojo, verde y azul se reconocen por la interpretación de color o la longitud de onda; si no, son las tres primeras bandas; una sola banda se toma como gris. Las bandas de más de 8 bits se estiran del percentil 2 al 98.</translation>
   </message>
   <message>
    <source>Approximate heading (°)</source>
@@ -426,6 +430,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Choose a layer of issues or disagreements</source>
    <translation>Elegir una capa de hallazgos o discrepancias</translation>
+  </message>
+  <message>
+   <source>Choose a model first: it says how large the pixels of the map shall be.</source>
+   <translation>Elija primero un modelo: indica el tamaño que deben tener los píxeles del mapa.</translation>
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -652,8 +660,24 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Dibujar dónde buscar</translation>
   </message>
   <message>
+   <source>Drawing the layer</source>
+   <translation>Dibujando la capa</translation>
+  </message>
+  <message>
+   <source>Drawing “{layer}” as the map shows it…</source>
+   <translation>Dibujando «{layer}» tal como lo muestra el mapa…</translation>
+  </message>
+  <message>
+   <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Whether its images may be used so is for the terms of whoever offers it to say.</source>
+   <translation>Dibujando «{layer}» con {width} × {height} píxeles de {resolution:g} cm. Si sus imágenes pueden usarse así lo dicen las condiciones de quien las ofrece.</translation>
+  </message>
+  <message>
    <source>Draws the vector of the image selected in the results over the window’s</source>
    <translation>Dibuja el vector de la imagen seleccionada en los resultados sobre el de la ventana</translation>
+  </message>
+  <message>
+   <source>EXTENT does not touch “{image}”; choose a part of it.</source>
+   <translation>EXTENT no toca «{image}»; elija una parte de ella.</translation>
   </message>
   <message>
    <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
@@ -734,6 +758,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Extent</source>
    <translation>Extensión</translation>
+  </message>
+  <message>
+   <source>Extent of the layer to try</source>
+   <translation>Extensión de la capa de prueba</translation>
   </message>
   <message>
    <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
@@ -1048,8 +1076,8 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Cuántos de los hitos más cercanos al centro contiene un vector.</translation>
   </message>
   <message>
-   <source>IMAGES is empty; choose at least one image or a folder with images.</source>
-   <translation>IMAGES está vacío; elija al menos una imagen o una carpeta con imágenes.</translation>
+   <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
+   <translation>IMAGES está vacío; elija al menos una imagen, una carpeta con imágenes o una LAYER.</translation>
   </message>
   <message>
    <source>INPUT is not a vector layer that can be read; choose a polygon layer.</source>
@@ -1262,6 +1290,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Lay image on map</source>
    <translation>Poner en el mapa</translation>
+  </message>
+  <message>
+   <source>Layer to try</source>
+   <translation>Capa de prueba</translation>
   </message>
   <message>
    <source>Laying an image on the map</source>
@@ -1512,6 +1544,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>La ventana más parecida está a la distancia {value:.3f}</translation>
   </message>
   <message>
+   <source>Needed for maps of tiles, else all of the layer.</source>
+   <translation>Necesaria para mapas de teselas; si no, toda la capa.</translation>
+  </message>
+  <message>
    <source>Next image (Alt+Down)</source>
    <translation>Imagen siguiente (Alt+Abajo)</translation>
   </message>
@@ -1598,6 +1634,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
    <translation>No se ve nada de {name} (objeto espacial {id}): el objeto espacial {other} está encima.</translation>
+  </message>
+  <message>
+   <source>Nothing of “{layer}” shows in the extent: there is no ground of it, or its server does not answer.</source>
+   <translation>De «{layer}» no se ve nada en la extensión: allí no hay nada o su servidor no responde.</translation>
   </message>
   <message>
    <source>Nothing was found.</source>
@@ -2500,6 +2540,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El lado de un cuadrado es {size:g}; indíquelo en unidades del mapa.</translation>
   </message>
   <message>
+   <source>The extent for “{layer}” does not fit its CRS {crs}; choose another one.</source>
+   <translation>La extensión para «{layer}» no se ajusta a su SRC {crs}; elija otra.</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>El archivo no puede dar longitud ni latitud: el mapa es demasiado grande para ello o contiene un polo.</translation>
   </message>
@@ -2752,6 +2796,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El certificado del índice de paquetes no es de confianza; pregunte a quien administra su red cómo se configura pip aquí, o instale desde una carpeta de wheels.</translation>
   </message>
   <message>
+   <source>The part of the image that is wanted; needed for maps of tiles, else all of the image.</source>
+   <translation>La parte de la imagen que se desea; necesaria para mapas de teselas; si no, toda la imagen.</translation>
+  </message>
+  <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
    <translation>El tamaño de píxel es de {pixel_size:g} m; debe ser mayor que 0.</translation>
   </message>
@@ -2776,8 +2824,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El campo de prioridad «{priority_field}» no contiene números; elija uno que los contenga.</translation>
   </message>
   <message>
-   <source>The project has no raster layer of a file.</source>
-   <translation>El proyecto no tiene ninguna capa ráster de un archivo.</translation>
+   <source>The project has no raster layer.</source>
+   <translation>El proyecto no tiene ninguna capa ráster.</translation>
   </message>
   <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
@@ -2958,10 +3006,14 @@ El informe compara los métodos, con las dos tablas de He &amp; Wu 2025, el acie
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
 
-The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.</source>
+The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.
+
+Map tiles and web maps are drawn by QGIS at the model’s resolution in the extent that is given.</source>
    <translation>Convierte una foto o una ortofoto en un mapa de etiquetas con una red de segmentación (ONNX).
 
-La imagen se lleva a la resolución del modelo cuando ambas se conocen y se examina en teselas que se solapan, para que no se vean costuras. El mapa de etiquetas está donde está la imagen y tiene las clases del modelo.</translation>
+La imagen se lleva a la resolución del modelo cuando se conocen ambas y se mira en teselas que se solapan, para que no se vean costuras. El mapa de etiquetas queda donde está la imagen y tiene las clases del modelo.
+
+Los mapas de teselas y mapas web los dibuja QGIS con la resolución del modelo en la extensión indicada.</translation>
   </message>
   <message>
    <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
@@ -3058,6 +3110,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>What the confidence is worth</source>
    <translation>Lo que vale la confianza</translation>
+  </message>
+  <message>
+   <source>What the map shows is an image of the list now; it lasts until QGIS is closed.</source>
+   <translation>Lo que muestra el mapa es ahora una imagen de la lista; dura hasta que se cierre QGIS.</translation>
   </message>
   <message>
    <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
@@ -3804,12 +3860,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{lacking} ventanas ({share:.0%}) muestran menos de tres hitos y no tienen vector.</translation>
   </message>
   <message>
-   <source>{layers}: not added, because a layer has to be one file of an image.</source>
-   <translation>{layers}: no añadido, porque una capa debe ser un único archivo de imagen.</translation>
+   <source>{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it.</source>
+   <translation>{layers}: no se añade, porque no es un archivo de imagen. El botón de capas añade lo que el mapa muestra de ella.</translation>
   </message>
   <message>
    <source>{layer} has places that are no numbers; remove the features that have them.</source>
    <translation>{layer} tiene coordenadas que no son números; elimine los objetos que las tengan.</translation>
+  </message>
+  <message>
+   <source>{layer}: what the map shows</source>
+   <translation>{layer}: lo que muestra el mapa</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -4460,12 +4520,36 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{written} de {images} imágenes están georreferenciadas.</translation>
   </message>
   <message>
+   <source>“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.</source>
+   <translation>«{image}» no tiene georreferencia, o está girada, así que EXTENT no puede hallarse en ella; omita EXTENT.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION.</source>
+   <translation>«{layer}» puede dibujarse con cualquier resolución y el modelo no indica la suya; dé RESOLUTION.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
+   <translation>«{layer}» puede dibujarse con cualquier resolución y {model} no indica la suya; elija un modelo que la indique.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can’t be drawn: {reason}.</source>
+   <translation>«{layer}» no se puede dibujar: {reason}.</translation>
+  </message>
+  <message>
    <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>
    <translation>«{layer}» viene de {provider}; guárdela antes como GeoTIFF.</translation>
   </message>
   <message>
+   <source>“{layer}” has no edges of its own to go by; give EXTENT, the ground that is wanted of it.</source>
+   <translation>«{layer}» no tiene límites propios; indique en EXTENT qué terreno se desea.</translation>
+  </message>
+  <message>
    <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
    <translation>«{layer}» contiene geometrías {kind}; una capa de anotación contiene polígonos.</translation>
+  </message>
+  <message>
+   <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
+   <translation>«{layer}» se dibujaría con {width} × {height} píxeles, más de {most_million} millones; elija un EXTENT menor u obtenga la imagen como archivo de quien la ofrece.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

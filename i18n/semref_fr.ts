@@ -88,6 +88,10 @@
    <translation>Un point pour chaque essai et chaque méthode à la vraie position, avec ce qui a été trouvé et à quelle distance.</translation>
   </message>
   <message>
+   <source>A raster or a map of tiles, of which the extent is localized as if it were an image, at the model’s resolution (label colors: at the database’s): would this place be found?</source>
+   <translation>Un raster ou une carte tuilée dont l’emprise est localisée comme si c’était une image, à la résolution du modèle (couleurs de classes : à celle de la base) : ce lieu serait-il trouvé ?</translation>
+  </message>
+  <message>
    <source>A segmentation network with its classes in its metadata; models made for Deepness will do.</source>
    <translation>Un réseau de segmentation avec ses classes dans ses métadonnées ; les modèles faits pour Deepness conviennent.</translation>
   </message>
@@ -220,8 +224,8 @@
    <translation>Un autre nombre donne d’autres essais, le même nombre les mêmes.</translation>
   </message>
   <message>
-   <source>Any raster with or without georeference. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
-   <translation>Un raster quelconque, avec ou sans géoréférence. Le rouge, le vert et le bleu sont trouvés par l’interprétation des couleurs ou la longueur d’onde, sinon ce sont les trois premières bandes ; une bande unique est prise comme niveaux de gris. Les bandes de plus de 8 bits sont étirées de leur 2e à leur 98e centile.</translation>
+   <source>Any raster with or without georeference, or any map of tiles. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
+   <translation>N’importe quel raster avec ou sans géoréférence, ou n’importe quelle carte tuilée. Le rouge, le vert et le bleu sont reconnus par l’interprétation des couleurs ou la longueur d’onde, sinon ce sont les trois premières bandes ; une bande unique est prise comme gris. Les bandes de plus de 8 bits sont étirées du 2e au 98e centile.</translation>
   </message>
   <message>
    <source>Approximate heading (°)</source>
@@ -426,6 +430,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Choose a layer of issues or disagreements</source>
    <translation>Choisir une couche de constats ou de divergences</translation>
+  </message>
+  <message>
+   <source>Choose a model first: it says how large the pixels of the map shall be.</source>
+   <translation>Choisissez d’abord un modèle : il dit quelle taille doivent avoir les pixels de la carte.</translation>
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -652,8 +660,24 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Dessiner la zone de recherche</translation>
   </message>
   <message>
+   <source>Drawing the layer</source>
+   <translation>Dessin de la couche</translation>
+  </message>
+  <message>
+   <source>Drawing “{layer}” as the map shows it…</source>
+   <translation>Dessin de « {layer} » comme la carte le montre…</translation>
+  </message>
+  <message>
+   <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Whether its images may be used so is for the terms of whoever offers it to say.</source>
+   <translation>Dessin de « {layer} » avec {width} × {height} pixels de {resolution:g} cm. Ce sont les conditions de son fournisseur qui disent si ses images peuvent servir à cela.</translation>
+  </message>
+  <message>
    <source>Draws the vector of the image selected in the results over the window’s</source>
    <translation>Dessine le vecteur de l’image sélectionnée dans les résultats par-dessus celui de la fenêtre</translation>
+  </message>
+  <message>
+   <source>EXTENT does not touch “{image}”; choose a part of it.</source>
+   <translation>EXTENT ne touche pas « {image} » ; choisissez-en une partie.</translation>
   </message>
   <message>
    <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
@@ -734,6 +758,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Extent</source>
    <translation>Emprise</translation>
+  </message>
+  <message>
+   <source>Extent of the layer to try</source>
+   <translation>Emprise de la couche à essayer</translation>
   </message>
   <message>
    <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
@@ -1048,8 +1076,8 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Combien des repères visuels les plus proches du centre un vecteur contient.</translation>
   </message>
   <message>
-   <source>IMAGES is empty; choose at least one image or a folder with images.</source>
-   <translation>IMAGES est vide ; choisissez au moins une image ou un dossier d’images.</translation>
+   <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
+   <translation>IMAGES est vide ; choisissez au moins une image, un dossier d’images ou une LAYER.</translation>
   </message>
   <message>
    <source>INPUT is not a vector layer that can be read; choose a polygon layer.</source>
@@ -1262,6 +1290,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Lay image on map</source>
    <translation>Poser sur la carte</translation>
+  </message>
+  <message>
+   <source>Layer to try</source>
+   <translation>Couche à essayer</translation>
   </message>
   <message>
    <source>Laying an image on the map</source>
@@ -1512,6 +1544,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Sosie le plus proche à la distance {value:.3f}</translation>
   </message>
   <message>
+   <source>Needed for maps of tiles, else all of the layer.</source>
+   <translation>Nécessaire pour les cartes tuilées, sinon toute la couche.</translation>
+  </message>
+  <message>
    <source>Next image (Alt+Down)</source>
    <translation>Image suivante (Alt+Bas)</translation>
   </message>
@@ -1598,6 +1634,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
    <translation>Rien n’est visible de {name} (entité {id}) : l’entité {other} est au-dessus.</translation>
+  </message>
+  <message>
+   <source>Nothing of “{layer}” shows in the extent: there is no ground of it, or its server does not answer.</source>
+   <translation>Rien de « {layer} » n’apparaît dans l’emprise : il n’y a rien à cet endroit, ou son serveur ne répond pas.</translation>
   </message>
   <message>
    <source>Nothing was found.</source>
@@ -2500,6 +2540,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le côté d’un carré est de {size:g} ; donnez-le en unités de carte.</translation>
   </message>
   <message>
+   <source>The extent for “{layer}” does not fit its CRS {crs}; choose another one.</source>
+   <translation>L’emprise pour « {layer} » ne convient pas à son SCR {crs} ; choisissez-en une autre.</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>Le fichier ne peut donner ni longitude ni latitude : la carte est trop grande pour cela, ou contient un pôle.</translation>
   </message>
@@ -2752,6 +2796,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le certificat de l’index des paquets n’est pas reconnu ; demandez à l’administrateur de votre réseau comment pip se configure ici, ou installez depuis un dossier de wheels.</translation>
   </message>
   <message>
+   <source>The part of the image that is wanted; needed for maps of tiles, else all of the image.</source>
+   <translation>La partie voulue de l’image ; nécessaire pour les cartes tuilées, sinon toute l’image.</translation>
+  </message>
+  <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
    <translation>La taille de pixel est de {pixel_size:g} m ; elle doit être supérieure à 0.</translation>
   </message>
@@ -2776,8 +2824,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le champ de priorité « {priority_field} » ne contient pas de nombres ; choisissez-en un qui en contient.</translation>
   </message>
   <message>
-   <source>The project has no raster layer of a file.</source>
-   <translation>Le projet n’a aucune couche raster issue d’un fichier.</translation>
+   <source>The project has no raster layer.</source>
+   <translation>Le projet n’a pas de couche raster.</translation>
   </message>
   <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
@@ -2958,10 +3006,14 @@ Le rapport compare les méthodes, avec les deux tableaux de He &amp; Wu 2025, la
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
 
-The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.</source>
+The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.
+
+Map tiles and web maps are drawn by QGIS at the model’s resolution in the extent that is given.</source>
    <translation>Transforme une photo ou une orthophoto en carte d’étiquettes avec un réseau de segmentation (ONNX).
 
-L’image est ramenée à la résolution du modèle si les deux sont connues et examinée par tuiles qui se chevauchent, pour qu’aucun raccord ne se voie. La carte d’étiquettes se trouve là où se trouve l’image et a les classes du modèle.</translation>
+L’image est ramenée à la résolution du modèle quand les deux sont connues et regardée par tuiles qui se recouvrent, pour qu’aucune couture n’apparaisse. La carte d’étiquettes se place là où se trouve l’image et a les classes du modèle.
+
+Les cartes tuilées et les cartes web sont dessinées par QGIS à la résolution du modèle dans l’emprise donnée.</translation>
   </message>
   <message>
    <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
@@ -3058,6 +3110,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>What the confidence is worth</source>
    <translation>Ce que vaut la confiance</translation>
+  </message>
+  <message>
+   <source>What the map shows is an image of the list now; it lasts until QGIS is closed.</source>
+   <translation>Ce que la carte montre est maintenant une image de la liste ; elle dure jusqu’à la fermeture de QGIS.</translation>
   </message>
   <message>
    <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
@@ -3804,12 +3860,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{lacking} fenêtres ({share:.0%}) montrent moins de trois repères visuels et n’ont pas de vecteur.</translation>
   </message>
   <message>
-   <source>{layers}: not added, because a layer has to be one file of an image.</source>
-   <translation>{layers} : non ajouté, car une couche doit être un seul fichier d’image.</translation>
+   <source>{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it.</source>
+   <translation>{layers} : non ajoutée, car ce n’est pas un fichier image. Le bouton des couches ajoute ce que la carte en montre.</translation>
   </message>
   <message>
    <source>{layer} has places that are no numbers; remove the features that have them.</source>
    <translation>{layer} a des coordonnées qui ne sont pas des nombres ; supprimez les entités qui en ont.</translation>
+  </message>
+  <message>
+   <source>{layer}: what the map shows</source>
+   <translation>{layer} : ce que montre la carte</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -4460,12 +4520,36 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{written} images sur {images} sont géoréférencées.</translation>
   </message>
   <message>
+   <source>“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.</source>
+   <translation>« {image} » n’a pas de géoréférence, ou elle est tournée, si bien qu’EXTENT ne peut y être trouvé ; omettez EXTENT.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION.</source>
+   <translation>« {layer} » peut être dessinée à toute résolution, et le modèle ne dit pas la sienne ; donnez RESOLUTION.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
+   <translation>« {layer} » peut être dessinée à toute résolution, et {model} ne dit pas la sienne ; choisissez un modèle qui la dit.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can’t be drawn: {reason}.</source>
+   <translation>« {layer} » ne peut pas être dessinée : {reason}.</translation>
+  </message>
+  <message>
    <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>
    <translation>« {layer} » vient de {provider} ; enregistrez-la d’abord en GeoTIFF.</translation>
   </message>
   <message>
+   <source>“{layer}” has no edges of its own to go by; give EXTENT, the ground that is wanted of it.</source>
+   <translation>« {layer} » n’a pas de limites propres ; donnez dans EXTENT le terrain voulu.</translation>
+  </message>
+  <message>
    <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
    <translation>« {layer} » contient des géométries {kind} ; une couche d’annotation contient des polygones.</translation>
+  </message>
+  <message>
+   <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
+   <translation>« {layer} » serait dessinée avec {width} × {height} pixels, soit plus de {most_million} millions ; choisissez un EXTENT plus petit, ou obtenez l’image en fichier auprès de son fournisseur.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

@@ -88,6 +88,10 @@
    <translation>每次试验和每种方法在真实位置上各有一个点，并给出找到的结果及其误差。</translation>
   </message>
   <message>
+   <source>A raster or a map of tiles, of which the extent is localized as if it were an image, at the model’s resolution (label colors: at the database’s): would this place be found?</source>
+   <translation>一个栅格或瓦片地图，其范围按一幅影像来定位，使用模型的分辨率（类别颜色图则用数据库的分辨率）：这个地方能被找到吗？</translation>
+  </message>
+  <message>
    <source>A segmentation network with its classes in its metadata; models made for Deepness will do.</source>
    <translation>元数据中带有类别的分割网络；为 Deepness 制作的模型也可使用。</translation>
   </message>
@@ -220,8 +224,8 @@
    <translation>数值不同则试验不同，数值相同则试验相同。</translation>
   </message>
   <message>
-   <source>Any raster with or without georeference. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
-   <translation>任意栅格，有无地理参照均可。红、绿、蓝波段按颜色解释或波长确定，否则取前三个波段；单波段视为灰度。超过 8 位的波段按第 2 至第 98 百分位数拉伸。</translation>
+   <source>Any raster with or without georeference, or any map of tiles. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
+   <translation>任何栅格（有无地理参考均可）或任何瓦片地图。红、绿、蓝按颜色解释或波长识别，否则取前三个波段；单波段视为灰度。超过 8 位的波段按第 2 至第 98 百分位拉伸。</translation>
   </message>
   <message>
    <source>Approximate heading (°)</source>
@@ -426,6 +430,10 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Choose a layer of issues or disagreements</source>
    <translation>选择问题图层或不一致图层</translation>
+  </message>
+  <message>
+   <source>Choose a model first: it says how large the pixels of the map shall be.</source>
+   <translation>请先选择模型：它决定地图像素的大小。</translation>
   </message>
   <message>
    <source>Choose a reference database</source>
@@ -652,8 +660,24 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>画出搜索范围</translation>
   </message>
   <message>
+   <source>Drawing the layer</source>
+   <translation>正在绘制图层</translation>
+  </message>
+  <message>
+   <source>Drawing “{layer}” as the map shows it…</source>
+   <translation>正在按地图显示绘制“{layer}”…</translation>
+  </message>
+  <message>
+   <source>Drawing “{layer}” with {width} × {height} pixels of {resolution:g} cm. Whether its images may be used so is for the terms of whoever offers it to say.</source>
+   <translation>正在以 {width} × {height} 个 {resolution:g} 厘米像素绘制“{layer}”。能否如此使用其影像，以提供者的条款为准。</translation>
+  </message>
+  <message>
    <source>Draws the vector of the image selected in the results over the window’s</source>
    <translation>将结果中所选影像的向量绘制在窗口的向量之上</translation>
+  </message>
+  <message>
+   <source>EXTENT does not touch “{image}”; choose a part of it.</source>
+   <translation>EXTENT 与“{image}”没有交集；请选择其中的一部分。</translation>
   </message>
   <message>
    <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
@@ -734,6 +758,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Extent</source>
    <translation>范围</translation>
+  </message>
+  <message>
+   <source>Extent of the layer to try</source>
+   <translation>要尝试的图层的范围</translation>
   </message>
   <message>
    <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
@@ -1048,8 +1076,8 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>向量包含离中心最近的多少个地标。</translation>
   </message>
   <message>
-   <source>IMAGES is empty; choose at least one image or a folder with images.</source>
-   <translation>IMAGES 为空；请至少选择一幅影像或一个包含影像的文件夹。</translation>
+   <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
+   <translation>IMAGES 为空；请至少选择一幅影像、一个影像文件夹或一个 LAYER。</translation>
   </message>
   <message>
    <source>INPUT is not a vector layer that can be read; choose a polygon layer.</source>
@@ -1262,6 +1290,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Lay image on map</source>
    <translation>将影像铺到地图上</translation>
+  </message>
+  <message>
+   <source>Layer to try</source>
+   <translation>要尝试的图层</translation>
   </message>
   <message>
    <source>Laying an image on the map</source>
@@ -1512,6 +1544,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>最近的相似窗口，距离 {value:.3f}</translation>
   </message>
   <message>
+   <source>Needed for maps of tiles, else all of the layer.</source>
+   <translation>瓦片地图必须给出，否则取整个图层。</translation>
+  </message>
+  <message>
    <source>Next image (Alt+Down)</source>
    <translation>下一幅影像 (Alt+Down)</translation>
   </message>
@@ -1598,6 +1634,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
    <translation>{name}（要素 {id}）完全不可见：要素 {other} 位于其上。</translation>
+  </message>
+  <message>
+   <source>Nothing of “{layer}” shows in the extent: there is no ground of it, or its server does not answer.</source>
+   <translation>范围内看不到“{layer}”的任何内容：那里没有数据，或其服务器没有响应。</translation>
   </message>
   <message>
    <source>Nothing was found.</source>
@@ -2500,6 +2540,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>方格边长为 {size:g}；请以地图单位给出。</translation>
   </message>
   <message>
+   <source>The extent for “{layer}” does not fit its CRS {crs}; choose another one.</source>
+   <translation>“{layer}”的范围与其坐标参考系 {crs} 不符；请另选。</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>该文件无法给出经纬度：地图过大，或包含极点。</translation>
   </message>
@@ -2752,6 +2796,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>软件包索引的证书不受信任；请向网络管理员询问此处 pip 的设置方法，或从 wheel 文件夹安装。</translation>
   </message>
   <message>
+   <source>The part of the image that is wanted; needed for maps of tiles, else all of the image.</source>
+   <translation>所需的影像部分；瓦片地图必须给出，否则取整幅影像。</translation>
+  </message>
+  <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>
    <translation>像元大小为 {pixel_size:g} m；必须大于 0。</translation>
   </message>
@@ -2776,8 +2824,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>优先级字段“{priority_field}”不是数字；请选择数字字段。</translation>
   </message>
   <message>
-   <source>The project has no raster layer of a file.</source>
-   <translation>工程中没有来自文件的栅格图层。</translation>
+   <source>The project has no raster layer.</source>
+   <translation>项目中没有栅格图层。</translation>
   </message>
   <message>
    <source>The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.</source>
@@ -2958,10 +3006,14 @@ The report compares the methods, with the two tables of He &amp; Wu 2025, succes
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
 
-The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.</source>
-   <translation>用分割网络（ONNX）将照片或正射影像转换为标签图。
+The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.
 
-若影像和模型的分辨率均已知，则将影像重采样到模型的分辨率，并以相互重叠的图块处理，使接缝不可见。标签图与影像位置相同，并采用模型的类别。</translation>
+Map tiles and web maps are drawn by QGIS at the model’s resolution in the extent that is given.</source>
+   <translation>用分割网络（ONNX）把照片或正射影像变成标签图。
+
+在两者分辨率都已知时，影像会变换到模型的分辨率，并以相互重叠的瓦片查看，不留接缝。标签图与影像位置相同，并具有模型的类别。
+
+瓦片地图和网络地图由 QGIS 在给定范围内以模型的分辨率绘制。</translation>
   </message>
   <message>
    <source>Turns an image that shows classes as colors into a label map, by the HSV ranges of the class table as published or by the nearest class color.
@@ -3058,6 +3110,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>What the confidence is worth</source>
    <translation>置信度的意义</translation>
+  </message>
+  <message>
+   <source>What the map shows is an image of the list now; it lasts until QGIS is closed.</source>
+   <translation>地图所显示的内容现已成为列表中的一幅影像；它保留到 QGIS 关闭为止。</translation>
   </message>
   <message>
    <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
@@ -3804,12 +3860,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{lacking} 个窗口（{share:.0%}）的地标少于三个，没有向量。</translation>
   </message>
   <message>
-   <source>{layers}: not added, because a layer has to be one file of an image.</source>
-   <translation>{layers}：未添加，因为图层必须是单个影像文件。</translation>
+   <source>{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it.</source>
+   <translation>{layers}：未添加，因为它不是影像文件。图层按钮可添加地图所显示的部分。</translation>
   </message>
   <message>
    <source>{layer} has places that are no numbers; remove the features that have them.</source>
    <translation>{layer} 含有不是数字的坐标；请删除这些要素。</translation>
+  </message>
+  <message>
+   <source>{layer}: what the map shows</source>
+   <translation>{layer}：地图所显示的内容</translation>
   </message>
   <message>
    <source>{layer}: {features} features</source>
@@ -4460,12 +4520,36 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{images} 幅影像中有 {written} 幅已地理配准。</translation>
   </message>
   <message>
+   <source>“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.</source>
+   <translation>“{image}”没有地理参考，或其参考是旋转的，因此无法在其上找到 EXTENT；请不要给出 EXTENT。</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION.</source>
+   <translation>“{layer}”可按任意分辨率绘制，而模型没有说明自己的分辨率；请给出 RESOLUTION。</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
+   <translation>“{layer}”可按任意分辨率绘制，而 {model} 没有说明自己的分辨率；请选择说明了分辨率的模型。</translation>
+  </message>
+  <message>
+   <source>“{layer}” can’t be drawn: {reason}.</source>
+   <translation>“{layer}”无法绘制：{reason}。</translation>
+  </message>
+  <message>
    <source>“{layer}” comes from {provider}; save it as GeoTIFF first.</source>
    <translation>“{layer}”来自 {provider}；请先保存为 GeoTIFF。</translation>
   </message>
   <message>
+   <source>“{layer}” has no edges of its own to go by; give EXTENT, the ground that is wanted of it.</source>
+   <translation>“{layer}”没有自身的边界；请用 EXTENT 给出所需的范围。</translation>
+  </message>
+  <message>
    <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
    <translation>“{layer}”包含 {kind} 几何图形；标注图层包含多边形。</translation>
+  </message>
+  <message>
+   <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
+   <translation>“{layer}”将绘制为 {width} × {height} 像素，超过 {most_million} 百万；请选择更小的 EXTENT，或向提供者获取影像文件。</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>
