@@ -15,7 +15,6 @@ from qgis.core import (
 )
 
 from ...core.errors import ImageError
-from ..exchange.layers import RasterLayer, image_layer
 from ..translation import tr
 from .base import follow_shares
 
@@ -24,6 +23,7 @@ if TYPE_CHECKING:
 
     from ...core.labels.image_source import ImageSource
     from ...storage.images import GdalImage
+    from ..exchange.layers import RasterLayer
     from .values import Values
 
 
@@ -48,6 +48,7 @@ class PhotoSource:
     """What ``key`` and ``extent_key`` name, taken out of layers in the thread that they live in. Raises ImageError."""
 
     def __init__(self, values: Values, key: str, extent_key: str) -> None:
+        from ..exchange.layers import image_layer
         from ..exchange.rendering import drawable, needs_drawing
 
         layer = values.raster(key)
