@@ -65,5 +65,9 @@ class ModelError(SemRefError):
     """A segmentation model is broken, says too little about itself, or doesn't fit what it is used for."""
 
 
+class TrainingError(SemRefError):
+    """A network can't be trained with what is given."""
+
+
 class ComponentError(SemRefError):
     """A Python package that SemRef needs can't be installed or removed."""

@@ -35,6 +35,7 @@ suite() {
 {
     suite tests/core env SEMREF_BLOCK_QGIS=1
     suite tests/tools env SEMREF_BLOCK_QGIS=1
+    suite tests/training env SEMREF_BLOCK_QGIS=1
 } >"$outcomes/output" 2>&1 &
 # .ci/run has something else to do for the other core.
 [ -z "${SEMREF_ONE_AT_A_TIME:-}" ] || wait

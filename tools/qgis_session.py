@@ -4,24 +4,14 @@ from __future__ import annotations
 
 import contextlib
 import gc
-import importlib.util
 import os
 import sys
 import tempfile
 from collections.abc import Iterator
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from plugin_package import ROOT, load_plugin_package
 
-
-def load_plugin_package() -> None:
-    """Makes this checkout, whatever its folder is called, importable as ``semref``."""
-    if "semref" not in sys.modules:
-        spec = importlib.util.spec_from_file_location(
-            "semref", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
-        )
-        sys.modules["semref"] = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(sys.modules["semref"])
+__all__ = ["ROOT", "load_plugin_package", "qgis_session"]
 
 
 @contextlib.contextmanager

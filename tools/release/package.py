@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED_FILES = ("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "__init__.py", "plugin.py")
-SHIPPED_FOLDERS = ("core", "storage", "processing", "ui", "resources", "models")
+SHIPPED_FOLDERS = ("core", "storage", "training", "processing", "ui", "resources", "models")
 DATA_SUFFIXES = (".onnx",)  # the demonstration model: data, no program; all else that ships is text
 MAXIMUM_BYTES = 25 * 1024 * 1024  # limit of plugins.qgis.org
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)  # the zip format's first day: same content, same zip

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Makes .venv-train beside the code, with what training a network needs (tools/training/requirements.txt).
+# Makes .venv-train beside the code, with what training a network needs (training/requirements.txt).
 # It is apart from .venv, because QGIS's numpy and torch's don't go together; nothing of it ships with the plugin.
 # PYTHON=/path/to/python3 bash tools/training/setup_training.sh takes another Python than the first on PATH.
 set -euo pipefail
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-requirements=$repository/tools/training/requirements.txt
+requirements=$repository/training/requirements.txt
 venv=$repository/.venv-train
 
 [ -x "$venv/bin/python" ] || "${PYTHON:-python3}" -m venv "$venv"

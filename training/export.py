@@ -10,8 +10,9 @@ import onnx
 import onnxruntime
 import torch
 
+from ..core.errors import TrainingError
 from .metrics import confusion_matrix
-from .tiles import ClassRow, TileReader, TrainingError
+from .tiles import ClassRow, TileReader
 
 OPSET, IR_VERSION = 17, 8  # what onnxruntime reads from 1.12 on
 LARGEST_DIFFERENCE = 1e-3  # of logits, between torch and onnxruntime
@@ -34,26 +35,10 @@ def write_onnx(network: torch.nn.Module, tile_size: int, target: Path) -> None:
     )
 
 
-def add_metadata(target: Path, classes: list[ClassRow], mean, deviation, tile_size: int, overlap: int, pixel_size):
-    """Metadata as the Deepness plugin names it, and the classes' values, colors and roles as SemRef does.
-
-    classes: one row an output channel. pixel_size: meters; None leaves the resolution out. overlap: percent.
-    """
+def add_metadata(target: Path, entries: dict) -> None:
+    """Writes metadata into the file; what is no text goes in as JSON."""
     model = onnx.load(target)
     model.ir_version = IR_VERSION
-    entries = {
-        "model_type": "Segmentor",
-        "class_names": {str(i): c.name for i, c in enumerate(classes)},
-        "class_values": {str(i): c.value for i, c in enumerate(classes)},
-        "class_colors": {str(i): c.color for i, c in enumerate(classes)},
-        "class_roles": {str(i): c.role for i, c in enumerate(classes)},
-        "tile_size": tile_size,
-        "tiles_overlap": overlap,
-        "standardization_mean": [round(float(m), 6) for m in mean],
-        "standardization_std": [round(float(d), 6) for d in deviation],
-    }
-    if pixel_size:
-        entries["resolution"] = round(100 * pixel_size, 3)
     for key, value in entries.items():
         entry = model.metadata_props.add()
         entry.key, entry.value = key, value if isinstance(value, str) else json.dumps(value)
@@ -72,7 +57,7 @@ def largest_difference(network: torch.nn.Module, target: Path, images: list[np.n
             expected = network(torch.from_numpy(batch)).numpy()
         largest = max(largest, float(np.abs(session.run(None, {"image": batch})[0] - expected).max()))
     if largest > LARGEST_DIFFERENCE:
-        raise TrainingError(f"{target} answers otherwise than the network it was made of, by {largest:.2g} in a logit.")
+        raise TrainingError("training.differs_from_torch", path=target, difference=largest)
     return largest
 
 

@@ -1,31 +1,15 @@
 """What goes into a network: pieces whose labels stay on their pixels, channels, weights; and what is said of it."""
 
 import csv
-import importlib
-import importlib.util
 import json
-import sys
-from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 
-PACKAGE = Path(__file__).parents[2] / "tools" / "training"
+from semref.core.errors import TrainingError
+from semref.training import augment, metrics, tiles
 
-
-def load(module):
-    """A module of tools/training that needs no torch, without putting tools/ on sys.path."""
-    if "semref_training" not in sys.modules:
-        spec = importlib.util.spec_from_file_location(
-            "semref_training", PACKAGE / "__init__.py", submodule_search_locations=[str(PACKAGE)]
-        )
-        sys.modules["semref_training"] = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(sys.modules["semref_training"])
-    return importlib.import_module(f"semref_training.{module}")
-
-
-augment, metrics, tiles = load("augment"), load("metrics"), load("tiles")
 IGNORED = tiles.IGNORED
 
 
@@ -119,14 +103,14 @@ def test_statistics_of_several_folders_are_those_of_all_their_tiles(tmp_path):
 
 def test_folders_with_different_classes_are_refused(tmp_path):
     paths = [write_folder(tmp_path / "a"), write_folder(tmp_path / "b", names=("building", "forest"))]
-    with pytest.raises(tiles.TrainingError, match="has other classes than"):
+    with pytest.raises(TrainingError, match="has other classes than"):
         tiles.open_folders(paths)
 
 
 def test_a_folder_without_tiles_is_refused(tmp_path):
-    with pytest.raises(tiles.TrainingError, match="holds no exported training tiles"):
+    with pytest.raises(TrainingError, match="holds no exported training tiles"):
         tiles.open_folder(tmp_path)
-    with pytest.raises(tiles.TrainingError, match="holds no tiles to train on"):
+    with pytest.raises(TrainingError, match="holds no tiles to train on"):
         tiles.open_folder(write_folder(tmp_path / "empty", tile_count=0))
 
 

@@ -10,9 +10,6 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-PYTHON = ROOT / ".venv-train" / "bin" / "python"
-
-pytestmark = pytest.mark.skipif(not PYTHON.exists(), reason="no .venv-train: run bash tools/training/setup_training.sh")
 
 # EfficientNet-Lite0 as its paper and TensorFlow's code describe it, with efficientnet_lite_pytorch's names of tensors:
 # kernel, stride, widening, channels, blocks of each stage.
@@ -20,12 +17,14 @@ PROGRAM = '''
 import json
 import sys
 from pathlib import Path
-sys.path.insert(0, "tools")
+sys.path.append("tools")
+from plugin_package import load_plugin_package
+load_plugin_package()
 import torch
 from torch.nn import functional as F
-from training.encoder_weights import load_encoder_weights
-from training.network import pyramid_attention_network
-from training.tiles import TrainingError
+from semref.training.encoder_weights import load_encoder_weights
+from semref.training.network import pyramid_attention_network
+from semref.core.errors import TrainingError
 
 STAGES = [(3, 1, 1, 16, 1), (3, 2, 6, 24, 2), (5, 2, 6, 40, 2), (3, 2, 6, 80, 3), (5, 1, 6, 112, 3), (5, 2, 6, 192, 4),
           (3, 1, 6, 320, 1)]
@@ -140,8 +139,8 @@ print(json.dumps({"differences": differences, "refusals": refusals, "taken": tak
 
 
 @pytest.fixture(scope="module")
-def answers(tmp_path_factory):
-    command = [str(PYTHON), "-c", PROGRAM, str(tmp_path_factory.mktemp("weights") / "weights.pth")]
+def answers(tmp_path_factory, training_python):
+    command = [str(training_python), "-c", PROGRAM, str(tmp_path_factory.mktemp("weights") / "weights.pth")]
     done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout.splitlines()[-1])

@@ -1,9 +1,11 @@
-"""Training: pieces of tiles in, best weights out, with curves in a CSV file, resuming and early stopping."""
+"""Training: pieces of tiles in, best weights out, with curves in a CSV file, resuming, early stop and a time limit."""
 
 from __future__ import annotations
 
 import csv
+import math
 import time
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -12,15 +14,21 @@ import torch
 from torch.nn import functional
 from torch.optim.swa_utils import AveragedModel
 
+from ..core.errors import TrainingError
 from .augment import random_light, random_piece
+from .job import CHECKPOINT, FREE
 from .metrics import confusion_matrix, intersection_over_union
-from .tiles import IGNORED, TileReader, TrainingError
+from .tiles import IGNORED, TileReader
 
 AVERAGING = 0.995  # largest share of the old weights in their running average, a step
 WEIGHT_DECAY, LARGEST_GRADIENT = 1e-2, 5.0
-WARM_UP_SHARE = 0.05  # of all steps, in which the learning rate rises
-MACHINE = ("channels_last", "workers")  # settings that don't decide the result
-CHECKPOINT, BEST, CURVES = "last.pt", "best.pt", "curves.csv"
+WARM_UP_SHARE = 0.05  # of the run, in which the learning rate rises
+FIRST_RATE = 0.04  # of the learning rate, at the very first step
+TOLD_EVERY_S = 0.5
+BEST, CURVES = "best.pt", "curves.csv"
+
+Tell = Callable[..., None]
+"""``tell(event, **values)``: who runs the training hears of it."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +46,8 @@ class Settings:
     workers: int
     seed: int
     light: float = 1.0  # how much light and color of the pieces vary
+    minutes: float = 0.0  # after which it stops; 0: no limit
+    processor_time: bool = False  # whether minutes are of the processor: on a machine that does other work, too
 
 
 class Pieces(torch.utils.data.Dataset):
@@ -58,9 +68,17 @@ class Pieces(torch.utils.data.Dataset):
 
 
 class Trainer:
-    """Trains a network in ``folder``; ``run`` returns with the best weights loaded into it."""
+    """Trains a network in ``folder``; ``run`` returns with the best weights loaded into it.
 
-    def __init__(self, network, mean, deviation, class_names, class_weights, settings: Settings, folder: Path) -> None:
+    Attributes:
+        history: A row of the curves an epoch.
+        best_confusion: (K, K) pixels of each true and predicted class on the validation tiles, in the best epoch.
+        stopped_by: ``epochs``, ``patience`` or ``minutes``.
+    """
+
+    def __init__(
+        self, network, mean, deviation, class_names, class_weights, settings: Settings, folder: Path, tell: Tell
+    ) -> None:
         self.device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
         self.layout = torch.channels_last if settings.channels_last else torch.contiguous_format
         self.network = network.to(self.device, memory_format=self.layout)
@@ -69,54 +87,82 @@ class Trainer:
         self.deviation = torch.tensor(deviation, dtype=torch.float32, device=self.device).view(1, 3, 1, 1)
         self.class_names = class_names
         self.weights = torch.tensor(class_weights, dtype=torch.float32, device=self.device)
-        self.settings, self.folder = settings, folder
+        self.settings, self.folder, self.tell = settings, folder, tell
         self.optimizer = torch.optim.AdamW(self.network.parameters(), settings.learning_rate, weight_decay=WEIGHT_DECAY)
         self.steps_an_epoch = max(1, settings.pieces // settings.batch)
-        self.schedule = torch.optim.lr_scheduler.OneCycleLR(
-            self.optimizer,
-            settings.learning_rate,
-            total_steps=settings.epochs * self.steps_an_epoch,
-            pct_start=WARM_UP_SHARE,
-            cycle_momentum=False,
-        )
         self.scaler = torch.amp.GradScaler("cuda", enabled=settings.mixed_precision and self.device.type == "cuda")
-        self.epoch, self.best_score, self.best_epoch = 0, -1.0, 0
+        self.epoch, self.step, self.best_score, self.best_epoch = 0, 0, -1.0, 0
+        self.history: list[dict] = []
+        self.best_confusion = np.zeros((len(class_names), len(class_names)), np.int64)
+        self.stopped_by = ""
+        self._seconds_before, self._told = 0.0, 0.0
+        self._clock = time.process_time if settings.processor_time else time.monotonic
+        self._began = self._clock()
+
+    @property
+    def seconds(self) -> float:
+        """How long it has trained, interrupted runs included."""
+        return self._seconds_before + self._clock() - self._began
+
+    @property
+    def share(self) -> float:
+        """0…1, how much of the run is done: of its steps, or of its minutes where these are over first."""
+        by_steps = self.step / (self.settings.epochs * self.steps_an_epoch)
+        by_time = self.seconds / (60 * self.settings.minutes) if self.settings.minutes else 0.0
+        return min(max(by_steps, by_time), 1.0)
 
     def run(self, reader: TileReader, validation: TileReader) -> None:
-        while self.epoch < self.settings.epochs and not self._is_stuck():
+        while not self._is_over():
             started = time.monotonic()
             loss = self._train_epoch(reader)
             self.epoch += 1
-            row = {"epoch": self.epoch, "training_loss": round(loss, 4)}
-            row |= self._validated(validation)
-            row |= {"learning_rate": f"{self.schedule.get_last_lr()[0]:.2e}"}
+            confusion = self._confusion(validation)
+            row = {"epoch": self.epoch, "training_loss": round(loss, 4), **self._shown(confusion)}
+            row |= {"learning_rate": f"{learning_rate_at(self.share, self.settings.learning_rate):.2e}"}
             row |= {"seconds": round(time.monotonic() - started, 1)}
-            self._write_curves(row)
-            self._save(row["mean_iou"])
-            print(" ".join(f"{key} {value}" for key, value in row.items()), flush=True)
+            self.history.append(row)
+            self._write_curves()
+            self._save(row["mean_iou"], confusion)
+            self.tell("epoch", share=self.share, **row)
         self.network.load_state_dict(torch.load(self.folder / BEST, map_location=self.device, weights_only=True))
 
-    def _is_stuck(self) -> bool:
-        return 0 < self.settings.patience <= self.epoch - self.best_epoch
+    def _is_over(self) -> bool:
+        limits = {
+            "epochs": self.epoch >= self.settings.epochs,
+            "patience": 0 < self.settings.patience <= self.epoch - self.best_epoch,
+            "minutes": bool(self.settings.minutes) and self.epoch > 0 and self.share >= 1,
+        }
+        self.stopped_by = next((name for name, reached in limits.items() if reached), "")
+        return bool(self.stopped_by)
 
     def _train_epoch(self, reader: TileReader) -> float:
         loader = torch.utils.data.DataLoader(
             Pieces(reader, self.settings, self.epoch),
             self.settings.batch,
-            drop_last=True,
+            drop_last=self.settings.pieces >= self.settings.batch,
             num_workers=self.settings.workers,
             pin_memory=self.device.type == "cuda",
         )
         self.network.train()
-        total = 0.0
+        total, count = 0.0, 0
         for images, labels in loader:
-            loss = self._step(images.to(self.device), labels.to(self.device))
-            total += loss
+            total += self._step(images.to(self.device), labels.to(self.device))
+            count += 1
+            self._tell_step(total / count)
+            if self.settings.minutes and self.share >= 1:
+                break
         if not np.isfinite(total):
-            raise TrainingError("The loss is no longer a number; train with a lower --learning-rate.")
-        return total / self.steps_an_epoch
+            raise TrainingError("training.loss_not_finite")
+        return total / max(count, 1)
+
+    def _tell_step(self, loss: float) -> None:
+        if time.monotonic() - self._told > TOLD_EVERY_S:
+            self._told = time.monotonic()
+            self.tell("step", share=self.share, epoch=self.epoch + 1, loss=round(loss, 4))
 
     def _step(self, images: torch.Tensor, labels: torch.Tensor) -> float:
+        for group in self.optimizer.param_groups:
+            group["lr"] = learning_rate_at(self.share, self.settings.learning_rate)
         self.optimizer.zero_grad(set_to_none=True)
         with torch.autocast(self.device.type, self._half, enabled=self.settings.mixed_precision):
             logits = self.network(self._standardized(images))
@@ -126,7 +172,7 @@ class Trainer:
         torch.nn.utils.clip_grad_norm_(self.network.parameters(), LARGEST_GRADIENT)
         self.scaler.step(self.optimizer)
         self.scaler.update()
-        self.schedule.step()
+        self.step += 1
         self.average.update_parameters(self.network)
         return loss.item()
 
@@ -137,8 +183,8 @@ class Trainer:
     def _standardized(self, images: torch.Tensor) -> torch.Tensor:
         return ((images - self.mean) / self.deviation).contiguous(memory_format=self.layout)
 
-    def _validated(self, reader: TileReader) -> dict:
-        """Intersection over union a class of the averaged weights on whole tiles; without tiles all of it is 0."""
+    def _confusion(self, reader: TileReader) -> np.ndarray:
+        """(K, K) pixels of each true and predicted class, by the averaged weights on whole tiles."""
         self.average.eval()
         count = len(self.class_names)
         confusion = np.zeros((count, count), np.int64)
@@ -148,48 +194,63 @@ class Trainer:
                 batch = torch.from_numpy(image.transpose(2, 0, 1)[None].copy()).to(self.device)
                 predicted = self.average(self._standardized(batch)).argmax(1)[0].cpu().numpy()
                 confusion += confusion_matrix(labels, predicted, count)
+        return confusion
+
+    def _shown(self, confusion: np.ndarray) -> dict:
+        """Intersection over union a class; without tiles all of it is 0."""
         iou = intersection_over_union(confusion)
         shown = {f"iou_{name}": round(float(v), 4) for name, v in zip(self.class_names, iou) if np.isfinite(v)}
         return {"mean_iou": round(float(np.nanmean(iou)), 4) if shown else 0.0} | shown
 
-    def _write_curves(self, row: dict) -> None:
-        path = self.folder / CURVES
-        is_new = self.epoch == 1
-        with path.open("w" if is_new else "a", newline="", encoding="utf-8") as file:
-            writer = csv.DictWriter(file, list(row))
-            if is_new:
-                writer.writeheader()
-            writer.writerow(row)
+    def _write_curves(self) -> None:
+        with (self.folder / CURVES).open("w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, list(self.history[-1]))
+            writer.writeheader()
+            writer.writerows(self.history)
 
-    def _save(self, score: float) -> None:
+    def _save(self, score: float, confusion: np.ndarray) -> None:
         """Best weights (the last ones where nothing validates) and everything that resuming needs."""
         if score > self.best_score or score == 0.0:
-            self.best_score, self.best_epoch = score, self.epoch
-            torch.save(self.average.module.state_dict(), self.folder / BEST)
+            self.best_score, self.best_epoch, self.best_confusion = score, self.epoch, confusion
+            self._write(BEST, self.average.module.state_dict())
         state = {
             "network": self.network.state_dict(),
             "average": self.average.state_dict(),
             "optimizer": self.optimizer.state_dict(),
-            "schedule": self.schedule.state_dict(),
             "scaler": self.scaler.state_dict(),
-            "progress": [self.epoch, self.best_score, self.best_epoch],
+            "progress": [self.epoch, self.step, self.best_score, self.best_epoch, self.seconds],
+            "history": self.history,
+            "best_confusion": self.best_confusion.tolist(),
             "settings": asdict(self.settings),
         }
-        torch.save(state, self.folder / f"{CHECKPOINT}.part")
-        (self.folder / f"{CHECKPOINT}.part").replace(self.folder / CHECKPOINT)
+        self._write(CHECKPOINT, state)
+
+    def _write(self, name: str, state: dict) -> None:
+        """Under its name only when it is whole: the process may be ended at any moment."""
+        torch.save(state, self.folder / f"{name}.part")
+        (self.folder / f"{name}.part").replace(self.folder / name)
 
     def resume(self) -> None:
         """Goes on where the last run in the folder stopped. Raises TrainingError when it had other settings."""
         path = self.folder / CHECKPOINT
         if not path.exists():
-            raise TrainingError(f"There is no run to resume in {self.folder}; leave out --resume.")
+            raise TrainingError("training.nothing_to_resume", folder=self.folder)
         state = torch.load(path, map_location=self.device, weights_only=True)
-        differing = [k for k, v in asdict(self.settings).items() if k not in MACHINE and state["settings"].get(k) != v]
+        differing = [k for k, v in asdict(self.settings).items() if k not in FREE and state["settings"].get(k) != v]
         if differing:
-            raise TrainingError(f"The run in {self.folder} had another {' and '.join(differing)}; give the same again.")
-        for name in ("network", "average", "optimizer", "schedule", "scaler"):
+            raise TrainingError("training.other_settings", folder=self.folder, settings=differing)
+        for name in ("network", "average", "optimizer", "scaler"):
             getattr(self, name).load_state_dict(state[name])
-        self.epoch, self.best_score, self.best_epoch = state["progress"]
+        self.epoch, self.step, self.best_score, self.best_epoch, self._seconds_before = state["progress"]
+        self.history, self.best_confusion = state["history"], np.array(state["best_confusion"], np.int64)
+        self._began = self._clock()
+
+
+def learning_rate_at(share: float, largest: float) -> float:
+    """One cycle (Smith 2018, arXiv:1803.09820): a short rise, then half a cosine down to 0; ``share`` of the run."""
+    if share < WARM_UP_SHARE:
+        return largest * (FIRST_RATE + (1 - FIRST_RATE) * (1 - math.cos(math.pi * share / WARM_UP_SHARE)) / 2)
+    return largest * (1 + math.cos(math.pi * (share - WARM_UP_SHARE) / (1 - WARM_UP_SHARE))) / 2
 
 
 def running_average(old: torch.Tensor, new: torch.Tensor, count: torch.Tensor) -> torch.Tensor:

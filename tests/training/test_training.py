@@ -1,0 +1,180 @@
+"""A whole training of seconds, in the Python that has torch: what it tells, writes, goes on with and refuses."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.labels.image_source import ArrayImage
+from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.photo_labels import PhotoLabels
+from semref.training.job import Job, read_job
+
+ROOT = Path(__file__).resolve().parents[2]
+COLORS = ((40, 160, 40), (200, 60, 60), (60, 60, 200))
+"""Of what is unlabeled, of buildings, of water."""
+
+CLASSES = "value,name,color,role\n1,building,#c83c3c,reference\n2,water,#3c3cc8,reference\n"
+TILE = 128
+
+
+@pytest.fixture(scope="module")
+def tiles(tmp_path_factory):
+    """A folder of tiles as semref:exporttrainingtiles writes it: red and blue squares on green."""
+    folder = tmp_path_factory.mktemp("tiles")
+    rng = np.random.default_rng(7)
+    for subset, count in (("train", 8), ("validation", 2)):
+        for kind in ("images", "labels"):
+            (folder / subset / kind).mkdir(parents=True)
+        for number in range(count):
+            labels = np.kron(rng.integers(0, 3, (4, 4)), np.ones((32, 32))).astype(np.uint8)
+            image = np.array(COLORS)[labels] + rng.normal(0, 8, (TILE, TILE, 3))
+            name = f"{number * TILE}_0.png"
+            cv2.imwrite(str(folder / subset / "images" / name), np.clip(image, 0, 255).astype(np.uint8)[:, :, ::-1])
+            cv2.imwrite(str(folder / subset / "labels" / name), labels)
+    (folder / "classes.csv").write_text(CLASSES)
+    pixels = {"0": 40_000, "1": 45_000, "2": 46_000}
+    statistics = {"band_mean": [0.4] * 3, "band_std": [0.2] * 3, "class_pixels": {"train": pixels}}
+    manifest = {"statistics": statistics, "network_bands": [1, 2, 3], "stretch": None}
+    (folder / "manifest.json").write_text(json.dumps({**manifest, "tile_size": TILE, "pixel_size": 0.5}))
+    return folder
+
+
+def job_of(tiles, folder: Path, **settings) -> Job:
+    folder.mkdir(exist_ok=True)
+    small = {"epochs": 2, "pieces": 16, "batch": 4, "piece_size": 128, "threads": 1, "learn_unlabeled": True}
+    return Job((str(tiles),), str(folder / "model.onnx"), str(folder / "run"), **{**small, **settings})
+
+
+def command(python: Path, job: Job) -> list[str]:
+    path = Path(job.folder).with_suffix(".json")
+    job.write(path)
+    assert read_job(path) == job
+    return [str(python), str(ROOT / "training"), str(path)]
+
+
+def trained(python: Path, job: Job) -> list[dict]:
+    """What the process told."""
+    done = subprocess.run(command(python, job), capture_output=True, text=True, check=False)
+    events = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
+    assert events, done.stderr
+    return events
+
+
+@pytest.fixture(scope="module")
+def first(training_python, tiles, tmp_path_factory):
+    """(job, what was told) of a training from random weights."""
+    job = job_of(tiles, tmp_path_factory.mktemp("first"), ground={"image": "made up"})
+    return job, trained(training_python, job)
+
+
+def test_a_python_without_torch_says_what_it_lacks():
+    done = subprocess.run([sys.executable, str(ROOT / "training")], capture_output=True, text=True, check=False)
+    event = json.loads(done.stdout.splitlines()[-1])
+    assert event["code"] in ("training.lacks_package",) or event["event"] == "ready"
+
+
+def test_it_tells_each_epoch_and_in_the_end_what_it_made(first):
+    job, events = first
+    kinds = [event["event"] for event in events if event["event"] != "step"]
+    assert kinds == ["begun", "epoch", "epoch", "exporting", "done"]
+    assert all(np.isfinite(event["training_loss"]) for event in events if event["event"] == "epoch")
+    result = json.loads((Path(job.folder) / "result.json").read_text())
+    assert [len(result["history"]), result["stopped_by"]] == [2, "epochs"]
+    assert np.sum(result["confusion"]) == 2 * TILE * TILE
+    assert len(list((Path(job.folder) / "examples").glob("*.png"))) == 2
+    rows = (Path(job.folder) / "curves.csv").read_text().splitlines()
+    assert rows[0].startswith("epoch,training_loss,mean_iou") and len(rows) == 3
+
+
+def test_the_model_is_one_that_semref_segments_with(first):
+    job, _ = first
+    model = SegmentationModel(job.output, 1)
+    assert model.settings.resolution_m == 0.5
+    assert model.classes.names == ("other", "building", "water") and model.classes.values == (0, 1, 2)
+    photo = np.broadcast_to(np.uint8(COLORS[1]), (160, 200, 3)).copy()
+    assert PhotoLabels(model, ArrayImage(photo), model.classes.values).found().shape == (160, 200)
+
+
+@pytest.mark.slow
+def test_a_run_that_was_ended_goes_on_where_it_was(training_python, tiles, tmp_path):
+    job = job_of(tiles, tmp_path, epochs=30, pieces=16, resume=True)
+    process = subprocess.Popen(command(training_python, job), stdout=subprocess.PIPE, text=True)
+    for line in process.stdout:
+        if line.startswith('{"event": "epoch"'):
+            break
+    process.kill()
+    process.wait()
+    done = json.loads(line)["epoch"]
+    # Longer or shorter than was said first is no other training.
+    events = trained(training_python, Job(**{**job.__dict__, "epochs": done + 2}))
+    resumed = next(event for event in events if event["event"] == "resumed")
+    assert resumed["epoch"] >= done
+    assert events[-1]["event"] == "done"
+    history = json.loads((Path(job.folder) / "result.json").read_text())["history"]
+    assert [row["epoch"] for row in history] == list(range(1, len(history) + 1))
+
+
+@pytest.mark.slow
+def test_it_stops_when_its_time_is_over(training_python, tiles, tmp_path):
+    started = time.monotonic()
+    events = trained(training_python, job_of(tiles, tmp_path, epochs=10_000, minutes=0.02))
+    assert events[-1]["stopped_by"] == "minutes" and events[-1]["seconds"] < time.monotonic() - started
+
+
+def test_a_base_model_goes_on_from_what_it_knows(training_python, first, tiles, tmp_path):
+    """With no step worth the name it still answers as its base did; classes are found by name."""
+    base, _ = first
+    (tmp_path / "reordered").mkdir()
+    job = job_of(
+        tiles, tmp_path, base_model=base.output, epochs=1, pieces=4, learning_rate=1e-9, encoder="none of ours"
+    )
+    events = trained(training_python, job)
+    assert events[-1]["event"] == "done", events[-1]
+    old, new = (SegmentationModel(path, 1) for path in (base.output, job.output))
+    photo = np.clip(np.random.default_rng(3).normal(120, 50, (128, 128, 3)), 0, 255).astype(np.uint8)
+    answers = [PhotoLabels(model, ArrayImage(photo), model.classes.values).found() for model in (old, new)]
+    assert (answers[0] == answers[1]).mean() > 0.95
+
+
+@pytest.mark.parametrize(
+    ("settings", "code"),
+    [
+        ({"base_model": "no.onnx"}, "training.foreign_base"),
+        ({"base_model": str(ROOT / "README.md")}, "training.foreign_base"),
+        ({"encoder_weights": str(ROOT / "README.md")}, "training.no_weights"),
+        ({"tiles": ("/nowhere",)}, "training.no_tiles"),
+    ],
+    ids=["no base", "a base that is none", "weights that are none", "no tiles"],
+)
+def test_what_can_t_work_is_told_as_a_sentence(training_python, tiles, tmp_path, settings, code):
+    job = Job(**{**job_of(tiles, tmp_path).__dict__, **settings})
+    assert trained(training_python, job)[-1]["code"] == code
+
+
+def test_one_class_alone_is_nothing_to_tell_apart(training_python, tiles, tmp_path):
+    manifest = json.loads((tiles / "manifest.json").read_text())
+    manifest["statistics"]["class_pixels"]["train"] = {"0": 40_000, "1": 45_000}
+    for entry in ("train", "validation", "classes.csv"):
+        os.symlink(tiles / entry, tmp_path / entry)
+    (tmp_path / "manifest.json").write_text(json.dumps(manifest))
+    job = job_of(tmp_path, tmp_path / "run", learn_unlabeled=False)
+    event = trained(training_python, job)[-1]
+    assert (event["code"], event["values"]) == ("training.one_class", {"name": "building"})
+
+
+def test_settings_that_decide_the_result_are_told_apart_from_those_that_don_t(tiles, tmp_path):
+    job = job_of(tiles, tmp_path)
+    other = Job(
+        **{**job.__dict__, "epochs": 99, "output": "elsewhere", "encoder": "another", "fingerprint": {"a": (1,)}}
+    )
+    assert job.differences(other) == ["encoder", "fingerprint"]
+    assert job.differences(job) == []

@@ -1,0 +1,193 @@
+"""Weights of a network that SemRef trained before, to go on from: out of its ONNX file, or a checkpoint of torch.
+
+An exported network has no normalization layers any more: they are merged into the convolutions before them. So the
+convolutions take the merged weights, and the normalizations behind them are first set to pass everything on, then
+(``restore_normalization``) to what they see of the new ground: the network answers as the model does, and can learn.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import onnx
+import torch
+from onnx import numpy_helper
+
+from ..core.errors import TrainingError
+from .job import LITE0, NETWORK, SMALL
+from .network import pyramid_attention_network
+
+KNOWN = ((SMALL, 5), ("tu-mobilenetv3_small_100", 5), (LITE0, 5), ("tu-resnet10t", 4), ("resnet34", 5))
+"""(encoder, depth) of models that don't say what they are built of."""
+
+
+@dataclass(frozen=True)
+class Base:
+    """A network to go on from.
+
+    Attributes:
+        network: With its weights, and as many classes as it had.
+        architecture: Its encoder and depth.
+        class_names: Of its channels.
+        mean: (3,) that photos are standardized with.
+        deviation: (3,).
+        is_merged: Whether its normalizations are to be restored.
+    """
+
+    network: torch.nn.Module
+    architecture: dict
+    class_names: tuple[str, ...]
+    mean: np.ndarray
+    deviation: np.ndarray
+    is_merged: bool
+
+
+def read_base(path: Path) -> Base:
+    """Raises TrainingError for what is no network of ours."""
+    try:
+        base = _from_checkpoint(path) if path.suffix == ".pt" else _from_onnx(path)
+    except TrainingError:
+        raise
+    except Exception:  # onnx and torch have many for files that are none of their own
+        base = None
+    if base is None:
+        raise TrainingError("training.foreign_base", path=path)
+    return base
+
+
+def with_classes(base: Base, class_names: list[str]) -> torch.nn.Module:
+    """The base's network with a channel for each of these classes; those that it knows by name keep their weights."""
+    last = _last_convolution(base.network)
+    made = torch.nn.Conv2d(last.in_channels, len(class_names), last.kernel_size, padding=last.padding)
+    known = {name.casefold(): channel for channel, name in enumerate(base.class_names)}
+    with torch.no_grad():
+        for channel, name in enumerate(class_names):
+            if name.casefold() in known:
+                made.weight[channel] = last.weight[known[name.casefold()]]
+                made.bias[channel] = last.bias[known[name.casefold()]]
+    for parent in base.network.modules():
+        for name, child in parent.named_children():
+            if child is last:
+                setattr(parent, name, made)
+    return base.network
+
+
+def restore_normalization(network: torch.nn.Module, batches: Iterable[torch.Tensor]) -> None:
+    """Gives merged normalizations the mean and variance of what they see; the answers stay the same.
+
+    batches: standardized images (N, 3, H, W).
+    """
+    network.eval()
+    sums: dict[torch.nn.Module, list] = {}
+
+    def look(layer: torch.nn.Module, inputs: tuple) -> None:
+        values = inputs[0].double()
+        count, total, squares = sums.setdefault(layer, [0, 0.0, 0.0])
+        axes = (0, 2, 3)
+        sums[layer] = [
+            count + values.numel() / values.shape[1],
+            total + values.sum(axes),
+            squares + (values**2).sum(axes),
+        ]
+
+    layers = [layer for layer in network.modules() if isinstance(layer, torch.nn.BatchNorm2d)]
+    hooks = [layer.register_forward_pre_hook(look) for layer in layers]
+    with torch.inference_mode():
+        for batch in batches:
+            network(batch)
+    for hook in hooks:
+        hook.remove()
+    with torch.no_grad():
+        for layer, (count, total, squares) in sums.items():
+            mean = total / count
+            variance = (squares / count - mean**2).clamp(min=0)
+            layer.bias += mean.float()
+            layer.running_mean.copy_(mean)
+            layer.running_var.copy_(variance)
+            layer.weight.copy_(torch.sqrt(layer.running_var + layer.eps))
+
+
+def _from_onnx(path: Path) -> Base | None:
+    model = onnx.load(path)
+    texts = {entry.key: entry.value for entry in model.metadata_props}
+    stored = {tensor.name: tensor for tensor in model.graph.initializer}
+    stored |= {
+        node.output[0]: node.attribute[0].t
+        for node in model.graph.node
+        if node.op_type == "Constant" and node.attribute and node.attribute[0].name == "value"
+    }
+    weights = [
+        [numpy_helper.to_array(stored[name]) for name in node.input[1:]]
+        for node in model.graph.node
+        if node.op_type == "Conv"
+    ]
+    names = json.loads(texts["class_names"])
+    said = json.loads(texts.get("architecture", "null"))
+    for encoder, depth in [(said["encoder"], said["depth"])] if said else KNOWN:
+        network = pyramid_attention_network(encoder, depth, len(weights[-1][0]), False)
+        if _filled(network, weights):
+            mean, deviation = (np.array(json.loads(texts[f"standardization_{key}"])) for key in ("mean", "std"))
+            listed = tuple(names[str(channel)] for channel in range(len(names)))
+            return Base(network, {"encoder": encoder, "depth": depth}, listed, mean, deviation, True)
+    return None
+
+
+def _filled(network: torch.nn.Module, weights: list[list[np.ndarray]]) -> bool:
+    """Fills the convolutions in the order in which they run; False, and nothing changed, where shapes differ."""
+    pairs = _convolutions(network)
+    shapes = [tuple(convolution.weight.shape) for convolution, _ in pairs]
+    if shapes != [one[0].shape for one in weights]:
+        return False
+    with torch.no_grad():
+        for (convolution, normalization), (weight, *bias) in zip(pairs, weights):
+            convolution.weight.copy_(torch.tensor(weight))
+            shift = torch.tensor(bias[0]) if bias else torch.zeros(len(weight))
+            if convolution.bias is not None:
+                convolution.bias.copy_(torch.zeros_like(shift) if normalization is not None else shift)
+            if normalization is not None:
+                normalization.weight.fill_(1)
+                normalization.bias.copy_(shift)
+                normalization.running_mean.zero_()
+                normalization.running_var.fill_(1 - normalization.eps)
+    return True
+
+
+def _convolutions(network: torch.nn.Module) -> list[tuple[torch.nn.Conv2d, torch.nn.BatchNorm2d | None]]:
+    """The convolutions in the order in which they run, each with the normalization that takes its output, if any."""
+    order: list[list] = []
+
+    def ran(layer: torch.nn.Module, inputs: tuple, output: torch.Tensor) -> None:
+        if isinstance(layer, torch.nn.Conv2d):
+            order.append([layer, None, output])
+        elif order and inputs[0] is order[-1][2]:
+            order[-1][1] = layer
+
+    _watched(network, ran)
+    return [(layer, normalization) for layer, normalization, _ in order]
+
+
+def _last_convolution(network: torch.nn.Module) -> torch.nn.Conv2d:
+    return _convolutions(network)[-1][0]
+
+
+def _watched(network: torch.nn.Module, ran: Callable) -> None:
+    """Runs the network once; ``ran`` hears of each convolution and normalization."""
+    kinds = (torch.nn.Conv2d, torch.nn.BatchNorm2d)
+    hooks = [layer.register_forward_hook(ran) for layer in network.modules() if isinstance(layer, kinds)]
+    with torch.inference_mode():
+        network.eval()(torch.zeros(1, 3, 128, 128))
+    for hook in hooks:
+        hook.remove()
+
+
+def _from_checkpoint(path: Path) -> Base | None:
+    said = json.loads((path.parent / NETWORK).read_text(encoding="utf-8"))
+    architecture = {"encoder": said["encoder"], "depth": said["depth"]}
+    network = pyramid_attention_network(said["encoder"], said["depth"], len(said["class_names"]), False)
+    network.load_state_dict(torch.load(path, map_location="cpu", weights_only=True))
+    mean, deviation = (np.array(said[f"standardization_{key}"]) for key in ("mean", "std"))
+    return Base(network, architecture, tuple(said["class_names"]), mean, deviation, False)

@@ -1,0 +1,40 @@
+"""Pictures of validation tiles: the photo, what it was annotated as, and what the network makes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import cv2
+import numpy as np
+import torch
+
+from .tiles import ClassRow, TileReader
+
+EDGE_PX, GAP_PX, MOST = 256, 8, 4
+UNKNOWN = (200, 200, 200)
+
+
+def write_examples(
+    network: torch.nn.Module, reader: TileReader, classes: Sequence[ClassRow], mean, deviation, folder: Path
+) -> None:
+    """Some tiles, spread evenly, as example_N.png: photo, annotation, answer side by side."""
+    folder.mkdir(exist_ok=True)
+    colors = np.full((256, 3), UNKNOWN, np.uint8)
+    colors[: len(classes)] = [[int(c.color[n : n + 2], 16) for n in (1, 3, 5)] for c in classes]
+    network = network.cpu().eval()
+    for number, index in enumerate(spread(len(reader), MOST)):
+        image, labels = reader(index)
+        batch = ((image - mean) / deviation).astype(np.float32).transpose(2, 0, 1)[None].copy()
+        with torch.inference_mode():
+            found = network(torch.from_numpy(batch)).argmax(1)[0].numpy().astype(np.uint8)
+        shown = [np.clip(image * 255 + 0.5, 0, 255).astype(np.uint8), colors[labels], colors[found]]
+        gap = np.full((EDGE_PX, GAP_PX, 3), 255, np.uint8)
+        small = [cv2.resize(one, (EDGE_PX, EDGE_PX), interpolation=cv2.INTER_AREA) for one in shown]
+        picture = np.hstack([small[0], gap, small[1], gap, small[2]])
+        cv2.imwrite(str(folder / f"example_{number}.png"), np.ascontiguousarray(picture[:, :, ::-1]))
+
+
+def spread(count: int, most: int) -> list[int]:
+    """At most so many numbers below ``count``, evenly apart."""
+    return sorted({int(n) for n in np.linspace(0, count - 1, min(count, most))}) if count else []

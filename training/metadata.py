@@ -1,0 +1,56 @@
+"""What a trained model says about itself: the one place where its metadata are made (docs/file-formats.md)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .metrics import intersection_over_union, rates
+from .tiles import ClassRow
+
+
+def entries(
+    classes: Sequence[ClassRow],
+    standardization: tuple[np.ndarray, np.ndarray],
+    tile_size: int,
+    overlap: int,
+    pixel_size: float | None,
+    architecture: dict,
+    confusion: np.ndarray | None = None,
+    ground: dict | None = None,
+) -> dict:
+    """Metadata by key, as the Deepness plugin names them where it has a name, and what SemRef adds.
+
+    Args:
+        classes: One row an output channel.
+        standardization: Mean and deviation (3,) of red, green and blue in 0…1.
+        tile_size: Edge in pixels.
+        overlap: Percent of a tile.
+        pixel_size: Meters; None leaves the resolution out.
+        architecture: What the network was built of, so that it can be trained further.
+        confusion: (K, K) pixels of each true and predicted class on validation tiles.
+        ground: Where it was trained.
+    """
+    mean, deviation = standardization
+    found: dict = {
+        "model_type": "Segmentor",
+        "class_names": {str(i): c.name for i, c in enumerate(classes)},
+        "class_values": {str(i): c.value for i, c in enumerate(classes)},
+        "class_colors": {str(i): c.color for i, c in enumerate(classes)},
+        "class_roles": {str(i): c.role for i, c in enumerate(classes)},
+        "tile_size": tile_size,
+        "tiles_overlap": overlap,
+        "standardization_mean": [round(float(m), 6) for m in mean],
+        "standardization_std": [round(float(d), 6) for d in deviation],
+        "architecture": architecture,
+    }
+    if pixel_size:
+        found["resolution"] = round(100 * pixel_size, 3)
+    if confusion is not None and confusion.any():
+        iou = intersection_over_union(confusion)
+        found["validation_iou"] = {c.name: round(float(v), 4) for c, v in zip(classes, iou) if np.isfinite(v)}
+        found["validation_confusion"] = [[round(float(v), 4) for v in row] for row in rates(confusion)]
+    if ground:
+        found["training_ground"] = ground
+    return found

@@ -1,0 +1,213 @@
+"""A whole training, from tiles to a checked ONNX file with its metadata."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import torch
+
+from ..core.errors import TrainingError
+from . import base_weights, encoder_weights, examples, export, loop, metadata, metrics, network, tiles
+from .job import CHECKPOINT, EXAMPLES, NETWORK, PACKAGED, RESULT, Job
+
+FROM_SCRATCH, FROM_WEIGHTS, FROM_BASE = 3e-3, 1e-3, 5e-4
+"""Learning rates that suit random weights, an encoder that knows photos, and a network that knows the classes."""
+
+MOST_PIECES, FEWEST_PIECES = 320, 64
+"""An epoch, where minutes are limited: so that curves and checkpoints come often enough; and at least."""
+
+SMALLEST_IMAGE = 128
+"""Edge in pixels of which the network's pyramid leaves something."""
+
+RESTORING_BATCHES = 8
+"""Batches that restore the normalization of a base model."""
+
+
+@dataclass(frozen=True)
+class Ground:
+    """What is learned from: classes by channel, their values, readers of tiles, pixels of each class."""
+
+    classes: list[tiles.ClassRow]
+    training: tiles.TileReader
+    validation: tiles.TileReader
+    pixels: np.ndarray
+    tile_size: int
+    pixel_size: float | None
+    mean: np.ndarray
+    deviation: np.ndarray
+
+    @property
+    def class_names(self) -> list[str]:
+        return [c.name for c in self.classes]
+
+
+@dataclass(frozen=True)
+class Start:
+    """A network to train: what it is built of, and how its photos are standardized."""
+
+    network: torch.nn.Module
+    architecture: dict
+    mean: np.ndarray
+    deviation: np.ndarray
+    learning_rate: float
+
+
+def run(job: Job, tell: loop.Tell) -> loop.Trainer:
+    """Trains, exports and checks; ``job.folder`` then holds the result and pictures. Raises TrainingError."""
+    torch.manual_seed(job.seed)
+    if job.threads:
+        torch.set_num_threads(job.threads)
+    ground = read_ground(job)
+    settings = settings_of(job, ground)
+    start = start_of(job, ground, settings)
+    folder = Path(job.folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    said = {"class_names": ground.class_names, "standardization_mean": start.mean.tolist()}
+    said |= {"standardization_std": start.deviation.tolist()}
+    (folder / NETWORK).write_text(json.dumps({**start.architecture, **said}), encoding="utf-8")
+    settings = loop.Settings(**{**settings.__dict__, "learning_rate": start.learning_rate})
+    weights = metrics.class_weights(ground.pixels)
+    trainer = loop.Trainer(
+        start.network, start.mean, start.deviation, ground.class_names, weights, settings, folder, tell
+    )
+    tell(
+        "begun",
+        device=_device_name(trainer.device),
+        training=len(ground.training),
+        validation=len(ground.validation),
+        weights=sum(p.numel() for p in start.network.parameters()),
+        class_weights=[round(float(weight), 2) for weight in weights],
+    )
+    if job.resume and (folder / CHECKPOINT).exists():
+        trainer.resume()
+        tell("resumed", epoch=trainer.epoch, share=trainer.share)
+    trainer.run(ground.training, ground.validation)
+    finish(job, trainer, ground, start, tell)
+    return trainer
+
+
+def read_ground(job: Job) -> Ground:
+    """Raises TrainingError for tiles that can't be learned from."""
+    folders = tiles.open_folders([Path(path) for path in job.tiles])
+    classes = [export.UNLABELED, *folders[0].classes]
+    if job.learn_unlabeled:
+        classes[0] = tiles.ClassRow(0, "other", "#000000", "background")
+    values = [c.value for c in classes]
+    pixels = np.array([sum(folder.class_pixels("train").get(str(v), 0) for folder in folders) for v in values])
+    if not job.learn_unlabeled:
+        pixels[0] = 0
+    if np.count_nonzero(pixels) < 2:
+        raise TrainingError("training.one_class", name=classes[int(np.argmax(pixels))].name)
+    training, validation = (
+        tiles.TileReader([p for f in folders for p in f.tiles(subset)], values, job.learn_unlabeled)
+        for subset in ("train", "validation")
+    )
+    sizes = {folder.manifest["pixel_size"] for folder in folders}
+    return Ground(
+        classes,
+        training,
+        validation,
+        pixels,
+        min(folder.manifest["tile_size"] for folder in folders),
+        job.resolution or (sizes.pop() if len(sizes) == 1 else None),
+        *tiles.band_statistics(folders),
+    )
+
+
+def settings_of(job: Job, ground: Ground) -> loop.Settings:
+    covering = len(ground.training) * max(1, (ground.tile_size // min(job.piece_size, ground.tile_size)) ** 2)
+    if job.minutes:
+        covering = min(max(covering, FEWEST_PIECES), MOST_PIECES)
+    return loop.Settings(
+        epochs=job.epochs,
+        pieces=job.pieces or covering,
+        piece_size=min(job.piece_size, ground.tile_size),
+        batch=job.batch,
+        learning_rate=job.learning_rate,
+        patience=job.patience,
+        mixed_precision=job.mixed_precision == "on" or (job.mixed_precision == "auto" and torch.cuda.is_available()),
+        channels_last=job.channels_last,
+        workers=job.workers,
+        seed=job.seed,
+        light=job.light,
+        minutes=job.minutes,
+        processor_time=job.processor_time,
+    )
+
+
+def start_of(job: Job, ground: Ground, settings: loop.Settings) -> Start:
+    """The network with what it knows at the start. Raises TrainingError for weights that don't fit."""
+    if job.base_model:
+        base = base_weights.read_base(Path(job.base_model))
+        net = base_weights.with_classes(base, ground.class_names)
+        if base.is_merged:
+            pieces = loop.Pieces(ground.training, settings, 0)
+            base_weights.restore_normalization(net, _batches(pieces, base, job.batch))
+        return Start(net, base.architecture, base.mean, base.deviation, job.learning_rate or FROM_BASE)
+    net = network.pyramid_attention_network(job.encoder, job.depth, len(ground.classes), job.pretrained)
+    architecture = {"encoder": job.encoder, "depth": job.depth}
+    if not (job.encoder_weights or job.pretrained):
+        return Start(net, architecture, ground.mean, ground.deviation, job.learning_rate or FROM_SCRATCH)
+    if job.encoder_weights:
+        packaged = job.encoder_weights == PACKAGED
+        file = encoder_weights.packaged_weights() if packaged else Path(job.encoder_weights)
+        encoder_weights.load_encoder_weights(net.encoder, file)
+    standardization = encoder_weights.standardization(job.encoder)
+    return Start(net, architecture, *standardization, job.learning_rate or FROM_WEIGHTS)
+
+
+def _batches(pieces: loop.Pieces, base: base_weights.Base, size: int):
+    """Standardized batches (N, 3, H, W) of the first pieces."""
+    mean, deviation = (torch.tensor(v, dtype=torch.float32).view(1, 3, 1, 1) for v in (base.mean, base.deviation))
+    for first in range(0, min(len(pieces), RESTORING_BATCHES * size), size):
+        images = [pieces[n][0] for n in range(first, min(first + size, len(pieces)))]
+        yield (torch.stack(images).float() - mean) / deviation
+
+
+def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: loop.Tell) -> None:
+    """Writes the model beside its place, checks it and moves it there; then the result, with pictures."""
+    tell("exporting")
+    output, folder = Path(job.output), Path(job.folder)
+    temporary = output.with_name(f".{output.name}.part")
+    export.write_onnx(trainer.network, ground.tile_size, temporary)
+    entries = metadata.entries(
+        ground.classes,
+        (start.mean, start.deviation),
+        ground.tile_size,
+        job.overlap,
+        ground.pixel_size,
+        start.architecture,
+        trainer.best_confusion,
+        job.ground,
+    )
+    export.add_metadata(temporary, entries)
+    image = (ground.training(0)[0].transpose(2, 0, 1) - start.mean[:, None, None]) / start.deviation[:, None, None]
+    half = max(ground.tile_size // 32 * 16, SMALLEST_IMAGE)
+    difference = export.largest_difference(trainer.network, temporary, [image, image[:, :half, : ground.tile_size]])
+    examples.write_examples(
+        trainer.network, ground.validation, ground.classes, start.mean, start.deviation, folder / EXAMPLES
+    )
+    temporary.replace(output)
+    result = {
+        "classes": [c.__dict__ for c in ground.classes],
+        "history": trainer.history,
+        "best_epoch": trainer.best_epoch,
+        "confusion": trainer.best_confusion.tolist(),
+        "stopped_by": trainer.stopped_by,
+        "seconds": round(trainer.seconds, 1),
+        "device": _device_name(trainer.device),
+        "training": len(ground.training),
+        "validation": len(ground.validation),
+        "bytes": output.stat().st_size,
+        "difference": difference,
+        **start.architecture,
+    }
+    (folder / RESULT).write_text(json.dumps(result), encoding="utf-8")
+    tell("done", **{key: result[key] for key in ("best_epoch", "stopped_by", "seconds", "bytes", "difference")})
+
+
+def _device_name(device: torch.device) -> str:
+    return torch.cuda.get_device_name(device) if device.type == "cuda" else "CPU"
