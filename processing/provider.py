@@ -21,6 +21,7 @@ from .algorithms.make_sample import MakeSample
 from .algorithms.rasterize_annotation import RasterizeAnnotation
 from .algorithms.repair_annotation import RepairAnnotation
 from .algorithms.segment_image import SegmentImage
+from .algorithms.train_model import TrainModel
 from .algorithms.update_database import UpdateDatabase
 from .framework.base import ICON_PATH
 from .framework.shipped_models import shipped_models
@@ -32,6 +33,7 @@ ALGORITHMS = (
     DecodeColorLabels,
     CompareLabels,
     ExportTrainingTiles,
+    TrainModel,
     SegmentImage,
     MakeSample,
     BuildDatabase,

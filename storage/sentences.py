@@ -58,6 +58,10 @@ SENTENCES = {
     ),
     "storage.labels_not_on_image": "The labels can’t be brought onto the image: {reason}.",
     "storage.labels_out_of_range": ("The labels have the value {found}; a label map holds class values from 0 to 255."),
+    "storage.image_without_place": (
+        "{path} has no georeference, so polygons can't be laid on it; give a label map of its size, or an image with "
+        "its place on the ground."
+    ),
     "storage.nothing_labeled": ("No pixel of the image is labeled; check that image and labels show the same ground."),
     "storage.no_subset_tiles": (
         "The labels leave {training} tiles for training and {validation} for validation; choose smaller tiles than "

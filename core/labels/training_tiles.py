@@ -43,6 +43,27 @@ class Tile:
         return f"{self.column}_{self.row}"
 
 
+TILE_SIZES = (512, 384, 256, 192, 128)
+"""Edges of tiles in pixels, multiples of 32, the largest first: a network sees more around a place in larger ones, and
+the pyramid of ours has nothing left of smaller ones."""
+
+ENOUGH_TILES, MOST_TILES = 24, 2000
+"""Tiles that an image should have room for, so that some can be set aside; and beyond which more teach little."""
+
+
+def fitting_tiles(shape_hw: tuple[int, int]) -> tuple[int, int]:
+    """(edge, stride) in pixels of the tiles that suit an image: the largest of which it has room for enough.
+
+    They overlap by half where the image is small, and lie apart where it is huge.
+    """
+    height, width = shape_hw
+    rooms = {size: (height // size) * (width // size) for size in TILE_SIZES}
+    size = next((size for size, room in rooms.items() if room >= ENOUGH_TILES), TILE_SIZES[-1])
+    if rooms[size] <= MOST_TILES // 4:
+        return size, size // 2
+    return size, max(size, int((height * width / MOST_TILES) ** 0.5))
+
+
 def block_size(shape_hw: tuple[int, int], tile_size: int) -> int:
     """Edge of a block of ground in pixels: about an eighth of the longer side, in whole tiles so that few straddle."""
     return tile_size * max(1, -(-max(shape_hw) // (BLOCKS_ACROSS * tile_size)))

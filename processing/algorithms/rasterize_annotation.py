@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform
+from qgis.core import QgsCoordinateReferenceSystem
 
-from ...core.errors import ParameterError
 from ..compat import wkt_for_gdal
 from ..framework import offers
 from ..framework.annotation import AnnotationAlgorithm, pixel_grid, union_of_bounds
-from ..framework.base import Declared, check_canceled, follow
+from ..framework.base import Declared, follow
 from ..framework.declarations import Crs, MapExtent, Number, NumberResult, RasterOutput
 from ..translation import tr
 
@@ -18,7 +17,6 @@ if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.geometry.frame import MapFrame
-    from ...core.labels.class_table import ClassTable
     from ...storage.burning import BurnPolygon
     from ..framework.outputs import Outputs
     from ..framework.values import Values
@@ -84,7 +82,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         from ...storage.burning import LabelMapBurning
 
         crs = self.label_map_crs(values, feedback, values.crs(self.TARGET_CRS))
-        polygons, table = self._polygons(values, feedback, crs)
+        polygons, table = self.burn_polygons(values, feedback, crs, READING_SHARE)
         frame = self._frame(values, crs, polygons)
         height, width = frame.shape_hw
         feedback.pushInfo(
@@ -117,27 +115,3 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         if extent.isEmpty():
             bounds = union_of_bounds([polygon.bounds for polygon in polygons])
         return pixel_grid(bounds, values.number(self.PIXEL_SIZE), wkt_for_gdal(crs))
-
-    def _polygons(
-        self, values: Values, feedback: QgsProcessingFeedback, crs: QgsCoordinateReferenceSystem
-    ) -> tuple[list[BurnPolygon], ClassTable]:
-        """Polygons to burn and the class table; says what was repaired and skipped."""
-        from ..exchange.annotation import AnnotationCounts, burn_polygons, require_known_classes
-
-        source = self._source
-        lookup = self.classes(values, feedback)
-        transform = None
-        if crs != source.crs:
-            transform = QgsCoordinateTransform(source.crs, crs, values.transform_context)
-        counts, polygons = AnnotationCounts(), []
-        for n, found in enumerate(burn_polygons(source, lookup, transform, counts)):
-            polygons += found
-            if n % 256 == 0:
-                check_canceled(feedback)
-                feedback.setProgress(READING_SHARE * n / max(source.count, 1))
-        for warns, sentence in counts.sentences():
-            (feedback.pushWarning if warns else feedback.pushInfo)(sentence)
-        require_known_classes(counts, source, lookup.table)
-        if not polygons:
-            raise ParameterError("algorithms.nothing_to_rasterize", source=source.name)
-        return polygons, lookup.table

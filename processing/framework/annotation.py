@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsGeometry
 
 from ...core.annotation.findings import ERROR, UNKNOWN_CLASS
 from ...core.errors import ParameterError
@@ -19,6 +19,8 @@ from .base import ANNOTATION, SemRefAlgorithm, check_canceled
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
+    from ...core.labels.class_table import ClassTable
+    from ...storage.burning import BurnPolygon
     from ..exchange.annotation import AnnotationSource, ClassLookup
     from ..exchange.annotation_features import AnnotationReading
     from .values import Values
@@ -94,6 +96,30 @@ class AnnotationAlgorithm(SemRefAlgorithm):
                 check_canceled(feedback)
                 feedback.setProgress(last * n / max(self._source.count, 1))
         return reading
+
+    def burn_polygons(
+        self, values: Values, feedback: QgsProcessingFeedback, crs: QgsCoordinateReferenceSystem, last: float
+    ) -> tuple[list[BurnPolygon], ClassTable]:
+        """Polygons to burn and the class table; says what was repaired and skipped; progress goes up to ``last`` %."""
+        from ..exchange.annotation import AnnotationCounts, burn_polygons, require_known_classes
+
+        source = self._source
+        lookup = self.classes(values, feedback)
+        transform = None
+        if crs != source.crs:
+            transform = QgsCoordinateTransform(source.crs, crs, values.transform_context)
+        counts, polygons = AnnotationCounts(), []
+        for n, found in enumerate(burn_polygons(source, lookup, transform, counts)):
+            polygons += found
+            if n % 256 == 0:
+                check_canceled(feedback)
+                feedback.setProgress(last * n / max(source.count, 1))
+        for warns, sentence in counts.sentences():
+            (feedback.pushWarning if warns else feedback.pushInfo)(sentence)
+        require_known_classes(counts, source, lookup.table)
+        if not polygons:
+            raise ParameterError("algorithms.nothing_to_rasterize", source=source.name)
+        return polygons, lookup.table
 
     def require_known_classes(self, reading: AnnotationReading, lookup: ClassLookup) -> None:
         """Raises AnnotationError as rasterizing does for class values that the class table lacks."""

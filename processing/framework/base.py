@@ -38,6 +38,10 @@ CANCEL_EVERY_S = 0.2
 class Canceled(Exception):
     """The user canceled; nothing was written."""
 
+    def said(self) -> str:
+        """What the user is told, in their language."""
+        return tr("Canceled; nothing was written.")
+
 
 class SemRefAlgorithm(QgsProcessingAlgorithm):
     """Base of the algorithms. A subclass has ID, GROUP, TAGS and the methods title, summary, parameters, work."""
@@ -183,7 +187,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         except SemRefError as error:
             raise QgsProcessingException(self.worded(error)) from error
         except Canceled as error:
-            raise QgsProcessingException(tr("Canceled; nothing was written.")) from error
+            raise QgsProcessingException(error.said()) from error
         except OSError as error:
             if error.errno not in _DISK_ERRORS:
                 raise

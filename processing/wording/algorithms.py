@@ -32,6 +32,12 @@ SENTENCES = {
         "{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS."
     ),
     "algorithms.changed_without_polygon": "{key} has no polygon; leave it out to find the changes by comparing.",
+    "algorithms.annotation_or_labels": "Give either an annotation layer (INPUT) or a label map (LABELS).",
+    "algorithms.no_class_field": "CLASS_FIELD is empty; choose the field that tells the class of each polygon.",
+    "algorithms.other_training": (
+        "{folder} holds a canceled training with another {settings}; give the same again, choose another OUTPUT, or "
+        "turn RESUME off to begin anew."
+    ),
     "algorithms.nothing_to_repair": "“{source}” has no polygon with area and class; there is nothing to repair.",
     "algorithms.no_class_table": "Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.",
     "algorithms.no_methods": "METHODS is empty; choose at least one method.",

@@ -5,6 +5,10 @@ SENTENCES = {
         "“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or "
         "leave those features out."
     ),
+    "exchange.no_common_ground": (
+        "{image} and {labels} show different ground; choose an image and labels of the same place, and check their CRS "
+        "and the extent."
+    ),
     "exchange.clip_crs": "CLIP does not fit its CRS {crs}; correct the CRS.",
     "exchange.clip_outside": (
         "The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and points "

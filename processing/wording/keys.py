@@ -101,6 +101,16 @@ SENTENCES_BY_KEY: dict[str, tuple[str, str]] = {
         EVERYWHERE,
         "{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.",
     ),
+    "storage.no_subset_tiles": (
+        "MINUTES",
+        "The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label "
+        "more ground, or give a smaller RESOLUTION or another VALIDATION_FRACTION.",
+    ),
+    "labels.smaller_than_tile": (
+        "MINUTES",
+        "The ground has {width} × {height} pixels, less than a tile of {tile_size}; label more ground, or give a "
+        "smaller RESOLUTION.",
+    ),
     "labels.nothing_in_common": (
         "REFERENCE",
         "The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.",

@@ -34,6 +34,11 @@ SENTENCES = {
         "SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing "
         "{commands}."
     ),
+    "packages.no_such_python": "{python} is no program; choose the Python that trains, or leave it out.",
+    "packages.no_training_python": (
+        "Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about "
+        "1.5 GB, more with support for graphics cards), or name one in PYTHON."
+    ),
     "packages.not_removed": (
         "{name} can’t be removed, probably because it is in use; restart QGIS and remove it again."
     ),

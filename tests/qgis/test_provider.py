@@ -20,6 +20,7 @@ NAMES = (
     "repairannotation",
     "decodecolorlabels",
     "exporttrainingtiles",
+    "trainmodel",
     "comparelabels",
     "segmentimage",
     "builddatabase",

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import ParameterError
-from semref.core.labels.training_tiles import block_size, plan_tiles, validation_blocks
+from semref.core.labels.training_tiles import MOST_TILES, block_size, fitting_tiles, plan_tiles, validation_blocks
 
 
 def pixels_of(tiles, subset, shape_hw, size):
@@ -61,3 +61,22 @@ def test_the_same_image_is_always_divided_alike():
 def test_an_image_smaller_than_a_tile_is_refused():
     with pytest.raises(ParameterError, match="300 × 50 pixels, less than a tile of 64"):
         plan_tiles((50, 300), 64, 64, np.zeros((1, 5), bool), 64)
+
+
+@pytest.mark.parametrize(
+    ("shape_hw", "expected"),
+    [
+        ((100, 100), (128, 64)),
+        ((2538, 1648), (384, 192)),
+        ((512 * 4, 512 * 6), (512, 256)),
+        ((512 * 30, 512 * 30), (512, 512)),
+        ((100_000, 100_000), (512, 2236)),
+    ],
+    ids=["too small", "half a town", "enough of the largest", "many", "huge"],
+)
+def test_tiles_are_large_where_there_is_room_and_overlap_where_there_is_little(shape_hw, expected):
+    size, stride = fitting_tiles(shape_hw)
+    assert (size, stride) == expected
+    if min(shape_hw) >= size:
+        tiles = plan_tiles(shape_hw, size, stride, np.zeros((999, 999), bool), size)
+        assert len(tiles) <= 1.1 * MOST_TILES

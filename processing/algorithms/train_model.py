@@ -1,0 +1,352 @@
+"""semref:trainmodel – orthophoto and annotation of the same ground to a segmentation network."""
+
+from __future__ import annotations
+
+import json
+import os
+from contextlib import closing
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from ...core.errors import ParameterError
+from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
+from ...training.job import EXAMPLES, JOB, LITE0, PACKAGED, RESULT, SMALL, Job
+from ..framework import offers
+from ..framework.annotation import AnnotationAlgorithm
+from ..framework.base import Canceled, Declared, follow
+from ..framework.declarations import Choice, File, FileOutput, MapExtent, Number, NumberResult, RasterLayer, Switch
+from ..framework.training_process import TrainingTeller, require_training, training_events
+from ..framework.training_run import CanceledKeeping, TrainingRun, stamp
+from ..packages.training_environment import training_python
+from ..reports.training_report import TrainingReport
+from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...storage.rasters import RasterFile
+    from ..exchange.training_ground import TrainingGround
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
+
+CUT, TRAINED = 12.0, 97.0
+"""Percent of the progress at which the tiles are cut, and the network is trained."""
+
+LITE0_NETWORK, SMALL_NETWORK = range(2)
+UNKNOWN, SOMETHING_ELSE = range(2)
+
+LIGHT = 1.5
+"""How much light and color vary while training: photos come from other cameras and days than the orthophoto
+(tools/training/train_dubai.py)."""
+
+
+class TrainModel(AnnotationAlgorithm):
+    ID = "trainmodel"
+    TAGS = ("training", "segmentation", "network", "deep learning", "onnx", "torch", "fine-tune", "land cover")
+
+    IMAGE = "IMAGE"
+    LABELS = "LABELS"
+    EXTENT = "EXTENT"
+    UNLABELED = "UNLABELED"
+    BASE_MODEL = "BASE_MODEL"
+    MINUTES = "MINUTES"
+    EPOCHS = "EPOCHS"
+    PATIENCE = "PATIENCE"
+    NETWORK = "NETWORK"
+    RESOLUTION = "RESOLUTION"
+    VALIDATION_FRACTION = "VALIDATION_FRACTION"
+    RESUME = "RESUME"
+    PYTHON = "PYTHON"
+    SEED = "SEED"
+    OUTPUT = "OUTPUT"
+    REPORT = "REPORT"
+    MEAN_IOU = "MEAN_IOU"
+
+    def title(self) -> str:
+        return tr("Train model")
+
+    def summary(self) -> str:
+        return tr(
+            "Trains a segmentation network on an orthophoto and an annotation or label map of the same ground, and "
+            "gives it as a model (ONNX) for “Segment image” and “Localize images”, with a report.\n\n"
+            "Ground is set aside to tell how good the network is. Training runs in a Python of its own that has torch: "
+            "SemRef makes one under Settings ▸ Options ▸ SemRef, or you name one. A run that is canceled can be gone "
+            "on with: run it again with the same output."
+        )
+
+    def parameters(self) -> tuple[Declared, ...]:
+        return (
+            RasterLayer(
+                self.IMAGE,
+                tr("Orthophoto"),
+                tr("Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned."),
+            ),
+            *(
+                replace(parameter, optional=True)
+                for parameter in offers.annotation()
+                if parameter.key != self.PRIORITY_FIELD
+            ),
+            replace(
+                offers.label_map(
+                    tr("Instead of an annotation: a raster of class values of the same ground, 0 without a label.")
+                ),
+                optional=True,
+            ),
+            *self._choices(),
+            *self._details(),
+            FileOutput(
+                self.OUTPUT,
+                tr("Model"),
+                tr("ONNX file. While it is trained, a folder beside it keeps what a canceled run can go on with."),
+                filter=tr("ONNX models (*.onnx)"),
+            ),
+            offers.report(tr("A page with IoU of each class, confusion matrix, curves and examples side by side.")),
+            NumberResult(self.MEAN_IOU, tr("Mean IoU")),
+        )
+
+    def _choices(self) -> tuple[Declared, ...]:
+        return (
+            Choice(
+                self.UNLABELED,
+                tr("Ground without a label"),
+                tr(
+                    "Unknown ground is left out of training. Choose “something else” only where everything that is of "
+                    "a class was drawn; the extent then keeps away ground where nothing was drawn."
+                ),
+                default=UNKNOWN,
+                options=(tr("is unknown"), tr("is something else")),
+            ),
+            File(
+                self.BASE_MODEL,
+                tr("Base model"),
+                tr("A model that SemRef trained, to go on from: its classes are matched by name. Optional."),
+                optional=True,
+                filter=tr("Models that SemRef trained (*.onnx *.pt)"),
+            ),
+            Number(
+                self.MINUTES,
+                tr("Time limit (minutes)"),
+                tr("Training is done within this time; ten minutes are a start, an hour does better. 0: no limit."),
+                optional=True,
+                default=30,
+                minimum=0,
+            ),
+            MapExtent(
+                self.EXTENT,
+                tr("Extent"),
+                tr("Ground to learn from; all that image and labels share if left out."),
+                optional=True,
+            ),
+        )
+
+    def _details(self) -> tuple[Declared, ...]:
+        return (
+            Number(
+                self.EPOCHS,
+                tr("Epochs"),
+                tr("Rounds over the ground, at most; the time limit may end it earlier."),
+                advanced=True,
+                default=200,
+                minimum=1,
+                is_integer=True,
+            ),
+            Number(
+                self.PATIENCE,
+                tr("Patience (epochs)"),
+                tr("Training stops when ground set aside has not been told better for so many epochs. 0: never."),
+                advanced=True,
+                default=30,
+                minimum=0,
+                is_integer=True,
+            ),
+            Choice(
+                self.NETWORK,
+                tr("Network"),
+                tr("What is trained where there is no base model. The small one is quicker and knows nothing yet."),
+                advanced=True,
+                default=LITE0_NETWORK,
+                options=(tr("EfficientNet-Lite0, which knows photos"), tr("Small, from scratch")),
+            ),
+            Number(
+                self.RESOLUTION,
+                tr("Resolution (cm per pixel)"),
+                tr("To learn at other pixels than the image’s: those of the photos that are to be localized."),
+                optional=True,
+                advanced=True,
+                minimum=0.1,
+            ),
+            Number(
+                self.VALIDATION_FRACTION,
+                tr("Validation fraction"),
+                tr("Share of the labeled ground that is set aside for validation; 0 for none."),
+                advanced=True,
+                default=0.2,
+                minimum=0.0,
+                maximum=0.9,
+            ),
+            Switch(
+                self.RESUME,
+                tr("Go on with a canceled run"),
+                tr("A canceled run with the same output and settings is gone on with; otherwise it is begun anew."),
+                advanced=True,
+                default=True,
+            ),
+            File(
+                self.PYTHON,
+                tr("Python that trains"),
+                tr("A Python with torch; if left out, that of the options, or the one that SemRef made for training."),
+                optional=True,
+                advanced=True,
+                filter=tr("Programs (*)"),
+            ),
+            offers.seed(default=1671),
+        )
+
+    # --- before any work ---
+
+    def check(self, values: Values) -> None:
+        if values.has(self.INPUT) == values.has(self.LABELS):
+            raise ParameterError("algorithms.annotation_or_labels")
+        if values.has(self.INPUT) and not values.text(self.CLASS_FIELD):
+            raise ParameterError("algorithms.no_class_field")
+        training_python(values.file(self.PYTHON))
+
+    def read_layers(self, values: Values) -> None:
+        from ..exchange.training_ground import require_common_ground
+
+        self._image, image = values.image(self.IMAGE), values.raster(self.IMAGE)
+        self._image_extent, self._labels = image.extent(), None
+        if values.has(self.INPUT):
+            super().read_layers(values)
+            other = self._source.name, self._source.extent, self._source.crs
+        else:
+            self._labels, labels = values.label_map(self.LABELS), values.raster(self.LABELS)
+            other = labels.name(), labels.extent(), labels.crs()
+        require_common_ground(image, *other, values.transform_context)
+
+    # --- work ---
+
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
+        python = training_python(values.file(self.PYTHON))
+        feedback.setProgressText(tr("Starting the Python that trains"))
+        ready = require_training(python, feedback)
+        text = tr("{python}: torch {version} on {device}")
+        feedback.pushInfo(text.format(python=python, version=ready["torch"], device=ready["device"]))
+        run = TrainingRun(values.target(self.OUTPUT))
+        try:
+            with outputs.file(self.OUTPUT) as temporary:
+                report = self._trained(values, python, temporary, run, feedback)
+        except Canceled:
+            if run.can_go_on:
+                raise CanceledKeeping(run.folder) from None
+            raise
+        finally:
+            run.close()
+        if outputs.wants(self.REPORT):
+            outputs.text(self.REPORT, report.html())
+        outputs.require(run.clear)
+        return {self.MEAN_IOU: report.best["mean_iou"]}
+
+    def _trained(
+        self, values: Values, python: str, target: str, run: TrainingRun, feedback: QgsProcessingFeedback
+    ) -> TrainingReport:
+        """Cuts the ground, trains on it, writes the model; what there is to say of it."""
+        job = self._job(values, target, run)
+        run.begin(job, values.switch(self.RESUME))
+        ground = self._ground(values)
+        image = ground.image(run.folder)
+        if not run.has_tiles:
+            self._cut(values, image, ground, run, feedback)
+        job = replace(job, ground={**ground.told(image), "base_model": os.path.basename(job.base_model)})
+        job.write(run.folder / JOB)
+        teller = TrainingTeller(feedback, CUT, TRAINED)
+        with closing(training_events(python, [str(run.folder / JOB)], feedback)) as events:
+            for event in events:
+                teller.tell(event)
+        result = json.loads((run.folder / RESULT).read_text(encoding="utf-8"))
+        examples = [path.read_bytes() for path in sorted((run.folder / EXAMPLES).glob("*.png"))]
+        return TrainingReport(os.path.basename(values.target(self.OUTPUT)), result, job.ground, examples)
+
+    def _job(self, values: Values, target: str, run: TrainingRun) -> Job:
+        is_small = values.choice(self.NETWORK) == SMALL_NETWORK
+        return Job(
+            (str(run.tiles),),
+            target,
+            str(run.folder),
+            values.file(self.BASE_MODEL),
+            encoder=SMALL if is_small else LITE0,
+            encoder_weights="" if is_small else PACKAGED,
+            learn_unlabeled=values.choice(self.UNLABELED) == SOMETHING_ELSE,
+            epochs=values.integer(self.EPOCHS),
+            light=LIGHT,
+            patience=values.integer(self.PATIENCE),
+            minutes=values.optional_number(self.MINUTES) or 0.0,
+            seed=values.integer(self.SEED),
+            resume=True,
+            fingerprint=self._fingerprint(values),
+        )
+
+    def _fingerprint(self, values: Values) -> dict:
+        """By what a canceled run is known to be of the same ground."""
+        extent = values.extent(self.EXTENT, self._image.crs)
+        found = {
+            "image": stamp(self._image.path),
+            "extent": "" if extent.isEmpty() else extent.toString(3),
+            "resolution": values.optional_number(self.RESOLUTION),
+            "validation": values.number(self.VALIDATION_FRACTION),
+            "table": stamp(values.file(self.CLASS_TABLE)),
+        }
+        if self._labels is not None:
+            return {**found, "labels": stamp(self._labels.path)}
+        source = self._source
+        return {
+            **found,
+            "labels": [source.name, source.count, source.extent.toString(3), values.text(self.CLASS_FIELD)],
+        }
+
+    def _ground(self, values: Values) -> TrainingGround:
+        """What is to be seen of the image."""
+        from ..exchange.training_ground import TrainingGround
+
+        drawn = None
+        if self._labels is None and values.choice(self.UNLABELED) == SOMETHING_ELSE:
+            # Beyond what was annotated, nothing tells that there is something else.
+            drawn = self._source.extent, self._source.crs
+        labels = self._source.name if self._labels is None else os.path.basename(self._labels.path)
+        resolution_cm = values.optional_number(self.RESOLUTION)
+        return TrainingGround(
+            self._image,
+            self._image_extent,
+            labels,
+            None if resolution_cm is None else resolution_cm / 100,
+            values.extent(self.EXTENT, self._image.crs),
+            drawn,
+            values.transform_context,
+        )
+
+    def _cut(
+        self,
+        values: Values,
+        image: RasterFile,
+        ground: TrainingGround,
+        run: TrainingRun,
+        feedback: QgsProcessingFeedback,
+    ) -> None:
+        """Labels on the image's pixels, and tiles of both."""
+        from ...storage.burning import LabelMapBurning
+        from ...storage.training_ground import frame_of, shape_of
+        from ...storage.training_tiles import TileExport
+
+        table = values.class_table(self.CLASS_TABLE)
+        if self._labels is None:
+            frame = frame_of(image)
+            polygons, table = self.burn_polygons(values, feedback, ground.crs, CUT / 4)
+            follow(LabelMapBurning(str(run.labels), frame, table, polygons).steps(), feedback, CUT / 4, CUT / 2)
+        labels = replace(image, path=str(run.labels)) if self._labels is None else self._labels.file
+        size, stride = fitting_tiles(shape_of(image))
+        export = TileExport(image, labels, size, stride, values.number(self.VALIDATION_FRACTION))
+        run.new_tiles.mkdir(parents=True)
+        follow(export.steps(run.new_tiles, table), feedback, CUT / 2, CUT)
+        run.keep_tiles()
+        text = tr("{training} tiles to train on, {validation} to validate on")
+        feedback.pushInfo(text.format(training=export.counts[TRAIN], validation=export.counts[VALIDATION]))

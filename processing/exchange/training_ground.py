@@ -1,0 +1,115 @@
+"""The ground a network learns from, as QGIS knows it: what image, annotation and the wanted extent share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCoordinateTransformContext,
+    QgsCsException,
+    QgsRasterLayer,
+    QgsRectangle,
+)
+
+from ...core.errors import ParameterError
+from ...storage.rasters import RasterFile
+from ...storage.training_ground import WantedGround, frame_of, is_placed, seen_ground
+from ..compat import is_metric, wkt_for_gdal
+from .layers import RasterLayer
+from .reference_systems import describe_crs, metric_crs
+
+Placed = tuple[QgsRectangle, QgsCoordinateReferenceSystem]
+
+
+def require_common_ground(
+    image: QgsRasterLayer,
+    name: str,
+    extent: QgsRectangle,
+    crs: QgsCoordinateReferenceSystem,
+    context: QgsCoordinateTransformContext,
+) -> None:
+    """Raises ParameterError where the image and what is called ``name`` show different ground.
+
+    Where one of them has no CRS they are compared later, by their sizes in pixels.
+    """
+    if not (image.crs().isValid() and crs.isValid()):
+        return
+    try:
+        moved = QgsCoordinateTransform(crs, image.crs(), context).transformBoundingBox(extent)
+    except QgsCsException:
+        moved = QgsRectangle()
+    if moved.isEmpty() or not moved.intersects(image.extent()):
+        raise ParameterError("exchange.no_common_ground", image=image.name(), labels=name)
+
+
+@dataclass(frozen=True)
+class TrainingGround:
+    """What is to be seen of an image.
+
+    Attributes:
+        layer: The image.
+        extent: Of the image, in its CRS.
+        labels: What annotation or label map is called.
+        pixel_size: Meters; None for the image's own.
+        wanted: What the user wants of it, in the image's CRS; an empty one for all.
+        drawn: Where labels may be; None for everywhere.
+        context: How this project transforms coordinates.
+    """
+
+    layer: RasterLayer
+    extent: QgsRectangle
+    labels: str
+    pixel_size: float | None
+    wanted: QgsRectangle
+    drawn: Placed | None
+    context: QgsCoordinateTransformContext
+
+    @property
+    def crs(self) -> QgsCoordinateReferenceSystem:
+        """In meters, wherever the image has a CRS at all."""
+        crs = self.layer.crs
+        if not crs.isValid() or is_metric(crs):
+            return crs
+        return metric_crs(crs, QgsCoordinateReferenceSystem(), self.extent, self.context)
+
+    def image(self, folder: Path) -> RasterFile:
+        """The image as it is learned from; ``folder`` takes what describes it. Raises ParameterError, LabelMapError."""
+        crs = self.crs
+        changed = wkt_for_gdal(crs) if crs != self.layer.crs else ""
+        return seen_ground(self.layer.file, WantedGround(changed, self.pixel_size, self._bounds(crs)), folder)
+
+    def _bounds(self, crs: QgsCoordinateReferenceSystem) -> tuple[float, float, float, float] | None:
+        parts = [self._in(crs, rectangle, own) for rectangle, own in self._parts()]
+        if not parts:
+            return None
+        shared = self._in(crs, self.extent, self.layer.crs)
+        for part in parts:
+            shared = shared.intersect(part)
+        if shared.isEmpty():
+            raise ParameterError("exchange.no_common_ground", image=self.layer.path, labels=self.labels)
+        return shared.xMinimum(), shared.yMinimum(), shared.xMaximum(), shared.yMaximum()
+
+    def _parts(self) -> list[Placed]:
+        parts = [] if self.wanted.isEmpty() else [(self.wanted, self.layer.crs)]
+        return parts + ([] if self.drawn is None else [self.drawn])
+
+    def _in(
+        self, crs: QgsCoordinateReferenceSystem, rectangle: QgsRectangle, own: QgsCoordinateReferenceSystem
+    ) -> QgsRectangle:
+        try:
+            return QgsCoordinateTransform(own, crs, self.context).transformBoundingBox(rectangle)
+        except QgsCsException:
+            raise ParameterError("exchange.extent_outside_crs", crs=describe_crs(own)) from None
+
+    def told(self, image: RasterFile) -> dict:
+        """What the model's metadata tell of the ground it was trained on."""
+        found = {"image": Path(self.layer.path).name, "labels": self.labels, "date": date.today().isoformat()}
+        if not is_placed(image):
+            return found
+        frame = frame_of(image)
+        found |= {"crs": self.crs.authid(), "extent": [round(edge, 3) for edge in frame.extent]}
+        return found | ({"pixel_size": round(frame.pixel_size, 6)} if is_metric(self.crs) else {})

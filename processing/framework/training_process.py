@@ -1,0 +1,162 @@
+"""The process that trains: a Python with torch, started beside QGIS, which tells by lines of JSON what it does."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+
+from qgis.core import QgsProcessingFeedback
+from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
+
+from ...core.errors import TrainingError
+from ...core.sentences import Sentence
+from ..translation import tr
+from .base import check_canceled
+
+PROGRAM = Path(__file__).resolve().parents[2] / "training"
+
+_LOOKED_EVERY_MS = 200
+_KILLED_WITHIN_MS = 5000
+_LAST_LINES = 20
+"""Of what it says beside events; the last of them tell why it ended."""
+
+_QGIS_OWN = ("PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP")
+"""Variables by which QGIS leads its own Python, and another one astray."""
+
+
+def require_training(python: str, feedback: QgsProcessingFeedback) -> dict:
+    """Asks a Python whether it can train; returns what it says (torch, device). Raises TrainingError."""
+    answer: dict = {}
+    for event in training_events(python, [], feedback):
+        answer = event if event["event"] == "ready" else answer
+    if not answer:
+        raise TrainingError("training.no_trainer", python=python)
+    return answer
+
+
+def training_events(python: str, arguments: list[str], feedback: QgsProcessingFeedback) -> Iterator[dict]:
+    """Runs the training and yields what it tells; a cancel ends it at once.
+
+    Raises:
+        TrainingError: It can't be started, says that it can't go on, or ends without a word.
+        Canceled: The user canceled.
+    """
+    process = QProcess()
+    process.setProcessEnvironment(_environment())
+    process.start(python, [str(PROGRAM), *arguments])
+    if not process.waitForStarted():
+        raise TrainingError("training.not_started", python=python, reason=process.errorString())
+    lines = _Lines(process)
+    try:
+        with closing(lines.read(feedback)) as read:
+            yield from read
+    finally:
+        if process.state() != QProcess.ProcessState.NotRunning:
+            process.kill()
+            process.waitForFinished(_KILLED_WITHIN_MS)
+    if process.exitStatus() == QProcess.ExitStatus.CrashExit or process.exitCode() != 0:
+        raise TrainingError("training.ended", python=python, reason=lines.reason or process.errorString())
+
+
+class _Lines:
+    """What a process prints: events on its output, and the last words beside them."""
+
+    def __init__(self, process: QProcess) -> None:
+        self._process = process
+        self._rest = b""
+        self._said: list[str] = []
+
+    @property
+    def reason(self) -> str:
+        """Its last words, as part of a sentence."""
+        return self._said[-1].rstrip(".") if self._said else ""
+
+    def read(self, feedback: QgsProcessingFeedback) -> Iterator[dict]:
+        """Every event until the process ends; raises TrainingError for one that says that it failed."""
+        running = True
+        while running:
+            check_canceled(feedback)
+            running = self._process.state() != QProcess.ProcessState.NotRunning
+            if running:
+                self._process.waitForReadyRead(_LOOKED_EVERY_MS)
+            for event in self._events():
+                _require_no_failure(event, feedback)
+                yield event
+
+    def _events(self) -> Iterator[dict]:
+        errors = bytes(self._process.readAllStandardError()).decode("utf-8", "replace")
+        self._said = [*self._said, *filter(None, map(str.strip, errors.splitlines()))][-_LAST_LINES:]
+        *lines, self._rest = (self._rest + bytes(self._process.readAllStandardOutput())).split(b"\n")
+        for line in lines:
+            event = _event(line)
+            if event is not None:
+                yield event
+
+
+def _event(line: bytes) -> dict | None:
+    """What a line tells; None for one that is no event: libraries print, too."""
+    try:
+        found = json.loads(line.decode("utf-8", "replace"))
+    except ValueError:
+        return None
+    return found if isinstance(found, dict) and isinstance(found.get("event"), str) else None
+
+
+def _require_no_failure(event: dict, feedback: QgsProcessingFeedback) -> None:
+    if event["event"] == "failed":
+        raise TrainingError(Sentence(event["code"], **event["values"]))
+    if event["event"] == "broke":
+        feedback.pushDebugInfo(event["text"])
+        raise TrainingError("training.broke", reason=event["reason"].rstrip("."))
+
+
+def _environment() -> QProcessEnvironment:
+    environment = QProcessEnvironment.systemEnvironment()
+    for name in _QGIS_OWN:
+        environment.remove(name)
+    environment.insert("PYTHONIOENCODING", "utf-8")
+    environment.insert("PYTHONDONTWRITEBYTECODE", "1")
+    if os.name == "nt":
+        environment.insert("PYTHONUTF8", "1")
+    return environment
+
+
+class TrainingTeller:
+    """Shows what a training tells, from ``first`` to ``last`` % of the progress."""
+
+    def __init__(self, feedback: QgsProcessingFeedback, first: float, last: float) -> None:
+        self._feedback, self._first, self._last = feedback, first, last
+
+    def tell(self, event: dict) -> None:
+        """Shows one event."""
+        if "share" in event:
+            self._feedback.setProgress(self._first + (self._last - self._first) * event["share"])
+        show = getattr(self, f"_{event['event']}", None)
+        if show is not None:
+            show(event)
+
+    def _begun(self, event: dict) -> None:
+        text = tr("Training {weights} weights on {device}: {training} tiles to learn from, {validation} set aside")
+        weights = f"{event['weights']:,}"
+        known = {key: event[key] for key in ("device", "training", "validation")}
+        self._feedback.pushInfo(text.format(weights=weights, **known))
+
+    def _resumed(self, event: dict) -> None:
+        self._feedback.pushInfo(tr("Going on after epoch {epoch} of a canceled run.").format(epoch=event["epoch"]))
+
+    def _step(self, event: dict) -> None:
+        text = tr("Epoch {epoch}, loss {loss:.3f}")
+        self._feedback.setProgressText(text.format(epoch=event["epoch"], loss=event["loss"]))
+
+    def _epoch(self, event: dict) -> None:
+        classes = ((key[4:], value) for key, value in event.items() if key.startswith("iou_"))
+        text = tr("Epoch {epoch}: loss {loss:.3f}, mean IoU {iou:.1%} ({classes})")
+        shown = ", ".join(f"{name} {100 * value:.0f} %" for name, value in classes)
+        known = {"epoch": event["epoch"], "loss": event["training_loss"], "iou": event["mean_iou"]}
+        self._feedback.pushInfo(text.format(classes=shown, **known))
+
+    def _exporting(self, _event: dict) -> None:
+        self._feedback.setProgressText(tr("Writing and checking the model"))

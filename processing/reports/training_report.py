@@ -1,0 +1,183 @@
+"""The report of a training: how well each class is found on ground set aside, curves, examples side by side."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+
+from ..translation import tr
+from . import charts, page
+from .charts import Series
+
+CLASSES_IN_CHART = 8
+"""Lines of the chart of curves beyond which nobody tells them apart: those of the largest classes."""
+
+
+@dataclass(frozen=True)
+class TrainingReport:
+    """What the report is made from.
+
+    Attributes:
+        model: Name of the model's file.
+        result: What the training tells (result.json).
+        ground: What the metadata tell of the ground.
+        examples: Pictures (PNG): photo, annotation, answer side by side.
+    """
+
+    model: str
+    result: dict
+    ground: dict
+    examples: Sequence[bytes]
+
+    @property
+    def names(self) -> list[str]:
+        """Of the classes, a channel each."""
+        return [entry["name"] for entry in self.result["classes"]]
+
+    @property
+    def best(self) -> dict:
+        """The row of the curves whose weights the model has."""
+        return self.result["history"][self.result["best_epoch"] - 1]
+
+    def html(self) -> str:
+        """The whole page."""
+        return page.page(
+            tr("Training of a network"),
+            self.model,
+            self._figures(),
+            page.section(tr("Classes"), page.columns(self._classes(), self._matrix())),
+            page.section(tr("Curves"), page.columns(self._loss(), self._iou())),
+            page.section(tr("Examples"), *self._examples()),
+            page.section(tr("What it was trained on"), self._ground()),
+        )
+
+    def _figures(self) -> str:
+        result = self.result
+        epochs = tr("{best} of {count} epochs").format(best=result["best_epoch"], count=len(result["history"]))
+        tiles = tr("{training} tiles to train on, {validation} to validate on")
+        minutes = page.number(result["seconds"] / 60, "min")
+        return page.key_figures(
+            [
+                (page.percent(self.best["mean_iou"]), tr("mean IoU"), tr("on ground that was set aside")),
+                (epochs, tr("best epoch"), stopped_by(result["stopped_by"])),
+                (minutes, tr("training time"), result["device"]),
+                (
+                    page.number(result["bytes"] / 1e6, "MB"),
+                    tr("size of the model"),
+                    tiles.format(training=result["training"], validation=result["validation"]),
+                ),
+            ]
+        )
+
+    def _classes(self) -> str:
+        confusion = self.result["confusion"]
+        rows = []
+        for n, name in enumerate(self.names):
+            annotated, predicted, both = sum(confusion[n]), sum(row[n] for row in confusion), confusion[n][n]
+            if annotated:
+                either = annotated + predicted - both
+                shares = (both / either, both / annotated, both / predicted if predicted else None)
+                rows.append([name, *(page.percent(share) for share in shares), f"{annotated:,}"])
+        if not rows:
+            return page.paragraph(tr("No ground was set aside, so nothing tells how good the network is."))
+        header = [tr("Class"), tr("IoU"), tr("found"), tr("right where predicted"), tr("annotated pixels")]
+        return page.table(header, rows, range(1, len(header)))
+
+    def _matrix(self) -> str:
+        confusion = self.result["confusion"]
+        rows = [n for n, row in enumerate(confusion) if sum(row)]
+        if not rows:
+            return ""
+        columns = [n for n in range(len(confusion)) if any(row[n] for row in confusion)]
+        shares = [[confusion[n][m] / sum(confusion[n]) for m in columns] for n in rows]
+        texts = [[page.percent(share, 0) for share in line] for line in shares]
+        names = ([self.names[n] for n in one] for one in (rows, columns))
+        chart = charts.heat_map(shares, texts, *names, tr("annotated"), tr("predicted"), tr("Confusion matrix"))
+        caption = tr("Where the annotated pixels of each class went, as shares of its row; the diagonal is right.")
+        return page.figure(chart, caption)
+
+    def _loss(self) -> str:
+        history = self.result["history"]
+        losses = [row["training_loss"] for row in history]
+        axis = charts.linear_axis(tr("loss"), 0.0, max([*losses, 1e-6]))
+        series = [Series(tr("loss"), [row["epoch"] for row in history], losses, marked=len(history) < 30)]
+        chart = charts.line_chart(series, self._epochs(), axis, tr("Loss while training"))
+        return page.figure(chart, tr("Loss while training: how far the answers are off on what is learned."))
+
+    def _iou(self) -> str:
+        history = self.result["history"]
+        order = sorted(range(len(self.names)), key=lambda n: -sum(self.result["confusion"][n]))
+        shown = [self.names[n] for n in order[:CLASSES_IN_CHART] if f"iou_{self.names[n]}" in history[-1]]
+        series = [
+            Series(
+                name,
+                [row["epoch"] for row in history if f"iou_{name}" in row],
+                [row[f"iou_{name}"] for row in history if f"iou_{name}" in row],
+                marked=len(history) < 30,
+            )
+            for name in shown
+        ]
+        if not series:
+            return ""
+        chart = charts.line_chart(series, self._epochs(), charts.percent_axis(tr("IoU")), tr("IoU of each class"))
+        return page.figure(chart, tr("IoU of each class on ground that was set aside."))
+
+    def _epochs(self) -> charts.Axis:
+        last = max(len(self.result["history"]), 2)
+        steps = min(last - 1, 5)
+        ticks = sorted({1 + round((last - 1) * n / steps) for n in range(steps + 1)})
+        return charts.Axis(tr("epoch"), (1.0, float(last)), [(float(tick), str(tick)) for tick in ticks])
+
+    def _examples(self) -> list[str]:
+        if not self.examples:
+            return [page.paragraph(tr("There is no example: no ground was set aside."))]
+        caption = tr("Photo, annotation (gray where nothing is known) and what the network makes of it.")
+        return [page.paragraph(caption), self._legend(), *map(_picture, self.examples)]
+
+    def _legend(self) -> str:
+        entries = (
+            f'<span style="background:{escape(entry["color"])};border:1px solid var(--line)">'
+            f"&emsp;</span> {escape(entry['name'])}"
+            for entry in self.result["classes"]
+        )
+        return f"<p>{' &emsp; '.join(entries)}</p>"
+
+    def _ground(self) -> str:
+        rows = [(ground_title(key), _shown(value)) for key, value in self.ground.items()]
+        return page.table([tr("What"), tr("Value")], rows)
+
+
+def stopped_by(reason: str) -> str:
+    """Why a training ended, in the user's language."""
+    return {
+        "epochs": tr("all epochs done"),
+        "patience": tr("stopped: no progress any more"),
+        "minutes": tr("stopped: the time was over"),
+    }.get(reason, "")
+
+
+def ground_title(key: str) -> str:
+    """What an entry about the ground is called, in the user's language."""
+    return {
+        "image": tr("Image"),
+        "labels": tr("Annotation or label map"),
+        "crs": tr("CRS"),
+        "extent": tr("Extent"),
+        "pixel_size": tr("Pixel size (m)"),
+        "base_model": tr("Base model"),
+        "date": tr("Date"),
+    }.get(key, key)
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, (list, tuple)):
+        return ", ".join(f"{part:.2f}" if isinstance(part, float) else str(part) for part in value)
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def _picture(png: bytes) -> str:
+    data = base64.b64encode(png).decode("ascii")
+    alt = escape(tr("Photo, annotation and answer of the network"))
+    return f'<p><img alt="{alt}" style="max-width:100%" src="data:image/png;base64,{data}"></p>'

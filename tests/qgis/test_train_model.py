@@ -1,0 +1,246 @@
+"""semref:trainmodel: what it cuts and asks of the Python that trains, what it tells, and what it leaves behind.
+
+A small program stands in for the training, which needs torch; tests/training has the real one.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
+from made_models import write_model
+from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsSettings
+
+TRAIN = "semref:trainmodel"
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+LABELS = scattered_objects(640, 768, 300, seed=5)
+PHOTO = np.stack([LABELS * 20 + band for band in range(3)]).astype(np.uint8)
+
+TRAINER = """#!{python}
+import json, os, shutil, sys, time
+def tell(event, **values):
+    print(json.dumps({{"event": event, **values}}), flush=True)
+if len(sys.argv) == 2:
+    {ready}
+    sys.exit(0)
+job = json.load(open(sys.argv[2]))
+folder = job["folder"]
+row = {{"epoch": 1, "training_loss": 1.5, "mean_iou": 0.4, "iou_building": 0.5, "iou_water": 0.3,
+        "learning_rate": "1e-3", "seconds": 1.0}}
+tell("begun", device="CPU", training=7, validation=2, weights=300000, class_weights=[0, 1])
+print("a library says something", flush=True)
+{training}
+shutil.copy({model!r}, job["output"])
+classes = [dict(value=n, name=name, color="#3366cc", role="reference")
+           for n, name in enumerate(["unlabeled", "building", "water"])]
+json.dump(dict(classes=classes, history=[row, {{**row, "epoch": 2}}], best_epoch=2, stopped_by="minutes", seconds=60,
+               confusion=[[0, 0, 0], [0, 90, 10], [0, 20, 80]], device="CPU", training=7, validation=2, bytes=10 ** 6,
+               difference=0.0, encoder="x", depth=5), open(os.path.join(folder, "result.json"), "w"))
+tell("done", best_epoch=2)
+"""
+READY = 'tell("ready", torch="2.0", device="CPU")'
+EPOCH = (
+    'open(os.path.join(folder, "last.pt"), "w").close(); tell("step", share=0.2, epoch=1, loss=1.5); '
+    'tell("epoch", share=0.5, **row)'
+)
+
+
+class Said(QgsProcessingFeedback):
+    """Remembers what is told; cancels itself at a progress."""
+
+    def __init__(self, cancel_at: float = 1000):
+        super().__init__(False)
+        self.lines, self._cancel_at, self.canceled_at = [], cancel_at, None
+        self.progressChanged.connect(self._look)
+
+    def _look(self, progress):
+        if progress >= self._cancel_at and self.canceled_at is None:
+            self.canceled_at = time.monotonic()
+            self.cancel()
+
+    def pushInfo(self, text):
+        self.lines.append(text)
+
+
+@pytest.fixture
+def trainer(tmp_path):
+    """`trainer(training, ready)`: the path of a program that answers as the training does."""
+
+    def make(training=EPOCH, ready=READY):
+        model = str(write_model(tmp_path / "made.onnx"))
+        path = tmp_path / "python_that_trains"
+        path.write_text(TRAINER.format(python=sys.executable, ready=ready, training=training, model=model))
+        path.chmod(0o755)
+        return str(path)
+
+    return make
+
+
+@pytest.fixture
+def train(run_algorithm, trainer, tmp_path):
+    """`train(**parameters)` runs it on an image of 640 × 768 m and its label map."""
+    image = write_raster(tmp_path / "image.tif", PHOTO)
+    labels = write_raster(tmp_path / "labels.tif", LABELS, names=NAMES)
+
+    def run(feedback=None, training=EPOCH, ready=READY, **parameters):
+        given = {"IMAGE": str(image), "LABELS": str(labels), "PYTHON": trainer(training, ready)}
+        given |= {"OUTPUT": str(tmp_path / "model.onnx"), "REPORT": str(tmp_path / "report.html")}
+        given |= {key: value for key, value in parameters.items() if value is not None}
+        for key in [key for key, value in parameters.items() if value is None]:
+            del given[key]
+        return run_algorithm(TRAIN, given, feedback or Said())
+
+    return run
+
+
+def test_the_model_and_its_report_are_what_the_training_made(train, tmp_path):
+    said = Said()
+    result = train(said)
+    assert result["MEAN_IOU"] == 0.4
+    assert Path(result["OUTPUT"]).read_bytes() == (tmp_path / "made.onnx").read_bytes()
+    report = Path(result["REPORT"]).read_text(encoding="utf-8")
+    assert "75.0" in report and "66.7" not in report and "building" in report
+    assert any("torch 2.0" in line for line in said.lines)
+    assert any("building 50 %" in line for line in said.lines)
+    assert not (tmp_path / "model.training").exists()
+
+
+def test_the_training_gets_tiles_of_image_and_labels(train, tmp_path):
+    kept = tmp_path / "kept"
+    keep = f"shutil.copytree(folder, {str(kept)!r}); "
+    train(training=keep + EPOCH, MINUTES=7, EPOCHS=9, UNLABELED=1)
+    job = json.loads((kept / "job.json").read_text())
+    assert (job["minutes"], job["epochs"], job["learn_unlabeled"]) == (7, 9, True)
+    assert job["ground"]["image"] == "image.tif" and job["ground"]["pixel_size"] == 1.0
+    assert job["ground"]["extent"] == [WEST, NORTH - 640, WEST + 768, NORTH]
+    manifest = json.loads((kept / "tiles" / "manifest.json").read_text())
+    size = manifest["tile_size"]
+    assert size == 128
+    for tile in manifest["tiles"][:5]:
+        part = np.s_[tile["row"] : tile["row"] + size, tile["column"] : tile["column"] + size]
+        path = kept / "tiles" / tile["subset"] / "labels" / f"{tile['name']}.png"
+        np.testing.assert_array_equal(read_pixels(path), LABELS[part])
+
+
+def test_polygons_are_burnt_on_the_pixels_of_the_extent(train, tmp_path):
+    kept = tmp_path / "kept"
+    polygons = [(square(100, 300, 80), "building"), (square(300, 300, 90), "water")]
+    layer = write_layer(tmp_path / "drawn.gpkg", polygons)
+    annotation = {"LABELS": None, "INPUT": str(layer), "CLASS_FIELD": "class"}
+    extent = f"{WEST + 50},{WEST + 550},{NORTH - 450},{NORTH - 50}"
+    train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, EXTENT=extent, **annotation)
+    burnt = read_pixels(kept / "labels.tif")
+    assert burnt.shape == (400, 500)
+    np.testing.assert_array_equal(np.bincount(burnt.ravel())[1:], [80 * 80, 90 * 90])
+    assert burnt[250, 50] == 1 and burnt[250, 250] == 2 and burnt[249, 50] == 0
+
+
+def test_a_coarser_resolution_is_learned_from_fewer_pixels(train, tmp_path):
+    kept = tmp_path / "kept"
+    train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, RESOLUTION=150)
+    job = json.loads((kept / "job.json").read_text())
+    assert job["ground"]["pixel_size"] == 1.5
+    assert json.loads((kept / "tiles" / "manifest.json").read_text())["pixel_size"] == 1.5
+
+
+def test_a_cancel_ends_the_process_at_once_and_keeps_what_was_trained(train, tmp_path):
+    pid = tmp_path / "pid"
+    said = Said(cancel_at=50)
+    waiting = f"open({str(pid)!r}, 'w').write(str(os.getpid())); {EPOCH}; time.sleep(60)"
+    with pytest.raises(QgsProcessingException, match=r"is kept in .*model\.training"):
+        train(said, training=waiting)
+    assert time.monotonic() - said.canceled_at < 5
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(pid.read_text()), 0)
+    assert not (tmp_path / "model.onnx").exists()
+    assert (tmp_path / "model.training" / "last.pt").exists()
+    # The same again goes on; the tiles are those that were cut.
+    before = (tmp_path / "model.training" / "tiles" / "manifest.json").stat().st_mtime_ns
+    again = f"assert job['resume'] and os.stat(folder + '/tiles/manifest.json').st_mtime_ns == {before}; {EPOCH}"
+    train(training=again, MINUTES=99)
+    assert (tmp_path / "model.onnx").exists() and not (tmp_path / "model.training").exists()
+
+
+def test_a_canceled_run_of_other_settings_is_not_gone_on_with(train, tmp_path):
+    with pytest.raises(QgsProcessingException, match="is kept"):
+        train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
+    with pytest.raises(QgsProcessingException, match="turn RESUME off"):
+        train(NETWORK=1)
+    train(NETWORK=1, RESUME=False)
+    assert (tmp_path / "model.onnx").exists()
+
+
+def test_a_cancel_before_the_first_epoch_leaves_nothing(train, tmp_path):
+    with pytest.raises(QgsProcessingException, match="nothing was written"):
+        train(Said(cancel_at=3))
+    assert not (tmp_path / "model.training").exists()
+
+
+@pytest.mark.parametrize(
+    ("training", "said"),
+    [
+        (
+            'tell("failed", code="training.one_class", values={"name": "building"}, text=""); sys.exit(1)',
+            "Only one class",
+        ),
+        ('tell("broke", text="Traceback", reason="out of luck"); sys.exit(2)', "out of luck; please report"),
+        ('sys.stderr.write("no memory\\n"); sys.exit(3)', r"ended without a word \(no memory\)"),
+        ("os.kill(os.getpid(), 9)", "ended without a word"),
+    ],
+    ids=["a sentence", "a bug", "a last word", "killed"],
+)
+def test_what_stops_the_training_is_one_sentence(train, tmp_path, training, said):
+    with pytest.raises(QgsProcessingException, match=said):
+        train(training=training)
+    assert not (tmp_path / "model.onnx").exists() and not (tmp_path / "model.training").exists()
+
+
+def test_a_python_without_torch_is_refused_before_anything_is_cut(train, tmp_path):
+    values = {"python": "here", "package": "torch"}
+    lacking = f'tell("failed", code="training.lacks_package", values={values}, text=""); sys.exit(1)'
+    with pytest.raises(QgsProcessingException, match="here lacks the Python package torch"):
+        train(ready=lacking)
+    with pytest.raises(QgsProcessingException, match="no Python that can train"):
+        train(ready="print('hello')")
+    assert not (tmp_path / "model.training").exists()
+
+
+@pytest.mark.parametrize(
+    ("parameters", "said"),
+    [
+        ({"LABELS": None}, "either an annotation layer"),
+        ({"PYTHON": None}, "Training needs a Python of its own"),
+        ({"PYTHON": "/no/python"}, "/no/python"),
+    ],
+    ids=["no labels", "no Python", "no such Python"],
+)
+def test_what_is_missing_is_said_before_any_work(train, parameters, said):
+    QgsSettings().remove("semref/options/training_python")
+    with pytest.raises(QgsProcessingException, match=said):
+        train(**parameters)
+
+
+def test_image_and_labels_of_different_ground_are_refused(train, tmp_path):
+    layer = write_layer(tmp_path / "far.gpkg", [(square(99_000, 0, 80), "building")])
+    with pytest.raises(QgsProcessingException, match="show different ground"):
+        train(LABELS=None, INPUT=str(layer), CLASS_FIELD="class")
+
+
+def test_too_little_ground_is_said_with_what_helps(train, tmp_path):
+    extent = f"{WEST},{WEST + 130},{NORTH - 130},{NORTH}"
+    with pytest.raises(QgsProcessingException, match="label more ground"):
+        train(EXTENT=extent)
+
+
+def test_a_folder_that_is_no_training_s_is_left_alone(train, tmp_path):
+    (tmp_path / "model.training").mkdir()
+    (tmp_path / "model.training" / "mine.txt").write_text("mine")
+    with pytest.raises(QgsProcessingException, match="holds other files"):
+        train()
+    assert (tmp_path / "model.training" / "mine.txt").read_text() == "mine"
