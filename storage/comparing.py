@@ -75,13 +75,23 @@ class LabelMapPair:
         """(first row, annotated labels, predicted labels) from top to bottom, (rows, W) uint8 each."""
         height, width = self.shape_hw
         at_once = max(1, _PIXELS_AT_ONCE // width)
-        left, right = min(self._columns), max(self._columns)
         for first in range(0, height, at_once):
             rows = self._rows[first : first + at_once]
-            top, bottom = min(rows), max(rows)
-            annotated = self.reference.read(self._first_column, self._first_row + first, width, len(rows))
-            predicted = self.predicted.read(int(left), int(top), int(right - left) + 1, int(bottom - top) + 1)
-            yield first, annotated, predicted[rows - top][:, self._columns - left]
+            yield first, *self._read(0, first, width, len(rows))
+
+    def pieces(self, edge: int) -> Iterator[tuple[float, np.ndarray, np.ndarray]]:
+        """(share done, annotated labels, predicted labels) of squares, smaller ones at the end, (h, w) uint8 each."""
+        height, width = self.shape_hw
+        for first in range(0, height, edge):
+            for left in range(0, width, edge):
+                yield first / height, *self._read(left, first, min(edge, width - left), min(edge, height - first))
+
+    def _read(self, left: int, first: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray]:
+        columns, rows = self._columns[left : left + width], self._rows[first : first + height]
+        x, y = int(columns.min()), int(rows.min())
+        annotated = self.reference.read(self._first_column + left, self._first_row + first, width, height)
+        predicted = self.predicted.read(x, y, int(columns.max()) - x + 1, int(rows.max()) - y + 1)
+        return annotated, predicted[rows - y][:, columns - x]
 
 
 def _pixels_at(origin: float, step: float, count: int, other_origin: float, other_step: float) -> np.ndarray:

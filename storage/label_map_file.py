@@ -14,6 +14,9 @@ from .gdal_errors import gdal_failure, gdal_failures
 CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
 """Metadata item of a label map that holds its class table as CSV."""
 
+CLASS_BIAS_ITEM = "SEMREF_CLASS_BIAS"
+"""Metadata item of a label map that a network made: its metadata's class_bias, “{}” where it states none."""
+
 TILE_ROWS = 256
 """Rows of a GeoTIFF tile: writing whole tiles compresses none twice."""
 
@@ -34,6 +37,7 @@ class LabelMapFile:
         geotransform: tuple | None,
         crs_wkt: str,
         table: ClassTable,
+        class_bias: str = "",
     ) -> None:
         """Creates the file.
 
@@ -44,6 +48,7 @@ class LabelMapFile:
             geotransform: GDAL's six numbers; None without a georeference.
             crs_wkt: WKT of the CRS; empty for none.
             table: Written into the file.
+            class_bias: Of the network that made the labels, as its metadata state it; empty where none did.
 
         Raises:
             LabelMapError: GDAL can't write there.
@@ -61,6 +66,8 @@ class LabelMapFile:
         if crs_wkt:
             self._dataset.SetProjection(crs_wkt)
         self._dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
+        if class_bias:
+            self._dataset.SetMetadataItem(CLASS_BIAS_ITEM, class_bias)
         set_class_colors(self._dataset.GetRasterBand(1), table)
 
     def __enter__(self) -> LabelMapFile:

@@ -23,7 +23,7 @@ from ..core.labels.counts import count_labels
 from ..core.labels.image_files import MAXIMUM_IMAGE_PIXELS, require_kind_of_name
 from ..core.labels.sources import ArrayLabels, LabelSource
 from .gdal_errors import gdal_failure, gdal_failures
-from .label_map_file import CLASS_TABLE_ITEM
+from .label_map_file import CLASS_BIAS_ITEM, CLASS_TABLE_ITEM
 
 HELD_PIXELS = 400_000_000
 """A label map up to this size is held in memory while a database is built; a larger one is read piece by piece."""
@@ -320,6 +320,11 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     if dataset.RasterCount == 1:
         return GdalLabels(path).read(0, 0, width, height)
     return decode_colors(read_bgr(dataset, path, 0, height), table)
+
+
+def stated_biases(path: str) -> str | None:
+    """The class_bias that a label map states of the network that made it; None where none did."""
+    return open_raster(path).GetMetadataItem(CLASS_BIAS_ITEM)
 
 
 def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.ndarray:

@@ -61,6 +61,17 @@ def largest_difference(network: torch.nn.Module, target: Path, images: list[np.n
     return largest
 
 
+def answering(target: Path, mean, deviation):
+    """The function of an image, (H, W, 3) in 0…1, to the channels that the model gives it, (H, W)."""
+    session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
+
+    def answer(image: np.ndarray) -> np.ndarray:
+        batch = ((image - mean) / deviation).astype(np.float32).transpose(2, 0, 1)[None].copy()
+        return session.run(None, {"image": batch})[0].argmax(1)[0].astype(np.uint8)
+
+    return answer
+
+
 def compared(network: torch.nn.Module, target: Path, reader: TileReader, mean, deviation):
     """Confusion matrices of the network in torch and in onnxruntime, and the share of pixels they agree on."""
     session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])

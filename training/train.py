@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,7 +11,8 @@ import numpy as np
 import torch
 
 from ..core.errors import TrainingError
-from . import base_weights, encoder_weights, examples, export, loop, metadata, metrics, network, tiles
+from ..core.segmentation.class_bias import KEY, class_bias_text
+from . import base_weights, class_bias, encoder_weights, examples, export, loop, metadata, metrics, network, tiles
 from .job import CHECKPOINT, EXAMPLES, NETWORK, PACKAGED, RESULT, Job
 
 FROM_SCRATCH, FROM_WEIGHTS, FROM_BASE = 3e-3, 1e-3, 5e-4
@@ -183,6 +185,7 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: 
         trainer.best_confusion,
         job.ground,
     )
+    entries |= _biases(export.answering(temporary, start.mean, start.deviation), ground)
     export.add_metadata(temporary, entries)
     image = (ground.training(0)[0].transpose(2, 0, 1) - start.mean[:, None, None]) / start.deviation[:, None, None]
     half = max(ground.tile_size // 32 * 16, SMALLEST_IMAGE)
@@ -207,6 +210,13 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: 
     }
     (folder / RESULT).write_text(json.dumps(result), encoding="utf-8")
     tell("done", **{key: result[key] for key in ("best_epoch", "stopped_by", "seconds", "bytes", "difference")})
+
+
+def _biases(answer: Callable[[np.ndarray], np.ndarray], ground: Ground) -> dict[str, str]:
+    """The entry of the metadata that says how far off classes are shown; none without meters or enough landmarks."""
+    rows = class_bias.measured(answer, ground.validation, len(ground.classes)) if ground.pixel_size else []
+    biases = {ground.class_names[row.ground.value]: row.bias(ground.pixel_size) for row in rows}
+    return {KEY: class_bias_text(biases)} if biases else {}
 
 
 def _device_name(device: torch.device) -> str:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..geometry.error_settings import SharedErrors
+from ..geometry.error_settings import ClassBias, SharedErrors
 from ..geometry.pose import PoseCovariance, as_pairs
 from ..geometry.radius import CIRCLE_95
 from ..geometry.shared_errors import AREAS, CLASSES, MAP, covariance_of
@@ -53,11 +53,9 @@ def known_pose(
     own = covariance_on_map(pose, covariance)
     own[:2, :2] += (CORRELATION.error_floor_px * overview_pixel_m / CIRCLE_95) ** 2 * np.eye(2)
     shared = errors.map_accuracy**2 * shared_over(errors.settings.map_kernels, edge_m)
-    biases = [np.hypot(bias.east + bias.right, bias.north - bias.down) for bias in errors.class_biases]
-    spreads = [errors.spread_of(bias, pose.pixel_size_m) for bias in errors.class_biases]
+    known = [errors.bias_of(bias.value) for bias in (*errors.class_biases, ClassBias(0))]
     # Which class moved the place, and how far, areas don't tell: what is stated is not taken off.
-    spread = max(spreads, default=errors.settings.class_spread_px * pose.pixel_size_m)
-    bias = spread**2 + max(biases, default=0.0) ** 2 / 2
+    bias = max(errors.spread_of(one, pose.pixel_size_m) ** 2 + one.length**2 / 2 for one in known)
     parts = [
         (AREAS, float(np.sqrt(np.trace(own[:2, :2]) / 2))),
         (MAP, float(np.sqrt(shared))),

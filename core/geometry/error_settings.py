@@ -6,11 +6,17 @@ has their command.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+import cmath
+import math
+from dataclasses import dataclass, field, replace
 
 MAP_ACCURACY = 1.1
 """Standard deviation along each axis of landmarks between two maps of one ground, meters, where nobody states another:
 1.6 m root mean square between maps of Liechtenstein of two dates, by other mappers."""
+
+NETWORK_SPREAD = 0.5
+"""Standard deviation along each axis of the shift that a network gives a class, meters, where nobody states it: those
+that were measured are off by 0.1 to 0.7 m as a whole (docs/calibration.md#what-networks-shift)."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +63,9 @@ class ClassBias:
         north: The same.
         right: Along the image's axes, as a network's own habits make it.
         down: The same.
-        spread: Standard deviation along each axis of what an image's bias differs from it; None for the default's.
+        spread: Standard deviation along each axis of what an image's bias differs from it; None where nobody knows.
+        sun_deg: Where the sun stood, clockwise from grid north, when east and north were measured: they turn with it.
+            None where they don't, or where nobody knows.
     """
 
     value: int
@@ -66,6 +74,7 @@ class ClassBias:
     right: float = 0.0
     down: float = 0.0
     spread: float | None = None
+    sun_deg: float | None = None
 
     def in_image(self, turn: complex) -> complex:
         """The bias in the image's frame, map units: right and up.
@@ -74,6 +83,11 @@ class ClassBias:
             turn: Of the image's pose.
         """
         return complex(self.east, self.north) * turn.conjugate() / abs(turn) + complex(self.right, -self.down)
+
+    @property
+    def length(self) -> float:
+        """At most so far it shifts, meters."""
+        return math.hypot(self.east, self.north) + math.hypot(self.right, self.down)
 
 
 @dataclass(frozen=True)
@@ -85,19 +99,35 @@ class SharedErrors:
         map_pixel_size: Of the label map, map units; 0 for a map that has none.
         class_biases: Those that are known.
         settings: All else.
+        class_spread: Standard deviation along each axis of the shift of classes of which nothing is known, meters: what
+            a network that states none is to be trusted with. 0 for labels that nothing shifts.
+        sun_deg: Where the sun stood when the image was taken, clockwise from grid north; None where nobody knows.
     """
 
     map_accuracy: float = MAP_ACCURACY
     map_pixel_size: float = 0.0
     class_biases: tuple[ClassBias, ...] = ()
     settings: ErrorSettings = field(default=ERRORS)
+    class_spread: float = 0.0
+    sun_deg: float | None = None
 
     def bias_of(self, value: int) -> ClassBias:
-        """What is known of a class's bias; none where nothing is."""
-        return next((bias for bias in self.class_biases if bias.value == value), ClassBias(value))
+        """What is known of a class's bias under the image's sun; none where nothing is."""
+        found = next((bias for bias in self.class_biases if bias.value == value), ClassBias(value))
+        if found.sun_deg is None:
+            return found
+        if self.sun_deg is None:
+            # It points anywhere: its length is all that is known.
+            spread = math.hypot(self._told(found), math.hypot(found.east, found.north) / math.sqrt(2))
+            return replace(found, east=0.0, north=0.0, spread=spread)
+        shadow = complex(found.east, found.north) * cmath.rect(1, math.radians(found.sun_deg - self.sun_deg))
+        return replace(found, east=shadow.real, north=shadow.imag)
 
     def spread_of(self, bias: ClassBias, pixel_size: float) -> float:
         """Standard deviation along each axis of what remains of a bias, map units."""
-        return (
-            self.settings.class_spread_px * pixel_size if bias.spread is None else max(bias.spread, 1e-3 * pixel_size)
-        )
+        if bias.spread is None:
+            return max(self.class_spread, self.settings.class_spread_px * pixel_size)
+        return max(bias.spread, 1e-3 * pixel_size)
+
+    def _told(self, bias: ClassBias) -> float:
+        return self.class_spread if bias.spread is None else bias.spread

@@ -83,18 +83,18 @@ class Localizer:
         self,
         database: ReferenceDatabase,
         settings: LocalizerSettings = LOCALIZER,
-        class_biases: tuple[ClassBias, ...] = (),
+        sun_deg: float | None = None,
     ) -> None:
         """Makes the localizer; indexes are built when they are first needed.
 
         Args:
             database: With its overview for map correlation.
             settings: Of the methods; other than the default only to calibrate them.
-            class_biases: How far from where they are classes are seen by what makes the labels; taken off.
+            sun_deg: Where the sun stood when the images were taken, clockwise from grid north.
         """
         self.settings = settings
         known = database.parameters.map_accuracy, database.parameters.pixel_size
-        self.errors = SharedErrors(*known, class_biases, settings.errors)
+        self.errors = SharedErrors(*known, settings=settings.errors, sun_deg=sun_deg)
         self._database = database
         windows = database.windows
         self._index: ConstellationIndex | None = None
@@ -103,6 +103,15 @@ class Localizer:
         for size in np.unique(windows.sizes[windows.described]):
             index = np.flatnonzero(windows.described & (windows.sizes == size))
             self._levels.append((float(size), index, windows.vectors[index]))
+
+    def heed_biases(self, class_biases: tuple[ClassBias, ...] = (), class_spread: float = 0.0) -> None:
+        """What is known of the labels of the images that come next, as ``SharedErrors`` says.
+
+        Args:
+            class_biases: How far from where they are classes are seen by what makes the labels; taken off.
+            class_spread: Of classes that have none of these.
+        """
+        self.errors = replace(self.errors, class_biases=class_biases, class_spread=class_spread)
 
     def localize_by_topology_vector(self, labels_hw: np.ndarray) -> Localization:
         """The published method, exactly: nearest topology vector, accepted up to distance T.

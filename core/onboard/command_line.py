@@ -25,6 +25,7 @@ from ..localizer.leveled import with_camera
 from ..localizer.localizer import Localizer
 from ..localizer.record import fixes_per_error, record
 from ..localizer.settings import LOCALIZER
+from ..segmentation.class_bias import KnownBiases, known_biases
 from ..sentences import english
 from .format import OnboardDatabase
 from .log import json_line, say, start_log
@@ -104,6 +105,9 @@ def _check_values(options: argparse.Namespace) -> None:
     risk = getattr(options, "risk", RISK)
     if not LEAST_RISK <= risk <= MOST_RISK:
         raise ParameterError("onboard.risk", risk=risk, least=LEAST_RISK, most=MOST_RISK)
+    sun = getattr(options, "sun", None)
+    if sun is not None and not 0 <= sun <= 360:
+        raise ParameterError("onboard.sun", sun=sun)
     if near and not near[2] > 0:
         raise ParameterError("onboard.near_radius", radius=near[2])
     for where in (getattr(options, "fixes", None), getattr(options, "gga", None)):
@@ -155,6 +159,8 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--near", nargs=3, type=float, metavar=near, help="search there only, map units")
         risk = f"probability of being wrong up to which a place is a fix (default: {RISK:g}, once in {1 / RISK:,.0f})"
         command.add_argument("--risk", type=float, default=RISK, help=risk)
+        sun = "direction of the sun, degrees clockwise from grid north: biases of the model turn with it"
+        command.add_argument("--sun", type=float, metavar="DEG", help=sun)
         command.add_argument("--threads", type=int, default=1, help="for OpenCV and the network (default: 1)")
     for command in (info, localize, watch):
         text = "take DATABASE only if it was signed with this key when it was exported"
@@ -233,12 +239,13 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
     """The function path → record that the options ask for; everything that can be refused is refused here."""
     cv2.setNumThreads(options.threads)
     method = next(method for method in Method if _option(method) == options.method)
-    localizer = Localizer(onboard.database, replace(LOCALIZER, allowed_risk=options.risk))
+    localizer = Localizer(onboard.database, replace(LOCALIZER, allowed_risk=options.risk), options.sun)
     localizer.check(method)
     if method == Method.MAP_CORRELATION and not localizer.has_overview:
         raise DatabaseError("onboard.no_overview", database=options.database)
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
-    read_labels = label_reader(options.model, options.threads, onboard.database.class_table)
+    read_labels, known = label_reader(options.model, options.threads, onboard.database.class_table)
+    localizer.heed_biases(known.class_biases, known.class_spread)
     say(logging.INFO, "ready", database=options.database, content_hash=onboard.content_hash)
 
     def find(path: str) -> dict[str, Any]:
@@ -247,11 +254,11 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
         try:
             found["time"] = _time_of(path).isoformat()
             labels_hw = read_labels(path)
-            known = prior
+            near = prior
             if method != Method.TOPOLOGY_VECTOR:
                 height, width = labels_hw.shape
-                known = with_camera(prior, photo_camera(path), (height, width))
-            result = localizer.localize(labels_hw, method, known)
+                near = with_camera(prior, photo_camera(path), (height, width))
+            result = localizer.localize(labels_hw, method, near)
             found.update(record(result))
             if result.position is not None and onboard.lon_lat is not None:
                 longitudes, latitudes = onboard.lon_lat(np.array([result.position]))
@@ -271,10 +278,12 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
     return find
 
 
-def label_reader(model_path: str | None, threads: int, table: ClassTable) -> Callable[[str], np.ndarray]:
-    """The function path → labels: of label images, or with a model of photos."""
+def label_reader(
+    model_path: str | None, threads: int, table: ClassTable
+) -> tuple[Callable[[str], np.ndarray], KnownBiases]:
+    """The function path → labels, of label images or with a model of photos; and how these labels are shifted."""
     if not model_path:
-        return lambda path: read_label_image(path, table)
+        return (lambda path: read_label_image(path, table)), KnownBiases()
     # onnxruntime is needed for photos only.
     from ..segmentation.model import SegmentationModel
     from ..segmentation.photo_labels import PhotoLabels
@@ -286,7 +295,7 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable) -> Cal
         photo = read_photo(path)
         return PhotoLabels(model, photo.image, values, photo.pixel_size_m).found()
 
-    return labels_of
+    return labels_of, known_biases(model.class_bias, table)
 
 
 def _time_of(path: str) -> datetime:

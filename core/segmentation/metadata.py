@@ -13,6 +13,7 @@ from typing import Any
 from ..errors import ClassTableError, ModelError
 from ..labels.class_table import BACKGROUND, MAXIMUM_VALUE, UNLABELED, ClassTable, LandCoverClass, default_color
 from ..values import LONGEST_NAME, read_json
+from .class_bias import KEY as CLASS_BIAS
 
 DEFAULT_OVERLAP = 0.2
 """Share of a tile that lies on its neighbor when the model does not say."""
@@ -34,6 +35,7 @@ _LARGEST = 1e30
 _KEYS = (
     *("model_type", "class_names", "names", "resolution", "tile_size", "tiles_size", "tiles_overlap", "seg_thresh"),
     *("standardization_mean", "standardization_std", "class_values", "class_colors", "class_roles"),
+    CLASS_BIAS,
 )
 
 BACKGROUND_NAMES = ("background", "_background", "unlabeled", "unlabelled", "other", "others", "none", "void")

@@ -14,6 +14,7 @@ import numpy as np
 from ..errors import ModelError
 from ..labels.class_table import ClassTable
 from ..sentences import Sentence
+from .class_bias import read_class_bias
 from .metadata import named_channels, read_classes, read_settings
 from .onnx_file import read_header, smallest_model
 
@@ -55,7 +56,8 @@ class SegmentationModel:
 
     ``classes`` and ``settings``: its metadata. ``tile_hw``: (height, width) of the images it takes. ``tiles_at_once``:
     how many of them best. ``runs_at_once``: how many threads may call ``scores`` at a time with gain. ``provider``:
-    what runs it. ``notes``: sentences on metadata that were overruled.
+    what runs it. ``class_bias``: how far off it shows its classes, by name in small letters, as far as it says so.
+    ``notes``: sentences on metadata that were overruled.
     """
 
     def __init__(self, path: str, threads: int, class_table: ClassTable | None = None) -> None:
@@ -86,6 +88,7 @@ class SegmentationModel:
         if self._gives_numbers:
             channels = len(names or class_table or ())
         self.classes = read_classes(texts, channels, path, class_table)
+        self.class_bias = read_class_bias(texts, self.classes.names, path)
 
     def scores(self, images: Sequence[np.ndarray]) -> np.ndarray:
         """(N, C, H, W) float32: for each image the score of each class; the highest is the pixel's.

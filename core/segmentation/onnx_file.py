@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 _VARINT, _EIGHT_BYTES, _LENGTH, _FOUR_BYTES = 0, 1, 2, 5
-_IR_VERSION, _GRAPH, _OPSETS = 1, 7, 8
+_IR_VERSION, _GRAPH, _OPSETS, _METADATA = 1, 7, 8, 14
 _DOMAIN, _VERSION = 1, 2
 _INITIALIZER, _EXTERNAL_DATA = 5, 13
 _KEY, _VALUE = 1, 2
@@ -56,6 +56,40 @@ def read_header(data: bytes) -> OnnxHeader | None:
         return None
 
 
+def read_metadata(data: bytes) -> dict[str, str]:
+    """The entries of an ONNX file's metadata, of whose bytes ``read_header`` says something."""
+    found = {}
+    for number, value in _fields(memoryview(data)):
+        if number == _METADATA and isinstance(value, memoryview):
+            entry = dict(_fields(value))
+            key, text = (bytes(entry.get(part, b"")).decode("utf-8", "replace") for part in (_KEY, _VALUE))
+            found[key] = text
+    return found
+
+
+def with_metadata(data: bytes, key: str, text: str) -> bytes:
+    """An ONNX file with an entry of its metadata set, all else as it is.
+
+    Args:
+        data: The file's bytes, of which ``read_header`` says something.
+        key: Of the entry; one that is there is replaced.
+        text: Its value.
+    """
+    kept = []
+    for number, value, part in _parts(memoryview(data)):
+        stated = dict(_fields(value)) if number == _METADATA and isinstance(value, memoryview) else {}
+        kept += [] if stated.get(_KEY) == key.encode() else [part]
+    entry = b"".join(_length_delimited(number, word.encode()) for number, word in ((_KEY, key), (_VALUE, text)))
+    return b"".join([*kept, _length_delimited(_METADATA, entry)])
+
+
+def _length_delimited(number: int, content: bytes) -> bytes:
+    size, rest = b"", len(content)
+    while rest >= 0x80:
+        size, rest = size + bytes([rest & 0x7F | 0x80]), rest >> 7
+    return bytes([number << 3 | _LENGTH]) + size + bytes([rest]) + content
+
+
 def smallest_model(ir_version: int, opset: int) -> bytes:
     """A model of one operator, to ask onnxruntime which versions it knows (each from 1 to 127)."""
 
@@ -84,20 +118,26 @@ def _weight_files(graph: memoryview) -> list[str]:
 
 def _fields(data: memoryview) -> Iterator[tuple[int, int | memoryview]]:
     """(number, value) of each field; raises ValueError where the bytes are no protobuf."""
+    return ((number, value) for number, value, _ in _parts(data))
+
+
+def _parts(data: memoryview) -> Iterator[tuple[int, int | memoryview, memoryview]]:
+    """(number, value, all its bytes) of each field; raises ValueError where the bytes are no protobuf."""
     place = 0
     while place < len(data):
+        first = place
         key, place = _varint(data, place)
         number, kind = key >> 3, key & 7
         if kind == _VARINT:
             value, place = _varint(data, place)
-            yield number, value
+            yield number, value, data[first:place]
             continue
         size = {_EIGHT_BYTES: 8, _FOUR_BYTES: 4}.get(kind)
         if kind == _LENGTH:
             size, place = _varint(data, place)
         if size is None or number == 0 or place + size > len(data):
             raise ValueError
-        yield number, data[place : place + size]
+        yield number, data[place : place + size], data[first : place + size]
         place += size
 
 

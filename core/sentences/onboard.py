@@ -4,6 +4,7 @@ SENTENCES = {
     "onboard.threads": "--threads is {threads}; it must be from 1 to {most}.",
     "onboard.near": "--near is {near}; it must be three numbers up to {most:g}.",
     "onboard.near_radius": "The radius of --near is {radius:g}; it must be more than 0 map units.",
+    "onboard.sun": "--sun is {sun:g}; it must be a direction from 0 to 360 degrees.",
     "onboard.risk": "--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.",
     "onboard.no_overview": "{database} has no overview, which map correlation searches; export it with one.",
     "onboard.no_folder": "There is no folder {folder}; create it or watch another one.",

@@ -76,6 +76,14 @@ SENTENCES = {
     "segmentation.three_positive_numbers": (
         "{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue, above 0."
     ),
+    "segmentation.class_bias": (
+        '{source} has “{text}” as {key}; it must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with '
+        "names of its classes, and east, north, right, down, spread in meters up to {most:g}, sun in degrees: mend or "
+        "remove it."
+    ),
+    "segmentation.weights_apart": (
+        "{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file."
+    ),
     "segmentation.newer_ir": (
         "{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a "
         "newer onnxruntime or export the model with an older ir_version."

@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...core.errors import ParameterError
 from ..compat import POLYGON
 from ..framework import offers
 from ..framework.annotation import geometry_of
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import Number, NumberResult, PolygonOutput, RasterLayer
+from ..framework.class_biases import MeasuredShifts, measured_shifts, model_with_biases
+from ..framework.declarations import FileOutput, Number, NumberResult, PolygonOutput, RasterLayer
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -41,6 +43,7 @@ class CompareLabels(SemRefAlgorithm):
     MINIMUM_AREA = "MINIMUM_AREA"
     DISAGREEMENTS = "DISAGREEMENTS"
     REPORT = "REPORT"
+    MODEL, SUN_DIRECTION, MODEL_OUTPUT = offers.MODEL, offers.SUN_DIRECTION, "MODEL_OUTPUT"
     MEAN_IOU = "MEAN_IOU"
     OVERALL_ACCURACY = "OVERALL_ACCURACY"
 
@@ -53,7 +56,10 @@ class CompareLabels(SemRefAlgorithm):
             "accuracy, and the places where they disagree as polygons, the largest first.\n\n"
             "Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are "
             "compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without "
-            "prediction count as wrong."
+            "prediction count as wrong.\n\n"
+            "The report also tells how far from where they are the landmarks of each class are shown: a network’s "
+            "bias, which an image’s position inherits. With a model it is written into a copy of it, for “Localize "
+            "images” to take it off."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -84,6 +90,25 @@ class CompareLabels(SemRefAlgorithm):
             offers.report(
                 tr("A page with the confusion matrix as a picture and the figures of each class."), by_default=False
             ),
+            offers.model(
+                tr("The network that made the predicted map, if the bias of its classes is to be written into a copy."),
+                optional=True,
+            ),
+            offers.sun_direction(
+                tr(
+                    "Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a "
+                    "bias that shadows make turns with it. If left out, the bias is the same under any sun."
+                )
+            ),
+            FileOutput(
+                self.MODEL_OUTPUT,
+                tr("Model with bias"),
+                tr("A copy of the model whose metadata say how far off it shows its classes, in meters."),
+                optional=True,
+                advanced=True,
+                by_default=False,
+                filter=tr("ONNX models (*.onnx)"),
+            ),
             NumberResult(self.MEAN_IOU, tr("Mean IoU")),
             NumberResult(self.OVERALL_ACCURACY, tr("Overall accuracy")),
         )
@@ -98,6 +123,8 @@ class CompareLabels(SemRefAlgorithm):
         from ..reports.comparison_report import comparison_html
 
         require_one_crs(*self._layers)
+        if outputs.wants(self.MODEL_OUTPUT) and not values.file(self.MODEL):
+            raise ParameterError("algorithms.no_model_to_copy")
         paths = [layer.path for layer in self._layers]
         pair = LabelMapPair(*paths)
         match = self._match(pair, feedback)
@@ -106,12 +133,24 @@ class CompareLabels(SemRefAlgorithm):
             comparison = LabelComparison(self._count(pair, match, disagreements, feedback))
             feedback.setProgressText(tr("Outlining the disagreements"))
             polygons = self._polygons(disagreements, values.number(self.MINIMUM_AREA), feedback)
+        feedback.setProgressText(tr("Comparing landmarks"))
+        shifts = measured_shifts(pair, match, comparison, self._layers[0].crs, feedback)
         if outputs.wants(self.REPORT):
-            outputs.text(self.REPORT, comparison_html(comparison, match, *paths))
+            outputs.text(self.REPORT, comparison_html(comparison, match, shifts, *paths))
+        self._write_model(values, outputs, shifts)
         self._write(outputs, polygons, match)
         feedback.pushInfo(tr("{count} places disagree.").format(count=len(polygons)))
         _say(comparison, match, feedback)
+        shifts.say(feedback)
         return {self.MEAN_IOU: comparison.mean_iou, self.OVERALL_ACCURACY: comparison.overall_accuracy}
+
+    def _write_model(self, values: Values, outputs: Outputs, shifts: MeasuredShifts) -> None:
+        """The copy of the model, where it is wanted."""
+        if outputs.wants(self.MODEL_OUTPUT):
+            sun_deg = values.optional_number(self.SUN_DIRECTION)
+            content = model_with_biases(values.file(self.MODEL), shifts, sun_deg)
+            with outputs.file(self.MODEL_OUTPUT) as temporary, open(temporary, "wb") as file:
+                file.write(content)
 
     def _match(self, pair: LabelMapPair, feedback: QgsProcessingFeedback) -> ClassMatch:
         from ...core.labels.comparison import match_classes

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import replace
-from typing import TYPE_CHECKING, Callable
+from typing import TYPE_CHECKING, Callable, Union
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.localization import LEAST_RISK, RISK, Method
@@ -39,9 +39,10 @@ if TYPE_CHECKING:
     from ...core.localization import Localization
     from ...core.localizer.localizer import Localizer
     from ..framework.outputs import Outputs
+    from ..framework.photo_labels import LabelImageReader, PhotoLabels
     from ..framework.values import Values
 
-    LabelReader = Callable[[str], np.ndarray]
+    LabelReader = Union[PhotoLabels, LabelImageReader]
     Localize = Callable[[np.ndarray, Camera], Localization]
 
 
@@ -64,6 +65,7 @@ class LocalizeImages(SemRefAlgorithm):
     RISK = "RISK"
     LAYER = "LAYER"
     EXTENT = "EXTENT"
+    SUN_DIRECTION = "SUN_DIRECTION"
     FIX_COUNT = "FIX_COUNT"
 
     def title(self) -> str:
@@ -128,6 +130,12 @@ class LocalizeImages(SemRefAlgorithm):
                 decimals=12,
             ),
             *self._layer_parameters(),
+            offers.sun_direction(
+                tr(
+                    "Where the sun stood when the images were taken, in degrees clockwise from grid north: what the "
+                    "model states that shadows shift turns with it. Without it such a shift is only added to the error."
+                )
+            ),
         )
 
     def _layer_parameters(self) -> tuple[Declared, ...]:
@@ -253,19 +261,20 @@ class LocalizeImages(SemRefAlgorithm):
         database = self._database(values, method, feedback)
         crs = database_crs(database)
         settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
-        localize = self._localizing(values, method, Localizer(database, settings), crs)
+        localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
+        localize = self._localizing(values, method, localizer, crs)
         read_labels = self._label_reader(values, database.class_table, feedback)
         paths, cameras = self._images(values, method, feedback)
         if self._layer is not None:
             size_m = getattr(read_labels, "resolution_m", None) or database.parameters.pixel_size
             paths, cameras = [*paths, self._layer.file(size_m, feedback)], [*cameras, Camera()]
         with outputs.folder(self.LABELS) as folder:
-            keep = LabelImages(folder, paths, database.class_table)
+            keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
             localized = []
             for n, path in enumerate(paths):
                 check_canceled(feedback)
                 feedback.setProgressText(os.path.basename(path))
-                arguments = path, localize, read_labels, cameras[n], keep
+                arguments = path, localizer, localize, read_labels, cameras[n], keep
                 localized.append(cancelable(_localize, *arguments, feedback=feedback))
                 say(localized[-1], feedback)
                 feedback.setProgress(95 * (n + 1) / len(paths))
@@ -335,14 +344,13 @@ class LocalizeImages(SemRefAlgorithm):
 
     def _label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
         """The function path → labels: of label images, or with a model of photos."""
-        from ...storage.rasters import read_label_image
-        from ..framework.photo_labels import PhotoLabels
+        from ..framework.photo_labels import LabelImageReader, PhotoLabels
 
         model_path = values.file(self.MODEL)
         if model_path:
             feedback.setProgressText(tr("Loading the model"))
             return PhotoLabels(model_path, table, feedback)
-        return lambda path: read_label_image(path, table)
+        return LabelImageReader(table)
 
 
 def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
@@ -363,11 +371,12 @@ def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessi
 
 
 def _localize(
-    path: str, localize: Localize, read_labels: LabelReader, camera: Camera, keep: LabelImages
+    path: str, localizer: Localizer, localize: Localize, read_labels: LabelReader, camera: Camera, keep: LabelImages
 ) -> LocalizedImage:
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
     try:
-        labels_hw = read_labels(path)
+        labels_hw, known = read_labels(path), read_labels.biases(path)
+        localizer.heed_biases(known.class_biases, known.class_spread)
         found = localize(labels_hw, camera)
         remark = camera_remark(camera, labels_hw.shape)
     except SemRefError as error:

@@ -110,6 +110,7 @@ class SegmentImage(SemRefAlgorithm):
         self._source = PhotoSource(values, self.INPUT, self.EXTENT)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
+        from ...core.segmentation.class_bias import class_bias_text
         from ...core.segmentation.model import SegmentationModel
         from ...core.segmentation.tiling import segment
         from ...storage.label_map_file import LabelMapFile, whole_tile_rows
@@ -133,7 +134,7 @@ class SegmentImage(SemRefAlgorithm):
         steps = segment(model, image, classes.values, overlap)
         with (
             outputs.raster(self.OUTPUT, classes.table) as path,
-            LabelMapFile(path, *grid, classes.table) as label_map,
+            LabelMapFile(path, *grid, classes.table, class_bias_text(model.class_bias)) as label_map,
             closing(steps),
         ):
             for first, labels_hw in whole_tile_rows(_followed(steps, feedback)):

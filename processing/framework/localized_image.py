@@ -99,8 +99,8 @@ class LabelImages:
     Without a folder (an empty path) nothing is written.
     """
 
-    def __init__(self, folder: str, paths: Sequence[str], table: ClassTable) -> None:
-        self._folder, self._table = folder, table
+    def __init__(self, folder: str, paths: Sequence[str], table: ClassTable, class_bias: str = "") -> None:
+        self._folder, self._table, self._class_bias = folder, table, class_bias
         self._names = label_image_names(paths)
 
     def __call__(self, path: str, labels_hw: np.ndarray) -> None:
@@ -110,7 +110,7 @@ class LabelImages:
             return
         height, width = labels_hw.shape
         target = os.path.join(self._folder, self._names[path])
-        with LabelMapFile(target, width, height, None, "", self._table) as label_map:
+        with LabelMapFile(target, width, height, None, "", self._table, self._class_bias) as label_map:
             label_map.write_rows(0, labels_hw)
 
 

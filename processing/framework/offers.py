@@ -9,6 +9,7 @@ from .declarations import FieldOf, File, FileOutput, Number, Parameter, RasterLa
 DATABASE, MODEL, LABELS, IMAGES = "DATABASE", "MODEL", "LABELS", "IMAGES"
 INPUT, CLASS_FIELD, PRIORITY_FIELD, CLASS_TABLE = "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE"
 REFERENCE_CLASSES, REPORT, SEED = "REFERENCE_CLASSES", "REPORT", "SEED"
+SUN_DIRECTION = "SUN_DIRECTION"
 MISSED, INVENTED, MISNAMED, RAGGED = "MISSED", "INVENTED", "MISNAMED", "RAGGED"
 
 
@@ -49,6 +50,13 @@ def seed(text: str = "", default: int = 1) -> Number:
     """What random numbers start from; ``text``: its help where another one is needed."""
     text = text or tr("Another number gives other trials, the same number the same.")
     return Number(SEED, tr("Seed"), text, advanced=True, default=default, minimum=0, is_integer=True)
+
+
+def sun_direction(text: str) -> Number:
+    """Where the sun stood."""
+    return Number(
+        SUN_DIRECTION, tr("Direction of the sun (°)"), text, optional=True, advanced=True, minimum=0.0, maximum=360.0
+    )
 
 
 def annotation() -> tuple[Parameter, ...]:

@@ -15,6 +15,7 @@ from ..translation import tr
 from .base import check_canceled
 
 if TYPE_CHECKING:
+    from ...core.segmentation.class_bias import KnownBiases
     from ...core.segmentation.model import SegmentationModel
     from ...storage.images import GdalImage
 
@@ -26,6 +27,7 @@ class PhotoLabels:
     """
 
     def __init__(self, model_path: str, table: ClassTable, feedback: QgsProcessingFeedback) -> None:
+        from ...core.segmentation.class_bias import known_biases
         from ...core.segmentation.model import SegmentationModel
 
         lacking = missing([ONNXRUNTIME])
@@ -33,6 +35,7 @@ class PhotoLabels:
             raise ModelError(how_to_install(lacking))
         self._model = SegmentationModel(model_path, worker_threads())
         self._values = self._model.classes.values_in(table, model_path)
+        self._biases = known_biases(self._model.class_bias, table)
         self._feedback = feedback
         self._is_described = False
 
@@ -40,6 +43,17 @@ class PhotoLabels:
     def resolution_m(self) -> float | None:
         """Pixel size that the network was trained on; None where it does not say."""
         return self._model.settings.resolution_m
+
+    def biases(self, path: str) -> KnownBiases:
+        """How the labels of a photo are shifted: as the model says."""
+        return self._biases
+
+    @property
+    def stated_biases(self) -> str:
+        """What label maps that the model makes carry along."""
+        from ...core.segmentation.class_bias import class_bias_text
+
+        return class_bias_text(self._model.class_bias)
 
     def __call__(self, path: str) -> np.ndarray:
         from ...core.labels.image_files import MAXIMUM_IMAGE_PIXELS
@@ -66,6 +80,30 @@ class PhotoLabels:
         return labels.labels_hw
 
 
+class LabelImageReader:
+    """Reads label images: ``label_images(path)`` gives (H, W) uint8 labels in the classes of ``table``."""
+
+    stated_biases = ""
+
+    def __init__(self, table: ClassTable) -> None:
+        self._table = table
+
+    def __call__(self, path: str) -> np.ndarray:
+        from ...storage.rasters import read_label_image
+
+        return read_label_image(path, self._table)
+
+    def biases(self, path: str) -> KnownBiases:
+        """How the labels of an image are shifted: as the network says that made it, if one did."""
+        from ...core.segmentation.class_bias import KEY, KnownBiases, known_biases, read_class_bias
+        from ...storage.rasters import stated_biases
+
+        stated = stated_biases(path)
+        if stated is None:
+            return KnownBiases()
+        return known_biases(read_class_bias({KEY: stated}, None, path), self._table)
+
+
 def describe(model: SegmentationModel, image: GdalImage, feedback: QgsProcessingFeedback) -> None:
     """Says what runs, which bands it sees, and what of the model's metadata was overruled."""
     text = tr("{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.")
@@ -78,5 +116,9 @@ def describe(model: SegmentationModel, image: GdalImage, feedback: QgsProcessing
     if image.stretch is not None:
         limits = ", ".join(f"{least:g}–{most:g}" for least, most in image.stretch)
         feedback.pushInfo(tr("Stretched to 8 bits from {limits}.").format(limits=limits))
+    for name, bias in model.class_bias.items():
+        east, north = bias.east, bias.north
+        text = tr("{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.")
+        feedback.pushInfo(text.format(name=name, east=east, north=north))
     for note in model.notes:
         feedback.pushWarning(note)

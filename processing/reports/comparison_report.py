@@ -5,11 +5,14 @@ from __future__ import annotations
 import os
 
 from ...core.labels.comparison import ClassMatch, LabelComparison
+from ..framework.class_biases import MeasuredShifts
 from ..translation import tr
 from . import charts, page
 
 
-def comparison_html(comparison: LabelComparison, match: ClassMatch, reference: str, predicted: str) -> str:
+def comparison_html(
+    comparison: LabelComparison, match: ClassMatch, shifts: MeasuredShifts, reference: str, predicted: str
+) -> str:
     """The whole page; ``reference``, ``predicted``: paths of the maps."""
     count = tr("{count} pixels compared").format(count=f"{comparison.pixels:,}")
     figures = page.key_figures(
@@ -32,7 +35,33 @@ def comparison_html(comparison: LabelComparison, match: ClassMatch, reference: s
         figures,
         page.section(tr("Confusion matrix"), matrix),
         page.section(tr("Classes"), _classes(comparison, match)),
+        page.section(tr("Bias of classes"), *_biases(shifts)),
     )
+
+
+def _biases(shifts: MeasuredShifts) -> list[str]:
+    """How far off landmarks are shown, a class a row."""
+    if not shifts.rows:
+        return [page.paragraph(tr("Too few landmarks are whole in both maps to tell."))]
+    along = [tr("right"), tr("down")] if shifts.in_image else [tr("east"), tr("north")]
+    header = [tr("Class"), tr("landmarks in both"), *along, tr("known to"), tr("spread")]
+    rows = [
+        [
+            row.name,
+            f"{row.pairs:,}",
+            f"{row.along[0]:+.2f} {shifts.unit}",
+            f"{row.along[1]:+.2f} {shifts.unit}",
+            f"± {row.deviation:.2f} {shifts.unit}",
+            page.number(row.spread, shifts.unit),
+        ]
+        for row in shifts.rows
+    ]
+    text = tr(
+        "How far from where they are the landmarks of each class are shown, over pieces of {edge} pixels: an image’s "
+        "position is off as much, and no residual tells. Spread: standard deviation along each axis of what one piece "
+        "differs by."
+    )
+    return [page.table(header, rows, range(1, len(header))), page.paragraph(text.format(edge=shifts.piece_px))]
 
 
 def _matrix(comparison: LabelComparison, match: ClassMatch) -> str:

@@ -40,6 +40,15 @@ SENTENCES = {
     ),
     "algorithms.nothing_to_repair": "“{source}” has no polygon with area and class; there is nothing to repair.",
     "algorithms.no_class_table": "Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.",
+    "algorithms.no_model_to_copy": "MODEL_OUTPUT is a copy of the model; give the network as MODEL.",
+    "algorithms.bias_without_meters": (
+        "The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave "
+        "MODEL_OUTPUT empty."
+    ),
+    "algorithms.no_bias": (
+        "No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave "
+        "MODEL_OUTPUT empty."
+    ),
     "algorithms.no_methods": "METHODS is empty; choose at least one method.",
     "algorithms.map_in_other_crs": (
         "{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS."

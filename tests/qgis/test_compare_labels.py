@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import sys
 
 import numpy as np
 import pytest
 from made_inputs import NORTH, WEST, scattered_objects, write_raster
+from made_models import write_model
 from osgeo import ogr
 from qgis.core import QgsProcessingException
+
+from semref.core.segmentation.onnx_file import read_metadata
+from semref.core.simulation.displacement import displaced
+from semref.core.simulation.noise import LabelNoise
 
 COMPARE = "semref:comparelabels"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -222,3 +228,36 @@ def test_where_there_is_no_room_for_its_polygons_it_says_so(tmp_path):
     assert whole > 100
     assert "told" in outcomes
     assert set(outcomes) == {"told", whole}
+
+
+@pytest.fixture
+def shifted(tmp_path):
+    """(annotated map, predicted map whose buildings lie 2 pixels right and 1 down), pixels of half a meter."""
+    rng = np.random.default_rng(5)
+    true = scattered_objects(700, 1600, 900, seed=6)
+    moved = displaced(true, LabelNoise(class_shifts=((1, 2.0, 1.0),)), rng)
+    half = (WEST, 0.5, 0, NORTH, 0, -0.5)
+    annotated = write_raster(tmp_path / "annotated.tif", true, names=NAMES, transform=half)
+    return annotated, write_raster(tmp_path / "predicted.tif", moved, names=NAMES, transform=half)
+
+
+def test_a_models_bias_is_measured_and_written_into_its_copy(compare, shifted, tmp_path, feedback):
+    model, copy = write_model(tmp_path / "network.onnx"), tmp_path / "copy.onnx"
+    compare(*shifted, MODEL=str(model), MODEL_OUTPUT=str(copy), SUN_DIRECTION=150, REPORT=str(tmp_path / "r.html"))
+    texts = read_metadata(copy.read_bytes())
+    found = json.loads(texts["class_bias"])["building"]
+    assert found["east"] == pytest.approx(1.0, abs=0.1) and found["north"] == pytest.approx(-0.5, abs=0.1)
+    assert found["spread"] < 0.2 and found["sun"] == 150
+    assert {**read_metadata(model.read_bytes()), "class_bias": texts["class_bias"]} == texts
+    assert "building" in (tmp_path / "r.html").read_text(encoding="utf-8").split("Bias of classes")[1]
+    assert "building: shown +1.0" in feedback.textLog()
+
+
+def test_a_bias_that_is_not_in_meters_goes_into_no_model(compare, tmp_path):
+    paths = [write_raster(tmp_path / f"{name}.png", LABELS, transform=None) for name in "ab"]
+    model = write_model(tmp_path / "network.onnx")
+    with pytest.raises(QgsProcessingException, match="no metric CRS"):
+        compare(*paths, MODEL=str(model), MODEL_OUTPUT=str(tmp_path / "copy.onnx"))
+    with pytest.raises(QgsProcessingException, match="give the network as MODEL"):
+        compare(*paths, MODEL_OUTPUT=str(tmp_path / "copy.onnx"))
+    assert not (tmp_path / "copy.onnx").exists()

@@ -63,6 +63,6 @@ def model(tmp_path_factory):
 def test_a_photo_has_the_same_labels_in_qgis_and_on_board(qgis_app, model, tmp_path, name):
     path = str(PHOTOS[name](tmp_path / "photo.tif"))
     in_qgis = PhotoLabels(model, TABLE, QgsProcessingFeedback(False))(path)
-    on_board = label_reader(model, 1, TABLE)(path)
+    on_board = label_reader(model, 1, TABLE)[0](path)
     np.testing.assert_array_equal(on_board, in_qgis)
     assert in_qgis.shape == PHOTO.shape[:2] and len(np.unique(in_qgis)) >= (1 if name == "gray" else 3)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import TrainingError
-from semref.training import augment, metrics, tiles
+from semref.training import augment, class_bias, metrics, tiles
 
 IGNORED = tiles.IGNORED
 
@@ -129,3 +129,30 @@ def test_intersection_over_union_counts_ignored_pixels_nowhere():
     iou = metrics.intersection_over_union(confusion)
     np.testing.assert_allclose(iou[:2], [1 / 3, 1 / 2])
     assert np.isnan(iou[2])
+
+
+def test_what_a_network_shifts_is_told_apart_by_what_the_ground_shifts():
+    rng = np.random.default_rng(8)
+    tiles_hw = []
+    for _ in range(4):
+        labels = np.zeros((256, 256), np.uint8)
+        for row, column in np.mgrid[10:220:32, 10:220:32].reshape(2, -1).T:
+            height, width = rng.integers(9, 16, 2)
+            labels[row : row + height, column : column + width] = 1
+        # The ground's own: shown 2 px north of where it is.
+        tiles_hw.append((np.roll(labels, -2, axis=0)[..., None].astype(np.float32), labels))
+
+    class Reader:
+        def __len__(self):
+            return len(tiles_hw)
+
+        def __call__(self, index):
+            return tiles_hw[index]
+
+    def answer(image):
+        return np.roll(image[..., 0].astype(np.uint8), 1, axis=1)
+
+    (row,) = class_bias.measured(answer, Reader(), 2)
+    bias = row.bias(0.5)
+    assert (bias.east, bias.north, bias.right, bias.down) == pytest.approx((0.0, 1.0, 0.5, 0.0), abs=0.02)
+    assert bias.spread < 0.1

@@ -6,7 +6,7 @@ crops of a photo of dubai_aerial (`--tile`) that this model was not trained on.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import cv2
@@ -17,11 +17,13 @@ from bench.correlation import ON_A_TILE
 from bench.ground import COLUMNS, Ground, Image, cells, memory_ground, tile_ground, tile_paths
 from semref.core.database.build import BuildSettings
 from semref.core.evaluation.trial import Query, Trial
+from semref.core.geometry.error_settings import NETWORK_SPREAD
 from semref.core.labels.image_source import ArrayImage
 from semref.core.localization import Method
 from semref.core.sample import photo, pictures
 from semref.core.sample.classes import CLASSES
 from semref.core.sample.landscape import make_landscape
+from semref.core.segmentation.class_bias import known_biases
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.photo_labels import PhotoLabels
 from semref.core.simulation.views import View
@@ -35,6 +37,8 @@ METHODS = (Method.CONSTELLATION, Method.AUTOMATIC)
 SAMPLE_RIGHT_M = 10.0
 SHIPPED = inputs.TOOLS.parent / "models" / "sample_area.onnx"
 TRUE_LABELS = "true labels"
+SILENT = (), NETWORK_SPREAD
+"""``Network.biases`` of one that states none."""
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
@@ -53,7 +57,11 @@ class Network:
 
     def __init__(self, path: object, ground: Ground) -> None:
         self._model = SegmentationModel(str(path), 1)
-        self._values = self._model.classes.values_in(ground.database.class_table, "The model")
+        table = ground.database.class_table
+        self._values = self._model.classes.values_in(table, "The model")
+        known = known_biases(self._model.class_bias, table)
+        self.biases = known.class_biases, known.class_spread
+        """What ``Localizer.heed_biases`` takes."""
 
     def labels(self, photo_hw3: np.ndarray) -> np.ndarray:
         """(H, W) uint8, as semref:segmentimage makes them."""
@@ -62,23 +70,34 @@ class Network:
 
 def _sample(run: inputs.Run) -> str:
     count = run.how_many(COUNT, QUICK_COUNT)
-    landscape = make_landscape(SEED)
-    labels = rasterize(landscape, 1.0)
-    classes = [f"{c.value},{c.name},{c.color},{c.role}" for c in CLASSES]
-    ground = memory_ground(labels, "\n".join(["value,name,color,role", *classes]), BuildSettings(640, 160, 50))
-    area_photo = photo.render(landscape, grid_of(landscape, 1.0), 1.0)
+    ground, area_photo = sample_ground()
     network = Network(SHIPPED, ground)
+    ground.localizer.heed_biases(*network.biases)
     trials: dict[str, list[Trial]] = {method: [] for method in METHODS}
-    for picture in pictures.plan_photos(labels.shape, SEED, count):
-        seen = photo.shoot(area_photo, picture, SEED)
-        jpeg = cv2.imencode(".jpg", seen[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])[1]
-        found = network.labels(np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1]))
-        image = Image(Query(picture.view(len(seen))), found)
+    for image in sample_photos(area_photo, network, ground, count):
         for method in METHODS:
             trials[method].append(ground.try_image(image, method, SAMPLE_RIGHT_M))
     rows = [cells(tried, method) for method, tried in trials.items()]
     agreement = _agreement(ground, network.labels(area_photo))
     return f"{_SAMPLE.format(limit=SAMPLE_RIGHT_M)}\n\n{page.table(COLUMNS, rows)}\n\n{agreement}"
+
+
+def sample_ground() -> tuple[Ground, np.ndarray]:
+    """The ground of the sample area's true label map, and the photo of all of it, (H, W, 3)."""
+    landscape = make_landscape(SEED)
+    labels = rasterize(landscape, 1.0)
+    classes = [f"{c.value},{c.name},{c.color},{c.role}" for c in CLASSES]
+    ground = memory_ground(labels, "\n".join(["value,name,color,role", *classes]), BuildSettings(640, 160, 50))
+    return ground, photo.render(landscape, grid_of(landscape, 1.0), 1.0)
+
+
+def sample_photos(area_photo: np.ndarray, network: Network, ground: Ground, count: int) -> Iterator[Image]:
+    """Photos of the sample area as the network labels them."""
+    for picture in pictures.plan_photos(ground.labels_hw.shape, SEED, count):
+        seen = photo.shoot(area_photo, picture, SEED)
+        jpeg = cv2.imencode(".jpg", seen[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])[1]
+        found = network.labels(np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1]))
+        yield Image(Query(picture.view(len(seen))), found)
 
 
 _SAMPLE = """\
@@ -91,6 +110,7 @@ def _tile(run: inputs.Run, path: object) -> str:
     picture = inputs.read_labels(str(path).replace("_label", "_image"))
     picture = np.ascontiguousarray(np.moveaxis(picture[:3], 0, 2))
     network = Network(run.model, ground)
+    ground.localizer.heed_biases(*network.biases)
     rows = []
     large: dict[tuple, list[Trial]] = {}
     for number, edge in enumerate(ON_A_TILE.sizes_px):

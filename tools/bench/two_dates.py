@@ -33,7 +33,8 @@ MINIMUM_AREA_M2 = 5_000.0
 NOT_LAND = 255
 """LCDB's code of it is 0, which means unlabeled in a label map."""
 
-BEFORE, AFTER = 1996, 2018
+YEARS = (1996, 2001, 2008, 2012, 2018)
+BEFORE, AFTER = YEARS[0], YEARS[-1]
 
 PATCHES = (
     "Urban Parkland/Open Space",
@@ -161,12 +162,12 @@ def label_map(run: inputs.Run, year: int) -> Path:
     return path
 
 
-def database(run: inputs.Run, window_m: float) -> Path:
-    """Database of the earlier date with windows as large as the images, every quarter of a window."""
-    path = run.work / f"lcdb_{BEFORE}_{window_m:g}.gpkg"
+def database(run: inputs.Run, window_m: float, year: int = BEFORE) -> Path:
+    """Database of a date with windows as large as the images, every quarter of a window."""
+    path = run.work / f"lcdb_{year}_{window_m:g}.gpkg"
     if not path.exists():
         parameters = {
-            "LABELS": str(label_map(run, BEFORE)),
+            "LABELS": str(label_map(run, year)),
             "WINDOW_SIZE": window_m,
             "STRIDE": window_m / 4,
             "MINIMUM_AREA": MINIMUM_AREA_M2,
@@ -183,7 +184,7 @@ def _class_table(run: inputs.Run) -> Path:
     layer = ogr.Open(str(run.data / SOURCE))
     found = set()
     for feature in layer.GetLayer(0):
-        for year in (BEFORE, AFTER):
+        for year in YEARS:
             found.add((int(feature.GetField(f"Class_{year}")), feature.GetField(f"Name_{year}")))
     with path.open("w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file, lineterminator="\n")

@@ -1,0 +1,105 @@
+"""The metadata key ``class_bias``: how far from where they are a network shows its classes, by name.
+
+Told in docs/file-formats.md#segmentation-model. Meters on the ground, JSON: ``{"building": {"east": -0.13, "north":
+0.6, "spread": 0.35, "sun": 150}}``.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from ..errors import ModelError
+from ..geometry.error_settings import NETWORK_SPREAD, ClassBias
+from ..labels.class_table import ClassTable
+from ..values import LONGEST_NAME, read_json
+
+KEY = "class_bias"
+
+LARGEST_M = 1000.0
+"""A network that is farther off sees something else."""
+
+_LENGTHS = ("east", "north", "right", "down", "spread")
+_SUN = "sun"
+
+
+@dataclass(frozen=True)
+class KnownBiases:
+    """What is known of how a network, or whatever else made labels, shifts a database's classes.
+
+    Attributes:
+        class_biases: Those that are stated.
+        class_spread: Of the other classes, meters, as ``SharedErrors`` says.
+    """
+
+    class_biases: tuple[ClassBias, ...] = ()
+    class_spread: float = 0.0
+
+
+def read_class_bias(texts: Mapping[str, str], names: Sequence[str] | None, source: str) -> dict[str, ClassBias]:
+    """What a model's metadata state, by name in small letters; their values are 0.
+
+    Args:
+        texts: The metadata by key.
+        names: Of the model's classes; None where any may be named.
+        source: The model's name in messages.
+
+    Raises:
+        ModelError: The entry is none, names another class, or has a number that can't be.
+    """
+    if KEY not in texts:
+        return {}
+    try:
+        found = {str(name).casefold(): _read_one(entry) for name, entry in _object(read_json(texts[KEY])).items()}
+    except ValueError:
+        raise _refused(texts, source) from None
+    if names is not None and not set(found) <= {name.casefold() for name in names}:
+        raise _refused(texts, source)
+    return found
+
+
+def known_biases(stated: Mapping[str, ClassBias], table: ClassTable) -> KnownBiases:
+    """What a model states, in a database's classes; classes of landmarks that it leaves out have the usual spread."""
+    found = [(entry, stated.get(entry.name.casefold())) for entry in table]
+    biases = tuple(_of_value(bias, entry.value) for entry, bias in found if bias is not None)
+    is_whole = all(bias is not None and bias.spread is not None for entry, bias in found if entry.is_reference)
+    return KnownBiases(biases, 0.0 if is_whole else NETWORK_SPREAD)
+
+
+def class_bias_text(biases: Mapping[str, ClassBias]) -> str:
+    """The entry of a model's metadata for biases by class name."""
+    return json.dumps({name: _entry(bias) for name, bias in biases.items()}, ensure_ascii=False)
+
+
+def _entry(bias: ClassBias) -> dict[str, float]:
+    lengths = {name: getattr(bias, name) for name in _LENGTHS}
+    stated = {name: round(length, 4) for name, length in lengths.items() if length or name == "spread" and length == 0}
+    return stated if bias.sun_deg is None else {**stated, _SUN: round(bias.sun_deg, 2)}
+
+
+def _of_value(bias: ClassBias, value: int) -> ClassBias:
+    return ClassBias(value, bias.east, bias.north, bias.right, bias.down, bias.spread, bias.sun_deg)
+
+
+def _object(found: object) -> dict[str, object]:
+    if not isinstance(found, dict):
+        raise ValueError
+    return found
+
+
+def _read_one(entry: object) -> ClassBias:
+    stated = _object(entry)
+    for name, number in stated.items():
+        least, most = (0.0 if name == "spread" else -LARGEST_M, LARGEST_M) if name in _LENGTHS else (0.0, 360.0)
+        if name not in (*_LENGTHS, _SUN) or isinstance(number, bool) or not isinstance(number, (int, float)):
+            raise ValueError
+        if not least <= number <= most:
+            raise ValueError
+    numbers = {name: float(number) for name, number in stated.items() if isinstance(number, (int, float))}
+    sun_deg = numbers.pop(_SUN, None)
+    return ClassBias(0, **numbers, sun_deg=sun_deg)
+
+
+def _refused(texts: Mapping[str, str], source: str) -> ModelError:
+    return ModelError("segmentation.class_bias", source=source, text=texts[KEY][:LONGEST_NAME], key=KEY, most=LARGEST_M)

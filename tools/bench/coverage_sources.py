@@ -1,0 +1,99 @@
+"""Images of which nobody made up how they err: maps of two dates of Christchurch, and photos, rendered and real."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from bench import inputs, photos, two_dates
+from bench.correlation import ON_A_TILE
+from bench.ground import ANY, Ground, Image, Wanted, tile_ground, tile_paths
+from semref.core.evaluation.trial import Query, Trial
+from semref.core.localization import Method, Prior
+from semref.storage.database.reader import read_database
+
+SEED = 2102
+PAIRS = ((1996, 2001), (2001, 2008), (2008, 2012), (2012, 2018), (1996, 2018))
+"""Dates of the database and of the images."""
+
+FOOTPRINT_M = 6_400.0
+METHODS = (Method.CONSTELLATION, Method.MAP_CORRELATION, Method.AUTOMATIC)
+PHOTO_METHODS = (Method.CONSTELLATION, Method.AUTOMATIC)
+RENDERED, REAL = "rendered photos", "real photos"
+REAL_PX = 512
+
+Rows = Iterator[tuple[str, list[Trial]]]
+
+
+def every(run: inputs.Run, count: int, prior_share: float) -> Rows:
+    """(name, trials) of all rows that the run wants and has the data of.
+
+    prior_share: map correlation and automatic are told the position to this share of the footprint.
+    """
+    if (run.data / two_dates.SOURCE).exists():
+        yield from _christchurch(run, count, prior_share)
+    yield from _rendered(run, count)
+    if run.model and tile_paths(run):
+        yield from _real(run, count)
+
+
+def _christchurch(run: inputs.Run, count: int, prior_share: float) -> Rows:
+    wanted = Wanted(two_dates.SCALES, landmarks=ANY, labeled=two_dates.LEAST_LABELED)
+    for number, (before, after) in enumerate(PAIRS):
+        names = {method: f"{method.key}: Christchurch, map of {before}, images of {after}" for method in METHODS}
+        chosen = [method for method, name in names.items() if run.wants(name)]
+        if not chosen:
+            continue
+        content = read_database(str(two_dates.database(run, FOOTPRINT_M, before)), with_overview=True)
+        labels = inputs.read_labels(two_dates.label_map(run, after))
+        ground = Ground(labels, content, size_px=round(FOOTPRINT_M / two_dates.PIXEL_SIZE_M))
+        rng = np.random.default_rng([SEED, number])
+        images = [ground.draw(wanted, rng) for _ in range(count)]
+        for method in chosen:
+            yield names[method], [_near(ground, image, method, rng, prior_share) for image in images]
+
+
+def _near(ground: Ground, image: Image, method: Method, rng: np.random.Generator, prior_share: float) -> Trial:
+    view = image.view
+    radius = prior_share * view.footprint
+    off = rng.uniform(-0.5, 0.5, 2) * radius
+    ground.prior = None if method is Method.CONSTELLATION else Prior((view.x + off[0], view.y + off[1]), radius)
+    return ground.try_image(image, method)
+
+
+def _rendered(run: inputs.Run, count: int) -> Rows:
+    """Photos of a landscape that the shipped network has not seen, once as its metadata say and once as if silent."""
+    names = {
+        (method, told): f"{method.key}: {RENDERED}, bias {'' if told else 'not '}stated"
+        for method in PHOTO_METHODS
+        for told in (True, False)
+    }
+    chosen = [key for key, name in names.items() if run.wants(name)]
+    if not chosen:
+        return
+    ground, area = photos.sample_ground()
+    network = photos.Network(photos.SHIPPED, ground)
+    shot = list(photos.sample_photos(area, network, ground, count))
+    for method, told in chosen:
+        ground.localizer.heed_biases(*(network.biases if told else photos.SILENT))
+        yield names[method, told], [ground.try_image(image, method, photos.SAMPLE_RIGHT_M) for image in shot]
+
+
+def _real(run: inputs.Run, count: int) -> Rows:
+    names = {method: f"{method.key}: {REAL}, tile {run.tile} of dubai_aerial, {REAL_PX} px" for method in PHOTO_METHODS}
+    chosen = [method for method, name in names.items() if run.wants(name)]
+    if not chosen:
+        return
+    path = run.data / inputs.TILES / f"tile{run.tile}_label.tif"
+    ground = tile_ground(path)
+    picture = np.ascontiguousarray(np.moveaxis(inputs.read_labels(str(path).replace("_label", "_image"))[:3], 0, 2))
+    network = photos.Network(run.model, ground)
+    ground.localizer.heed_biases(*network.biases)
+    rng = np.random.default_rng([SEED, 100])
+    wanted = replace(ON_A_TILE, sizes_px=(REAL_PX,), labeled=0.0)
+    images = [ground.draw(wanted, rng) for _ in range(count)]
+    shot = [replace(i, labels_hw=network.labels(photos.seen(ground, picture, i.view))) for i in images]
+    for method in chosen:
+        yield names[method], [ground.try_image(Image(Query(i.view), i.labels_hw), method) for i in shot]

@@ -1,0 +1,65 @@
+"""How far from where they are a network shows its classes, on validation tiles; put into the model's metadata.
+
+Every tile is shown turned by 0, 90, 180 and 270 degrees. What turns with the tile is the ground's, as shadows make it;
+what stays is the network's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Callable
+
+import numpy as np
+
+from ..core.geometry.error_settings import ClassBias
+from ..core.landmarks.class_shifts import ClassShift, PieceShift, class_shifts, piece_shifts
+
+QUARTERS = 4
+MOST_TILES = 100
+"""Every one is shown to the network four times."""
+
+
+
+@dataclass(frozen=True)
+class ClassRow:
+    """A class' shift along the ground's axes, and along the image's, pixels."""
+
+    ground: ClassShift
+    image: ClassShift
+
+    def bias(self, pixel_m: float) -> ClassBias:
+        """In meters; tiles have north up."""
+        east, north = pixel_m * self.ground.shift.real, -pixel_m * self.ground.shift.imag
+        right, down = pixel_m * self.image.shift.real, pixel_m * self.image.shift.imag
+        if self.ground.spread is None or self.image.spread is None:
+            return ClassBias(0, east, north, right, down)
+        return ClassBias(0, east, north, right, down, pixel_m * float(np.hypot(self.ground.spread, self.image.spread)))
+
+
+def measured(answer: Callable[[np.ndarray], np.ndarray], reader: object, channels: int) -> list[ClassRow]:
+    """A row a channel with enough landmarks; channel 0 is none.
+
+    answer: image (H, W, 3) to channels (H, W). reader: gives images with their true channels by number, has a length.
+    """
+    on_ground: list[PieceShift] = []
+    in_image: list[PieceShift] = []
+    for index in range(min(len(reader), MOST_TILES)):
+        image, labels = reader(index)
+        by_turn = [
+            {piece.value: piece for piece in piece_shifts(labels, _turned_answer(answer, image, k), range(1, channels))}
+            for k in range(QUARTERS)
+        ]
+        for value in set.intersection(*map(set, by_turn)):
+            pieces = [found[value] for found in by_turn]
+            pairs, variance = (np.mean([getattr(piece, name) for piece in pieces]) for name in ("pairs", "variance"))
+            shifts = [piece.shift for piece in pieces]
+            # A quarter turn against the clock takes right to up.
+            own = [shift * (-1j) ** k for k, shift in enumerate(shifts)]
+            on_ground.append(PieceShift(value, round(pairs), complex(np.mean(shifts)), float(variance)))
+            in_image.append(PieceShift(value, round(pairs), complex(np.mean(own)), float(variance)))
+    return [ClassRow(*pair) for pair in zip(class_shifts(on_ground), class_shifts(in_image))]
+
+
+def _turned_answer(answer: Callable[[np.ndarray], np.ndarray], image: np.ndarray, quarters: int) -> np.ndarray:
+    return np.ascontiguousarray(np.rot90(answer(np.ascontiguousarray(np.rot90(image, quarters))), -quarters))
