@@ -16,6 +16,10 @@
    <translation>--risk ist {risk:g}; es muss eine Wahrscheinlichkeit von {least:g} bis {most:g} sein.</translation>
   </message>
   <message>
+   <source>--sun is {sun:g}; it must be a direction from 0 to 360 degrees.</source>
+   <translation>--sun ist {sun:g}; es muss eine Richtung von 0 bis 360 Grad sein.</translation>
+  </message>
+  <message>
    <source>--threads is {threads}; it must be from 1 to {most}.</source>
    <translation>--threads ist {threads}; es muss von 1 bis {most} sein.</translation>
   </message>
@@ -42,6 +46,10 @@
   <message>
    <source>A canceled run with the same output and settings is gone on with; otherwise it is begun anew.</source>
    <translation>Ein abgebrochener Lauf mit derselben Ausgabe und denselben Einstellungen wird fortgesetzt; sonst wird neu begonnen.</translation>
+  </message>
+  <message>
+   <source>A copy of the model whose metadata say how far off it shows its classes, in meters.</source>
+   <translation>Eine Kopie des Modells, deren Metadaten in Metern sagen, wie weit daneben es seine Klassen zeigt.</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -300,8 +308,8 @@
    <translation>Beurteilung einer Route</translation>
   </message>
   <message>
-   <source>Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in the database. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
-   <translation>Angenommen: waagerechte Kamera; beliebige Richtung; {missed} der Landmarken übersehen, {invented} erfunden, {misnamed} falsch benannt; Kanten um {ragged:g} Karteneinheiten verschoben (Standardabweichung); keine ungefähre Position; das Gelände wie in der Datenbank. Ein Fix gilt als richtig innerhalb von 2 % der Bodenabdeckung. Verfahren: {method}.</translation>
+   <source>Assumed: any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed, {background} of the background misnamed; edges off by {ragged:g} map units (standard deviation), the map by {displaced:g} along each axis with neighbors alike, each class by {shifted:g}; roofs leaning by {leaning}; lens bent by {lens}; camera tilted by {tilt:g}°; no prior position. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
+   <translation>Angenommen: jede Richtung; {missed} der Landmarken übersehen, {invented} erfunden, {misnamed} falsch benannt, {background} des Hintergrunds falsch benannt; Kanten um {ragged:g} Karteneinheiten daneben (Standardabweichung), die Karte um {displaced:g} entlang jeder Achse, Nachbarn gleich, jede Klasse um {shifted:g}; Dächer um {leaning} geneigt; Objektiv um {lens} verzeichnet; Kamera um {tilt:g}° gekippt; keine Vorkenntnis der Position. Ein Fix gilt als richtig innerhalb von 2 % der Bodenbreite. Verfahren: {method}.</translation>
   </message>
   <message>
    <source>At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.</source>
@@ -324,8 +332,16 @@
    <translation>Automatisch nimmt nur die Konstellation, ohne Kartenkorrelation: {reason}</translation>
   </message>
   <message>
+   <source>Background misnamed (%)</source>
+   <translation>Hintergrund falsch benannt (%)</translation>
+  </message>
+  <message>
    <source>Base model</source>
    <translation>Ausgangsmodell</translation>
+  </message>
+  <message>
+   <source>Bias of classes</source>
+   <translation>Versatz der Klassen</translation>
   </message>
   <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
@@ -368,6 +384,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Nach Bodenabdeckung</translation>
   </message>
   <message>
+   <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
+   <translation>Nach dem Verfahren, das den Fix gab. Als richtig genannt: die mittlere Konfidenz, die der Anteil richtiger Fixe sein sollte; Kalibrierungsfehler: wie weit beide auseinanderliegen, Zehntel für Zehntel der Konfidenz. Ellipsen: richtige Fixe, deren wahrer Ort in der genannten Ellipse liegt; ehrliche enthalten 50, 95 und 99 %.</translation>
+  </message>
+  <message>
    <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
    <translation>CLASS_FIELD ist leer; das Feld wählen, das die Klasse jedes Polygons nennt.</translation>
   </message>
@@ -406,6 +426,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
    <translation>Kameratabelle (Roll- und Nickwinkel, Brennweite, Zeit, Höhe, Richtung)</translation>
+  </message>
+  <message>
+   <source>Camera tilt (°)</source>
+   <translation>Kameraneigung (°)</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -524,6 +548,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Klassen</translation>
   </message>
   <message>
+   <source>Classes shifted (map units)</source>
+   <translation>Klassen verschoben (Karteneinheiten)</translation>
+  </message>
+  <message>
    <source>Classes that only the predicted map has: {names}.</source>
    <translation>Klassen, die nur die vorhergesagte Karte hat: {names}.</translation>
   </message>
@@ -550,14 +578,22 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
 
-Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.</source>
+Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.
+
+The report also tells how far from where they are the landmarks of each class are shown: a network’s bias, which an image’s position inherits. With a model it is written into a copy of it, for “Localize images” to take it off.</source>
    <translation>Vergleicht eine vorhergesagte Klassenkarte mit einer annotierten: Konfusionsmatrix, IoU jeder Klasse, Gesamtgenauigkeit und die Stellen, an denen sie abweichen, als Polygone, die größte zuerst.
 
-Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen teilen. Karten verschiedener Pixelgröße werden auf den Pixeln der annotierten verglichen. Pixel ohne Annotation bleiben weg; Pixel ohne Vorhersage gelten als falsch.</translation>
+Klassen werden nach Namen zugeordnet, oder nach Wert, wo die Karten keine Namen teilen. Karten verschiedener Pixelgröße werden auf den Pixeln der annotierten verglichen. Pixel ohne Annotation bleiben weg; Pixel ohne Vorhersage gelten als falsch.
+
+Der Bericht sagt auch, wie weit von ihrem Ort die Landmarken jeder Klasse gezeigt werden: den Versatz eines Netzes, den die Position eines Bildes erbt. Mit einem Modell wird er in eine Kopie davon geschrieben, damit „Bilder lokalisieren“ ihn abzieht.</translation>
   </message>
   <message>
    <source>Comparing</source>
    <translation>Vergleich</translation>
+  </message>
+  <message>
+   <source>Comparing landmarks</source>
+   <translation>Landmarken werden verglichen</translation>
   </message>
   <message>
    <source>Comparing windows</source>
@@ -658,6 +694,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Describing windows</source>
    <translation>Fenster werden beschrieben</translation>
+  </message>
+  <message>
+   <source>Direction of the sun (°)</source>
+   <translation>Richtung der Sonne (°)</translation>
   </message>
   <message>
    <source>Disagreements</source>
@@ -972,6 +1012,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Fix</translation>
   </message>
   <message>
+   <source>Fixes by</source>
+   <translation>Fixe durch</translation>
+  </message>
+  <message>
    <source>Folder for the georeferenced images</source>
    <translation>Ordner für die georeferenzierten Bilder</translation>
   </message>
@@ -1148,12 +1192,28 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Ausrichtung der Bildoberkante, im Uhrzeigersinn von Gitternord.</translation>
   </message>
   <message>
+   <source>How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks do.</source>
+   <translation>Wie weit jede Klasse von Landmarken als Ganzes von ihrem Ort gezeigt wird, in beliebiger Richtung, wie Netze es tun.</translation>
+  </message>
+  <message>
+   <source>How far from where they are the landmarks of each class are shown, over pieces of {edge} pixels: an image’s position is off as much, and no residual tells. Spread: standard deviation along each axis of what one piece differs by.</source>
+   <translation>Wie weit von ihrem Ort die Landmarken jeder Klasse gezeigt werden, über Stücke von {edge} Pixeln: Die Position eines Bildes ist ebenso weit daneben, und kein Residuum verrät es. Streuung: Standardabweichung entlang jeder Achse dessen, worin ein Stück abweicht.</translation>
+  </message>
+  <message>
+   <source>How far landmarks lean away from the image’s center, in percent of their distance from it: their height over the camera’s.</source>
+   <translation>Wie weit sich Landmarken von der Bildmitte weg neigen, in Prozent ihres Abstands von ihr: ihre Höhe durch die der Kamera.</translation>
+  </message>
+  <message>
    <source>How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the image shows. The topology vector is right when it names the nearest window.</source>
    <translation>Wie weit ein Fix daneben liegen darf, um als richtig zu gelten. Ohne Angabe 2 % der Kante des Geländes, das das Bild zeigt. Der Topologievektor ist richtig, wenn er das nächste Fenster nennt.</translation>
   </message>
   <message>
    <source>How far stretches without an expected fix may be shifted to either side; half of it is tried, too. The footprint if left out, 0 for none.</source>
    <translation>Wie weit Abschnitte ohne erwarteten Fix nach beiden Seiten verschoben werden dürfen; die Hälfte davon wird ebenfalls versucht. Ohne Angabe die Bodenabdeckung, 0 für keine Verschiebung.</translation>
+  </message>
+  <message>
+   <source>How far the camera looks aside from straight down, in any direction.</source>
+   <translation>Wie weit die Kamera neben die Senkrechte blickt, in beliebiger Richtung.</translation>
   </message>
   <message>
    <source>How far the compared image’s vector differs here</source>
@@ -1166,6 +1226,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
    <translation>Wie viele der Landmarken, die der Mitte am nächsten liegen, ein Vektor enthält.</translation>
+  </message>
+  <message>
+   <source>How much farther out or in than it should the ground in the image’s corners is shown.</source>
+   <translation>Wie viel weiter außen oder innen als richtig der Boden in den Bildecken gezeigt wird.</translation>
   </message>
   <message>
    <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
@@ -1408,6 +1472,14 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Polygone werden übereinandergelegt</translation>
   </message>
   <message>
+   <source>Leaning roofs (%)</source>
+   <translation>Geneigte Dächer (%)</translation>
+  </message>
+  <message>
+   <source>Lens distortion (%)</source>
+   <translation>Verzeichnung des Objektivs (%)</translation>
+  </message>
+  <message>
    <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
    <translation>Entzerrt: Rollwinkel {roll:.1f}°, Nickwinkel {pitch:.1f}° ({source}).</translation>
   </message>
@@ -1528,6 +1600,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>METHODS ist leer; mindestens ein Verfahren wählen.</translation>
   </message>
   <message>
+   <source>MODEL_OUTPUT is a copy of the model; give the network as MODEL.</source>
+   <translation>MODEL_OUTPUT ist eine Kopie des Modells; das Netz als MODEL angeben.</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>Beispielgebiet erzeugen</translation>
   </message>
@@ -1562,6 +1638,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Map correlation</source>
    <translation>Kartenkorrelation</translation>
+  </message>
+  <message>
+   <source>Map displaced (map units)</source>
+   <translation>Karte verschoben (Karteneinheiten)</translation>
   </message>
   <message>
    <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
@@ -1632,6 +1712,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Modell</translation>
   </message>
   <message>
+   <source>Model with bias</source>
+   <translation>Modell mit Versatz</translation>
+  </message>
+  <message>
    <source>Model, for photos</source>
    <translation>Modell, für Fotos</translation>
   </message>
@@ -1696,8 +1780,16 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Keine Klasse ist eine Referenzklasse; mindestens eine von {classes} in REFERENCE_CLASSES nennen oder ihr in der Klassentabelle die Rolle „reference“ geben.</translation>
   </message>
   <message>
+   <source>No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave MODEL_OUTPUT empty.</source>
+   <translation>Keine Klasse von {path} hat in beiden Karten genug Landmarken, um ihren Versatz zu nennen; ein größeres Gebiet angeben oder MODEL_OUTPUT leer lassen.</translation>
+  </message>
+  <message>
    <source>No ground was set aside, so nothing tells how good the network is.</source>
    <translation>Es wurde kein Gelände zurückgehalten, daher sagt nichts, wie gut das Netz ist.</translation>
+  </message>
+  <message>
+   <source>No image has a fix.</source>
+   <translation>Kein Bild hat einen Fix.</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -2376,6 +2468,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Anteil der Landmarken, die hinzugefügt werden, geformt wie Landmarken anderer Stellen der Karte.</translation>
   </message>
   <message>
+   <source>Share of the areas of other classes than those of landmarks that get another of these.</source>
+   <translation>Anteil der Flächen anderer Klassen als der von Landmarken, die eine andere von diesen bekommen.</translation>
+  </message>
+  <message>
    <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
    <translation>Anteil der bezeichneten Fläche, der für die Validierung zurückgelegt wird; 0 für keine.</translation>
   </message>
@@ -2502,6 +2598,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.</source>
    <translation>Geländequadrate; bei mehreren Bodenabdeckungen je eines, gezeichnet werden die der ersten.</translation>
+  </message>
+  <message>
+   <source>Standard deviation along each axis of what map and ground differ by, neighbors alike, as maps of two dates do. 0 where the images are cut from a map of another date already.</source>
+   <translation>Standardabweichung entlang jeder Achse dessen, worum Karte und Boden sich unterscheiden, Nachbarn gleich, wie Karten zweier Zeitpunkte. 0, wo die Bilder schon aus einer Karte eines anderen Zeitpunkts geschnitten werden.</translation>
   </message>
   <message>
    <source>Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced alike, so that it limits how exactly images are located; the radius of fixes reckons with it. 1.1 m was measured between maps of two dates.</source>
@@ -2916,6 +3016,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Karte, aus der Bilder geschnitten werden: die der Datenbank oder eine andere desselben Geländes, im KBS der Datenbank und mit ihren Klassen; die Pixelgröße darf eine andere sein.</translation>
   </message>
   <message>
+   <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
+   <translation>Die Karten haben kein metrisches KBS, daher ist der Versatz der Klassen nicht in Metern bekannt; Karten mit einem solchen angeben oder MODEL_OUTPUT leer lassen.</translation>
+  </message>
+  <message>
    <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
    <translation>Die Karten haben kein Pixel gemeinsam, das in REFERENCE eine Klasse hat; Karten desselben Geländes wählen.</translation>
   </message>
@@ -2942,6 +3046,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
    <translation>Das nächste Fenster hat den Abstand {distance:.3f}, mehr als {threshold:g}.</translation>
+  </message>
+  <message>
+   <source>The network that made the predicted map, if the bias of its classes is to be written into a copy.</source>
+   <translation>Das Netz, das die vorhergesagte Karte erstellt hat, wenn der Versatz seiner Klassen in eine Kopie geschrieben werden soll.</translation>
   </message>
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
@@ -3176,6 +3284,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Zu wenige Landmarken</translation>
   </message>
   <message>
+   <source>Too few landmarks are whole in both maps to tell.</source>
+   <translation>Zu wenige Landmarken sind in beiden Karten ganz, um es zu sagen.</translation>
+  </message>
+  <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
    <translation>Zu wenige Landmarken: im Mittel {landmarks:.0f} im Bild.</translation>
   </message>
@@ -3242,10 +3354,10 @@ Ein Teil des Geländes wird zurückgehalten, um zu sagen, wie gut das Netz ist. 
   <message>
    <source>Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off the windows and spoiled, then localized with one method or several.
 
-The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer: on its own map a database always does better.</source>
+The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer, and 0 for “Map displaced” then: on its own map a database always does better.</source>
    <translation>Erprobt eine Referenzdatenbank: Bilder mit bekannter Wahrheit werden aus einer Klassenkarte geschnitten, gedreht, skaliert, von den Fenstern weg verschoben und gestört und dann mit einem oder mehreren Verfahren lokalisiert.
 
-Der Bericht vergleicht die Verfahren, mit den beiden Tabellen von He &amp; Wu 2025, Erfolg nach Versatz und Störungen, Fehlern, falsch angenommenen Bildern und dem Wert der Konfidenz. Gleiche Startzahl, gleiches Ergebnis. Für eine ehrliche Antwort nehmen Sie eine Klassenkarte von einem anderen Datum als dem der Datenbank: Auf der eigenen Karte schneidet eine Datenbank immer besser ab.</translation>
+Der Bericht vergleicht die Verfahren, mit den beiden Tabellen von He &amp; Wu 2025, Erfolg nach Versatz und Störungen, Fehlern, falsch angenommenen Bildern und dem Wert der Konfidenz. Gleiche Startzahl, gleiches Ergebnis. Für eine ehrliche Antwort nehmen Sie eine Klassenkarte von einem anderen Datum als dem der Datenbank, und dann 0 für „Karte verschoben“: Auf der eigenen Karte schneidet eine Datenbank immer besser ab.</translation>
   </message>
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
@@ -3368,6 +3480,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Woraus der 95-%-Radius besteht: {parts}.</translation>
   </message>
   <message>
+   <source>What radius and confidence are worth</source>
+   <translation>Was Radius und Konfidenz wert sind</translation>
+  </message>
+  <message>
    <source>What the confidence is worth</source>
    <translation>Was die Konfidenz wert ist</translation>
   </message>
@@ -3410,6 +3526,14 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Where the image’s top points to, in degrees clockwise from grid north</source>
    <translation>Wohin die Oberkante des Bildes zeigt, in Grad im Uhrzeigersinn von Gitternord</translation>
+  </message>
+  <message>
+   <source>Where the sun stood when the images were taken, in degrees clockwise from grid north: what the model states that shadows shift turns with it. Without it such a shift is only added to the error.</source>
+   <translation>Wo die Sonne stand, als die Bilder aufgenommen wurden, in Grad im Uhrzeigersinn von Gitternord: Was laut Modell die Schatten verschieben, dreht sich mit ihr. Ohne Angabe wird ein solcher Versatz nur zum Fehler gerechnet.</translation>
+  </message>
+  <message>
+   <source>Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a bias that shadows make turns with it. If left out, the bias is the same under any sun.</source>
+   <translation>Wo die Sonne stand, als das vorhergesagte Bild aufgenommen wurde, in Grad im Uhrzeigersinn von Gitternord: Ein Versatz, den Schatten machen, dreht sich mit ihr. Ohne Angabe ist der Versatz bei jeder Sonne derselbe.</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -3572,6 +3696,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>beste Epoche</translation>
   </message>
   <message>
+   <source>calibration error</source>
+   <translation>Kalibrierungsfehler</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>Klasse</translation>
   </message>
@@ -3606,6 +3734,18 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>distance {value:.4f}</source>
    <translation>Abstand {value:.4f}</translation>
+  </message>
+  <message>
+   <source>down</source>
+   <translation>unten</translation>
+  </message>
+  <message>
+   <source>east</source>
+   <translation>Ost</translation>
+  </message>
+  <message>
+   <source>east, north</source>
+   <translation>Ost, Nord</translation>
   </message>
   <message>
    <source>epoch</source>
@@ -3676,8 +3816,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Bilder mit einem Fix</translation>
   </message>
   <message>
+   <source>in the 50 % ellipse</source>
+   <translation>in der 50-%-Ellipse</translation>
+  </message>
+  <message>
    <source>in the 95 % ellipse</source>
    <translation>in der 95-%-Ellipse</translation>
+  </message>
+  <message>
+   <source>in the 99 % ellipse</source>
+   <translation>in der 99-%-Ellipse</translation>
   </message>
   <message>
    <source>information</source>
@@ -3708,8 +3856,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Art, siehe Tabelle</translation>
   </message>
   <message>
+   <source>known to</source>
+   <translation>bekannt auf</translation>
+  </message>
+  <message>
    <source>landmarks</source>
    <translation>Landmarken</translation>
+  </message>
+  <message>
+   <source>landmarks in both</source>
+   <translation>Landmarken in beiden</translation>
   </message>
   <message>
    <source>landmarks in the window</source>
@@ -3768,6 +3924,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Mittel über das Gelände</translation>
   </message>
   <message>
+   <source>median 95 % radius</source>
+   <translation>95-%-Radius (Median)</translation>
+  </message>
+  <message>
    <source>median area</source>
    <translation>mittlere Fläche (Median)</translation>
   </message>
@@ -3790,6 +3950,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>noise of single landmarks</source>
    <translation>Rauschen einzelner Landmarken</translation>
+  </message>
+  <message>
+   <source>north</source>
+   <translation>Nord</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -3856,6 +4020,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>zuverlässig</translation>
   </message>
   <message>
+   <source>right</source>
+   <translation>richtig</translation>
+  </message>
+  <message>
    <source>right among the fixes</source>
    <translation>richtig unter den Fixen</translation>
   </message>
@@ -3866,6 +4034,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>right where predicted</source>
    <translation>richtig, wo vorhergesagt</translation>
+  </message>
+  <message>
+   <source>right, down</source>
+   <translation>rechts, unten</translation>
   </message>
   <message>
    <source>scale</source>
@@ -3908,6 +4080,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>manchmal</translation>
   </message>
   <message>
+   <source>spread</source>
+   <translation>Streuung</translation>
+  </message>
+  <message>
    <source>stopped: no progress any more</source>
    <translation>beendet: kein Fortschritt mehr</translation>
   </message>
@@ -3938,6 +4114,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>to (m)</source>
    <translation>bis (m)</translation>
+  </message>
+  <message>
+   <source>told to be right</source>
+   <translation>als richtig genannt</translation>
   </message>
   <message>
    <source>too few landmarks</source>
@@ -4254,6 +4434,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}: IoU {iou:.1%}, {pixels} Pixel annotiert</translation>
+  </message>
+  <message>
+   <source>{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.</source>
+   <translation>{name}: um {across:+.2f} und {along:+.2f} {unit} daneben gezeigt ({axes}), {count} Landmarken.</translation>
+  </message>
+  <message>
+   <source>{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.</source>
+   <translation>{name}: laut Modell {east:+.2f} m östlich und {north:+.2f} m nördlich ihres Ortes gezeigt.</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
@@ -4636,6 +4824,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} hat seine Gewichte in einer anderen Datei, die fehlt oder abgeschnitten ist; sie unter ihrem alten Namen neben das Modell legen ({reason}).</translation>
   </message>
   <message>
+   <source>{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.</source>
+   <translation>{path} hat seine Gewichte in einer anderen Datei und kann daher nicht mit seinem Versatz kopiert werden; als eine Datei exportieren.</translation>
+  </message>
+  <message>
    <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
    <translation>{path} fehlen {lacking} der {count} Tensoren des Encoders, etwa {name}.</translation>
   </message>
@@ -4810,6 +5002,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
    <translation>{source} hat {value} in class_values; Klassenwerte sind ganze Zahlen von 0 bis 255.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes, and east, north, right, down, spread in meters up to {most:g}, sun in degrees: mend or remove it.</source>
+   <translation>{source} hat „{text}“ als {key}; es muss JSON sein wie {{"building": {{"east": 0.1, "spread": 0.3}}}} mit Namen seiner Klassen und east, north, right, down, spread in Metern bis {most:g}, sun in Grad: berichtigen oder entfernen.</translation>
   </message>
   <message>
    <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>

@@ -16,6 +16,10 @@
    <translation>--risk es {risk:g}; debe ser una probabilidad de {least:g} a {most:g}.</translation>
   </message>
   <message>
+   <source>--sun is {sun:g}; it must be a direction from 0 to 360 degrees.</source>
+   <translation>--sun es {sun:g}; debe ser una dirección de 0 a 360 grados.</translation>
+  </message>
+  <message>
    <source>--threads is {threads}; it must be from 1 to {most}.</source>
    <translation>--threads es {threads}; debe ir de 1 a {most}.</translation>
   </message>
@@ -42,6 +46,10 @@
   <message>
    <source>A canceled run with the same output and settings is gone on with; otherwise it is begun anew.</source>
    <translation>Se continúa una ejecución cancelada con la misma salida y los mismos ajustes; si no, se empieza de nuevo.</translation>
+  </message>
+  <message>
+   <source>A copy of the model whose metadata say how far off it shows its classes, in meters.</source>
+   <translation>Una copia del modelo cuyos metadatos dicen, en metros, a qué distancia de su sitio muestra sus clases.</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -300,8 +308,8 @@
    <translation>Evaluación de una ruta</translation>
   </message>
   <message>
-   <source>Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in the database. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
-   <translation>Se supone: cámara nivelada; cualquier rumbo; {missed} de los hitos omitidos, {invented} inventados, {misnamed} mal nombrados; bordes desplazados {ragged:g} unidades del mapa (desviación típica); sin posición previa; el terreno tal como está en la base de datos. Una posición cuenta como correcta dentro del 2 % de la huella. Método: {method}.</translation>
+   <source>Assumed: any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed, {background} of the background misnamed; edges off by {ragged:g} map units (standard deviation), the map by {displaced:g} along each axis with neighbors alike, each class by {shifted:g}; roofs leaning by {leaning}; lens bent by {lens}; camera tilted by {tilt:g}°; no prior position. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
+   <translation>Supuesto: cualquier rumbo; {missed} de los hitos omitidos, {invented} inventados, {misnamed} mal nombrados, {background} del fondo mal nombrado; bordes desviados {ragged:g} unidades del mapa (desviación típica), el mapa {displaced:g} a lo largo de cada eje con los vecinos por igual, cada clase {shifted:g}; tejados inclinados un {leaning}; lente deformada un {lens}; cámara inclinada {tilt:g}°; sin posición previa. Una posición cuenta como correcta dentro del 2 % de la huella. Método: {method}.</translation>
   </message>
   <message>
    <source>At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.</source>
@@ -324,8 +332,16 @@
    <translation>Automático usa solo la constelación, sin correlación de mapas: {reason}</translation>
   </message>
   <message>
+   <source>Background misnamed (%)</source>
+   <translation>Fondo mal nombrado (%)</translation>
+  </message>
+  <message>
    <source>Base model</source>
    <translation>Modelo de partida</translation>
+  </message>
+  <message>
+   <source>Bias of classes</source>
+   <translation>Sesgo de las clases</translation>
   </message>
   <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
@@ -368,6 +384,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Por huella</translation>
   </message>
   <message>
+   <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
+   <translation>Según el método que dio la posición. Declaradas correctas: la confianza media, que debería ser la proporción de posiciones correctas; error de calibración: cuánto difieren ambas, décima a décima de la confianza. Elipses: posiciones correctas cuyo lugar verdadero está en la elipse declarada; las honestas contienen el 50, el 95 y el 99 %.</translation>
+  </message>
+  <message>
    <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
    <translation>CLASS_FIELD está vacío; elija el campo que indica la clase de cada polígono.</translation>
   </message>
@@ -406,6 +426,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
    <translation>Tabla de la cámara (alabeo, cabeceo, distancia focal, hora, altura, rumbo)</translation>
+  </message>
+  <message>
+   <source>Camera tilt (°)</source>
+   <translation>Inclinación de la cámara (°)</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -524,6 +548,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Clases</translation>
   </message>
   <message>
+   <source>Classes shifted (map units)</source>
+   <translation>Clases desplazadas (unidades del mapa)</translation>
+  </message>
+  <message>
    <source>Classes that only the predicted map has: {names}.</source>
    <translation>Clases que solo tiene el mapa predicho: {names}.</translation>
   </message>
@@ -550,14 +578,22 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
 
-Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.</source>
+Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.
+
+The report also tells how far from where they are the landmarks of each class are shown: a network’s bias, which an image’s position inherits. With a model it is written into a copy of it, for “Localize images” to take it off.</source>
    <translation>Compara un mapa de etiquetas predicho con uno anotado: matriz de confusión, IoU de cada clase, exactitud global y los lugares donde discrepan como polígonos, el mayor primero.
 
-Las clases se emparejan por nombre, o por valor si los mapas no comparten nombres. Los mapas con distinto tamaño de píxel se comparan en los píxeles del anotado. Los píxeles sin anotación se dejan fuera; los píxeles sin predicción cuentan como errores.</translation>
+Las clases se emparejan por nombre, o por valor si los mapas no comparten nombres. Los mapas con distinto tamaño de píxel se comparan en los píxeles del anotado. Los píxeles sin anotación se dejan fuera; los píxeles sin predicción cuentan como errores.
+
+El informe dice también a qué distancia de su sitio se muestran los hitos de cada clase: el sesgo de una red, que hereda la posición de una imagen. Con un modelo se escribe en una copia suya, para que «Localizar imágenes» lo descuente.</translation>
   </message>
   <message>
    <source>Comparing</source>
    <translation>Comparando</translation>
+  </message>
+  <message>
+   <source>Comparing landmarks</source>
+   <translation>Comparando hitos</translation>
   </message>
   <message>
    <source>Comparing windows</source>
@@ -658,6 +694,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Describing windows</source>
    <translation>Describiendo ventanas</translation>
+  </message>
+  <message>
+   <source>Direction of the sun (°)</source>
+   <translation>Dirección del sol (°)</translation>
   </message>
   <message>
    <source>Disagreements</source>
@@ -972,6 +1012,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Posición encontrada</translation>
   </message>
   <message>
+   <source>Fixes by</source>
+   <translation>Posiciones por</translation>
+  </message>
+  <message>
    <source>Folder for the georeferenced images</source>
    <translation>Carpeta para las imágenes georreferenciadas</translation>
   </message>
@@ -1148,12 +1192,28 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Rumbo de la parte superior de una imagen, en sentido horario desde el norte de la cuadrícula.</translation>
   </message>
   <message>
+   <source>How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks do.</source>
+   <translation>A qué distancia de su sitio se muestra cada clase de hitos, en conjunto y en cualquier dirección, como hacen las redes.</translation>
+  </message>
+  <message>
+   <source>How far from where they are the landmarks of each class are shown, over pieces of {edge} pixels: an image’s position is off as much, and no residual tells. Spread: standard deviation along each axis of what one piece differs by.</source>
+   <translation>A qué distancia de su sitio se muestran los hitos de cada clase, en trozos de {edge} píxeles: la posición de una imagen se desvía otro tanto, y ningún residuo lo delata. Dispersión: desviación típica a lo largo de cada eje de lo que difiere un trozo.</translation>
+  </message>
+  <message>
+   <source>How far landmarks lean away from the image’s center, in percent of their distance from it: their height over the camera’s.</source>
+   <translation>Cuánto se inclinan los hitos hacia fuera del centro de la imagen, en porcentaje de su distancia a él: su altura entre la de la cámara.</translation>
+  </message>
+  <message>
    <source>How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the image shows. The topology vector is right when it names the nearest window.</source>
    <translation>Qué error puede tener una posición encontrada para contar como correcta. Si se omite, el 2 % del lado del terreno que muestra la imagen. El vector topológico es correcto cuando nombra la ventana más cercana.</translation>
   </message>
   <message>
    <source>How far stretches without an expected fix may be shifted to either side; half of it is tried, too. The footprint if left out, 0 for none.</source>
    <translation>Cuánto pueden desplazarse a cada lado los tramos sin posición esperada; también se prueba la mitad. La huella si se omite, 0 para ninguno.</translation>
+  </message>
+  <message>
+   <source>How far the camera looks aside from straight down, in any direction.</source>
+   <translation>Cuánto mira la cámara fuera de la vertical, en cualquier dirección.</translation>
   </message>
   <message>
    <source>How far the compared image’s vector differs here</source>
@@ -1166,6 +1226,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
    <translation>Cuántos de los hitos más cercanos al centro contiene un vector.</translation>
+  </message>
+  <message>
+   <source>How much farther out or in than it should the ground in the image’s corners is shown.</source>
+   <translation>Cuánto más afuera o adentro de lo debido se muestra el terreno en las esquinas de la imagen.</translation>
   </message>
   <message>
    <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
@@ -1408,6 +1472,14 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Superponiendo los polígonos</translation>
   </message>
   <message>
+   <source>Leaning roofs (%)</source>
+   <translation>Tejados inclinados (%)</translation>
+  </message>
+  <message>
+   <source>Lens distortion (%)</source>
+   <translation>Distorsión de la lente (%)</translation>
+  </message>
+  <message>
    <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
    <translation>Rectificada: alabeo {roll:.1f}°, cabeceo {pitch:.1f}° ({source}).</translation>
   </message>
@@ -1528,6 +1600,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>METHODS está vacío; elija al menos un método.</translation>
   </message>
   <message>
+   <source>MODEL_OUTPUT is a copy of the model; give the network as MODEL.</source>
+   <translation>MODEL_OUTPUT es una copia del modelo; indique la red como MODEL.</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>Crear zona de ejemplo</translation>
   </message>
@@ -1562,6 +1638,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Map correlation</source>
    <translation>Correlación de mapas</translation>
+  </message>
+  <message>
+   <source>Map displaced (map units)</source>
+   <translation>Mapa desplazado (unidades del mapa)</translation>
   </message>
   <message>
    <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
@@ -1632,6 +1712,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Modelo</translation>
   </message>
   <message>
+   <source>Model with bias</source>
+   <translation>Modelo con sesgo</translation>
+  </message>
+  <message>
    <source>Model, for photos</source>
    <translation>Modelo, para fotos</translation>
   </message>
@@ -1696,8 +1780,16 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Ninguna clase es de referencia; nombre al menos una de {classes} en REFERENCE_CLASSES o dele el rol «reference» en la tabla de clases.</translation>
   </message>
   <message>
+   <source>No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave MODEL_OUTPUT empty.</source>
+   <translation>Ninguna clase de {path} tiene suficientes hitos en ambos mapas para conocer su sesgo; indique un área mayor o deje MODEL_OUTPUT vacío.</translation>
+  </message>
+  <message>
    <source>No ground was set aside, so nothing tells how good the network is.</source>
    <translation>No se reservó terreno, así que nada dice lo buena que es la red.</translation>
+  </message>
+  <message>
+   <source>No image has a fix.</source>
+   <translation>Ninguna imagen tiene posición.</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -2376,6 +2468,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Parte de los hitos que se añaden, con la forma de hitos de otros lugares del mapa.</translation>
   </message>
   <message>
+   <source>Share of the areas of other classes than those of landmarks that get another of these.</source>
+   <translation>Proporción de las áreas de clases que no son de hitos que reciben otra de ellas.</translation>
+  </message>
+  <message>
    <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
    <translation>Parte del terreno etiquetado que se reserva para la validación; 0 para ninguna.</translation>
   </message>
@@ -2502,6 +2598,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.</source>
    <translation>Cuadrados de terreno; con varias huellas uno de cada una, y se dibujan los de la primera.</translation>
+  </message>
+  <message>
+   <source>Standard deviation along each axis of what map and ground differ by, neighbors alike, as maps of two dates do. 0 where the images are cut from a map of another date already.</source>
+   <translation>Desviación típica a lo largo de cada eje de lo que difieren mapa y terreno, con los vecinos por igual, como los mapas de dos fechas. 0 si las imágenes ya se recortan de un mapa de otra fecha.</translation>
   </message>
   <message>
    <source>Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced alike, so that it limits how exactly images are located; the radius of fixes reckons with it. 1.1 m was measured between maps of two dates.</source>
@@ -2916,6 +3016,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El mapa del que se cortan las imágenes: el de la base de datos u otro del mismo terreno, en el SRC de la base de datos y con sus clases; el tamaño de píxel puede diferir.</translation>
   </message>
   <message>
+   <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
+   <translation>Los mapas no tienen un SRC métrico, así que el sesgo de las clases no se conoce en metros; indique mapas que lo tengan o deje MODEL_OUTPUT vacío.</translation>
+  </message>
+  <message>
    <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
    <translation>Los mapas no tienen en común ningún píxel que REFERENCE etiquete; elija mapas del mismo terreno.</translation>
   </message>
@@ -2942,6 +3046,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
    <translation>La ventana más cercana está a la distancia {distance:.3f}, más de {threshold:g}.</translation>
+  </message>
+  <message>
+   <source>The network that made the predicted map, if the bias of its classes is to be written into a copy.</source>
+   <translation>La red que hizo el mapa predicho, si el sesgo de sus clases debe escribirse en una copia.</translation>
   </message>
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
@@ -3176,6 +3284,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Muy pocos hitos</translation>
   </message>
   <message>
+   <source>Too few landmarks are whole in both maps to tell.</source>
+   <translation>Hay muy pocos hitos enteros en ambos mapas para saberlo.</translation>
+  </message>
+  <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
    <translation>Muy pocos hitos: {landmarks:.0f} a la vista en promedio.</translation>
   </message>
@@ -3242,10 +3354,10 @@ Se reserva terreno para decir lo buena que es la red. El entrenamiento se ejecut
   <message>
    <source>Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off the windows and spoiled, then localized with one method or several.
 
-The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer: on its own map a database always does better.</source>
+The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer, and 0 for “Map displaced” then: on its own map a database always does better.</source>
    <translation>Pone a prueba una base de datos de referencia: imágenes cuya verdad se conoce se cortan de un mapa de etiquetas, se giran, se escalan, se desplazan de las ventanas y se degradan; después se localizan con uno o varios métodos.
 
-El informe compara los métodos, con las dos tablas de He &amp; Wu 2025, el acierto según el desplazamiento y el ruido, los errores, las falsas aceptaciones y lo que vale la confianza. Misma semilla, mismo resultado. Use un mapa de etiquetas de otra fecha que la de la base de datos para una respuesta honesta: en su propio mapa, una base de datos siempre acierta más.</translation>
+El informe compara los métodos, con las dos tablas de He &amp; Wu 2025, el acierto según el desplazamiento y el ruido, los errores, las falsas aceptaciones y lo que vale la confianza. Misma semilla, mismo resultado. Use un mapa de etiquetas de otra fecha que la de la base de datos para una respuesta honesta, y entonces 0 en «Mapa desplazado»: en su propio mapa, una base de datos siempre acierta más.</translation>
   </message>
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
@@ -3368,6 +3480,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>De qué se compone el radio del 95 %: {parts}.</translation>
   </message>
   <message>
+   <source>What radius and confidence are worth</source>
+   <translation>Lo que valen el radio y la confianza</translation>
+  </message>
+  <message>
    <source>What the confidence is worth</source>
    <translation>Lo que vale la confianza</translation>
   </message>
@@ -3410,6 +3526,14 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Where the image’s top points to, in degrees clockwise from grid north</source>
    <translation>Hacia dónde apunta la parte superior de la imagen, en grados en sentido horario desde el norte de la cuadrícula</translation>
+  </message>
+  <message>
+   <source>Where the sun stood when the images were taken, in degrees clockwise from grid north: what the model states that shadows shift turns with it. Without it such a shift is only added to the error.</source>
+   <translation>Dónde estaba el sol al tomar las imágenes, en grados en sentido horario desde el norte de cuadrícula: lo que el modelo declara que desplazan las sombras gira con él. Sin ello, ese desplazamiento solo se suma al error.</translation>
+  </message>
+  <message>
+   <source>Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a bias that shadows make turns with it. If left out, the bias is the same under any sun.</source>
+   <translation>Dónde estaba el sol al tomar la imagen predicha, en grados en sentido horario desde el norte de cuadrícula: un sesgo causado por las sombras gira con él. Si se omite, el sesgo es el mismo con cualquier sol.</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -3572,6 +3696,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>mejor época</translation>
   </message>
   <message>
+   <source>calibration error</source>
+   <translation>error de calibración</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>clase</translation>
   </message>
@@ -3606,6 +3734,18 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>distance {value:.4f}</source>
    <translation>distancia {value:.4f}</translation>
+  </message>
+  <message>
+   <source>down</source>
+   <translation>abajo</translation>
+  </message>
+  <message>
+   <source>east</source>
+   <translation>este</translation>
+  </message>
+  <message>
+   <source>east, north</source>
+   <translation>este, norte</translation>
   </message>
   <message>
    <source>epoch</source>
@@ -3676,8 +3816,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>imágenes con posición encontrada</translation>
   </message>
   <message>
+   <source>in the 50 % ellipse</source>
+   <translation>en la elipse del 50 %</translation>
+  </message>
+  <message>
    <source>in the 95 % ellipse</source>
    <translation>en la elipse del 95 %</translation>
+  </message>
+  <message>
+   <source>in the 99 % ellipse</source>
+   <translation>en la elipse del 99 %</translation>
   </message>
   <message>
    <source>information</source>
@@ -3708,8 +3856,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>tipo, véase la tabla</translation>
   </message>
   <message>
+   <source>known to</source>
+   <translation>conocido con</translation>
+  </message>
+  <message>
    <source>landmarks</source>
    <translation>hitos</translation>
+  </message>
+  <message>
+   <source>landmarks in both</source>
+   <translation>hitos en ambos</translation>
   </message>
   <message>
    <source>landmarks in the window</source>
@@ -3768,6 +3924,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>media sobre el terreno</translation>
   </message>
   <message>
+   <source>median 95 % radius</source>
+   <translation>radio del 95 % (mediana)</translation>
+  </message>
+  <message>
    <source>median area</source>
    <translation>área mediana</translation>
   </message>
@@ -3790,6 +3950,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>noise of single landmarks</source>
    <translation>ruido de hitos individuales</translation>
+  </message>
+  <message>
+   <source>north</source>
+   <translation>norte</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -3856,6 +4020,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>con fiabilidad</translation>
   </message>
   <message>
+   <source>right</source>
+   <translation>correctas</translation>
+  </message>
+  <message>
    <source>right among the fixes</source>
    <translation>correctas entre las posiciones encontradas</translation>
   </message>
@@ -3866,6 +4034,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>right where predicted</source>
    <translation>correcto donde se predijo</translation>
+  </message>
+  <message>
+   <source>right, down</source>
+   <translation>derecha, abajo</translation>
   </message>
   <message>
    <source>scale</source>
@@ -3908,6 +4080,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>a veces</translation>
   </message>
   <message>
+   <source>spread</source>
+   <translation>dispersión</translation>
+  </message>
+  <message>
    <source>stopped: no progress any more</source>
    <translation>detenido: ya no había progreso</translation>
   </message>
@@ -3938,6 +4114,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>to (m)</source>
    <translation>hasta (m)</translation>
+  </message>
+  <message>
+   <source>told to be right</source>
+   <translation>declaradas correctas</translation>
   </message>
   <message>
    <source>too few landmarks</source>
@@ -4254,6 +4434,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}: IoU {iou:.1%}, {pixels} píxeles anotados</translation>
+  </message>
+  <message>
+   <source>{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.</source>
+   <translation>{name}: se muestra desviada {across:+.2f} y {along:+.2f} {unit} ({axes}), {count} hitos.</translation>
+  </message>
+  <message>
+   <source>{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.</source>
+   <translation>{name}: según el modelo, se muestra {east:+.2f} m al este y {north:+.2f} m al norte de su sitio.</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
@@ -4636,6 +4824,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} guarda sus pesos en otro archivo que falta o está cortado; póngalo junto al modelo con su nombre anterior ({reason}).</translation>
   </message>
   <message>
+   <source>{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.</source>
+   <translation>{path} guarda sus pesos en otro archivo, así que no puede copiarse con su sesgo; expórtelo como un solo archivo.</translation>
+  </message>
+  <message>
    <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
    <translation>A {path} le faltan {lacking} de los {count} tensores del codificador, como {name}.</translation>
   </message>
@@ -4810,6 +5002,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
    <translation>{source} tiene {value} en class_values; los valores de clase son números enteros de 0 a 255.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes, and east, north, right, down, spread in meters up to {most:g}, sun in degrees: mend or remove it.</source>
+   <translation>{source} tiene «{text}» como {key}; debe ser JSON como {{"building": {{"east": 0.1, "spread": 0.3}}}} con nombres de sus clases, y east, north, right, down, spread en metros hasta {most:g}, sun en grados: corríjalo o quítelo.</translation>
   </message>
   <message>
    <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>

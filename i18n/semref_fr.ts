@@ -16,6 +16,10 @@
    <translation>--risk vaut {risk:g} ; ce doit être une probabilité de {least:g} à {most:g}.</translation>
   </message>
   <message>
+   <source>--sun is {sun:g}; it must be a direction from 0 to 360 degrees.</source>
+   <translation>--sun vaut {sun:g} ; ce doit être une direction de 0 à 360 degrés.</translation>
+  </message>
+  <message>
    <source>--threads is {threads}; it must be from 1 to {most}.</source>
    <translation>--threads vaut {threads} ; il doit aller de 1 à {most}.</translation>
   </message>
@@ -42,6 +46,10 @@
   <message>
    <source>A canceled run with the same output and settings is gone on with; otherwise it is begun anew.</source>
    <translation>Une exécution annulée avec la même sortie et les mêmes réglages est poursuivie ; sinon on recommence à zéro.</translation>
+  </message>
+  <message>
+   <source>A copy of the model whose metadata say how far off it shows its classes, in meters.</source>
+   <translation>Une copie du modèle dont les métadonnées disent, en mètres, de combien il montre ses classes à côté.</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -300,8 +308,8 @@
    <translation>Évaluation d’une route</translation>
   </message>
   <message>
-   <source>Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in the database. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
-   <translation>Hypothèses : caméra à l’horizontale ; cap quelconque ; {missed} des repères visuels manqués, {invented} inventés, {misnamed} mal nommés ; bords décalés de {ragged:g} unités de carte (écart type) ; aucune position approximative ; le terrain tel que dans la base. Une position compte comme correcte à moins de 2 % de l’emprise. Méthode : {method}.</translation>
+   <source>Assumed: any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed, {background} of the background misnamed; edges off by {ragged:g} map units (standard deviation), the map by {displaced:g} along each axis with neighbors alike, each class by {shifted:g}; roofs leaning by {leaning}; lens bent by {lens}; camera tilted by {tilt:g}°; no prior position. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
+   <translation>Supposé : tout cap ; {missed} des repères visuels manqués, {invented} inventés, {misnamed} mal nommés, {background} de l’arrière-plan mal nommé ; bords décalés de {ragged:g} unités de carte (écart type), la carte de {displaced:g} le long de chaque axe, les voisins de même, chaque classe de {shifted:g} ; toits penchés de {leaning} ; objectif déformé de {lens} ; caméra inclinée de {tilt:g}° ; aucune position préalable. Une position est correcte à moins de 2 % de l’emprise. Méthode : {method}.</translation>
   </message>
   <message>
    <source>At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.</source>
@@ -324,8 +332,16 @@
    <translation>Automatique n’utilise que la constellation, sans corrélation de cartes : {reason}</translation>
   </message>
   <message>
+   <source>Background misnamed (%)</source>
+   <translation>Arrière-plan mal nommé (%)</translation>
+  </message>
+  <message>
    <source>Base model</source>
    <translation>Modèle de départ</translation>
+  </message>
+  <message>
+   <source>Bias of classes</source>
+   <translation>Biais des classes</translation>
   </message>
   <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
@@ -368,6 +384,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Par emprise au sol</translation>
   </message>
   <message>
+   <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
+   <translation>Selon la méthode qui a donné la position. Annoncées correctes : la confiance moyenne, qui devrait être la part des positions correctes ; erreur de calibration : leur écart, dixième par dixième de la confiance. Ellipses : positions correctes dont le vrai lieu est dans l’ellipse annoncée ; des ellipses honnêtes en contiennent 50, 95 et 99 %.</translation>
+  </message>
+  <message>
    <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
    <translation>CLASS_FIELD est vide ; choisissez le champ qui donne la classe de chaque polygone.</translation>
   </message>
@@ -406,6 +426,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
    <translation>Table de la caméra (roulis, tangage, focale, heure, hauteur, cap)</translation>
+  </message>
+  <message>
+   <source>Camera tilt (°)</source>
+   <translation>Inclinaison de la caméra (°)</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -524,6 +548,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Classes</translation>
   </message>
   <message>
+   <source>Classes shifted (map units)</source>
+   <translation>Classes décalées (unités de carte)</translation>
+  </message>
+  <message>
    <source>Classes that only the predicted map has: {names}.</source>
    <translation>Classes que seule la carte prédite possède : {names}.</translation>
   </message>
@@ -550,14 +578,22 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
 
-Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.</source>
+Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.
+
+The report also tells how far from where they are the landmarks of each class are shown: a network’s bias, which an image’s position inherits. With a model it is written into a copy of it, for “Localize images” to take it off.</source>
    <translation>Compare une carte d’étiquettes prédite avec une carte annotée : matrice de confusion, IoU de chaque classe, exactitude globale, et les endroits où elles divergent sous forme de polygones, le plus grand en premier.
 
-Les classes sont associées par leur nom, ou par leur valeur si les cartes n’ont aucun nom en commun. Les cartes de tailles de pixel différentes sont comparées sur les pixels de la carte annotée. Les pixels sans annotation sont laissés de côté ; les pixels sans prédiction comptent comme faux.</translation>
+Les classes sont associées par leur nom, ou par leur valeur si les cartes n’ont aucun nom en commun. Les cartes de tailles de pixel différentes sont comparées sur les pixels de la carte annotée. Les pixels sans annotation sont laissés de côté ; les pixels sans prédiction comptent comme faux.
+
+Le rapport dit aussi de combien les repères visuels de chaque classe sont montrés à côté : le biais d’un réseau, dont hérite la position d’une image. Avec un modèle, il est écrit dans une copie de celui-ci, pour que « Localiser des images » le retranche.</translation>
   </message>
   <message>
    <source>Comparing</source>
    <translation>Comparaison</translation>
+  </message>
+  <message>
+   <source>Comparing landmarks</source>
+   <translation>Comparaison des repères visuels</translation>
   </message>
   <message>
    <source>Comparing windows</source>
@@ -658,6 +694,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Describing windows</source>
    <translation>Description des fenêtres</translation>
+  </message>
+  <message>
+   <source>Direction of the sun (°)</source>
+   <translation>Direction du soleil (°)</translation>
   </message>
   <message>
    <source>Disagreements</source>
@@ -972,6 +1012,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Position trouvée</translation>
   </message>
   <message>
+   <source>Fixes by</source>
+   <translation>Positions par</translation>
+  </message>
+  <message>
    <source>Folder for the georeferenced images</source>
    <translation>Dossier des images géoréférencées</translation>
   </message>
@@ -1148,12 +1192,28 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Cap du haut d’une image, dans le sens horaire depuis le nord de la grille.</translation>
   </message>
   <message>
+   <source>How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks do.</source>
+   <translation>De combien chaque classe de repères visuels est montrée à côté, en bloc et dans n’importe quelle direction, comme le font les réseaux.</translation>
+  </message>
+  <message>
+   <source>How far from where they are the landmarks of each class are shown, over pieces of {edge} pixels: an image’s position is off as much, and no residual tells. Spread: standard deviation along each axis of what one piece differs by.</source>
+   <translation>De combien les repères visuels de chaque classe sont montrés à côté, par morceaux de {edge} pixels : la position d’une image est décalée d’autant, et aucun résidu ne le dit. Dispersion : écart type le long de chaque axe de ce dont un morceau diffère.</translation>
+  </message>
+  <message>
+   <source>How far landmarks lean away from the image’s center, in percent of their distance from it: their height over the camera’s.</source>
+   <translation>De combien les repères visuels penchent à l’opposé du centre de l’image, en pourcentage de leur distance à celui-ci : leur hauteur sur celle de la caméra.</translation>
+  </message>
+  <message>
    <source>How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the image shows. The topology vector is right when it names the nearest window.</source>
    <translation>L’écart qu’une position trouvée peut avoir pour compter comme correcte. En cas d’omission, 2 % du côté du terrain que montre l’image. Le vecteur topologique est correct quand il nomme la fenêtre la plus proche.</translation>
   </message>
   <message>
    <source>How far stretches without an expected fix may be shifted to either side; half of it is tried, too. The footprint if left out, 0 for none.</source>
    <translation>De combien les tronçons sans position attendue peuvent être décalés de chaque côté ; la moitié est essayée aussi. L’emprise si omis, 0 pour aucun décalage.</translation>
+  </message>
+  <message>
+   <source>How far the camera looks aside from straight down, in any direction.</source>
+   <translation>De combien la caméra regarde à côté de la verticale, dans n’importe quelle direction.</translation>
   </message>
   <message>
    <source>How far the compared image’s vector differs here</source>
@@ -1166,6 +1226,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
    <translation>Combien des repères visuels les plus proches du centre un vecteur contient.</translation>
+  </message>
+  <message>
+   <source>How much farther out or in than it should the ground in the image’s corners is shown.</source>
+   <translation>De combien le sol dans les coins de l’image est montré trop loin ou trop près.</translation>
   </message>
   <message>
    <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
@@ -1408,6 +1472,14 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Superposition des polygones</translation>
   </message>
   <message>
+   <source>Leaning roofs (%)</source>
+   <translation>Toits penchés (%)</translation>
+  </message>
+  <message>
+   <source>Lens distortion (%)</source>
+   <translation>Distorsion de l’objectif (%)</translation>
+  </message>
+  <message>
    <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
    <translation>Redressée : roulis {roll:.1f}°, tangage {pitch:.1f}° ({source}).</translation>
   </message>
@@ -1528,6 +1600,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>METHODS est vide ; choisissez au moins une méthode.</translation>
   </message>
   <message>
+   <source>MODEL_OUTPUT is a copy of the model; give the network as MODEL.</source>
+   <translation>MODEL_OUTPUT est une copie du modèle ; donnez le réseau comme MODEL.</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>Créer une zone d’exemple</translation>
   </message>
@@ -1562,6 +1638,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Map correlation</source>
    <translation>Corrélation de cartes</translation>
+  </message>
+  <message>
+   <source>Map displaced (map units)</source>
+   <translation>Carte déplacée (unités de carte)</translation>
   </message>
   <message>
    <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
@@ -1632,6 +1712,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Modèle</translation>
   </message>
   <message>
+   <source>Model with bias</source>
+   <translation>Modèle avec biais</translation>
+  </message>
+  <message>
    <source>Model, for photos</source>
    <translation>Modèle, pour les photos</translation>
   </message>
@@ -1696,8 +1780,16 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Aucune classe n’est une classe de référence ; nommez-en au moins une parmi {classes} dans REFERENCE_CLASSES, ou donnez-lui le rôle « reference » dans la table des classes.</translation>
   </message>
   <message>
+   <source>No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave MODEL_OUTPUT empty.</source>
+   <translation>Aucune classe de {path} n’a assez de repères visuels dans les deux cartes pour connaître son biais ; donnez une zone plus grande ou laissez MODEL_OUTPUT vide.</translation>
+  </message>
+  <message>
    <source>No ground was set aside, so nothing tells how good the network is.</source>
    <translation>Aucun terrain n’a été mis de côté ; rien ne dit donc ce que vaut le réseau.</translation>
+  </message>
+  <message>
+   <source>No image has a fix.</source>
+   <translation>Aucune image n’a de position.</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -2376,6 +2468,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Part des repères visuels ajoutés, de la forme de repères d’autres endroits de la carte.</translation>
   </message>
   <message>
+   <source>Share of the areas of other classes than those of landmarks that get another of these.</source>
+   <translation>Part des surfaces des autres classes que celles des repères visuels qui en reçoivent une autre.</translation>
+  </message>
+  <message>
    <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
    <translation>Part du terrain étiqueté qui est réservée à la validation ; 0 pour aucune.</translation>
   </message>
@@ -2502,6 +2598,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.</source>
    <translation>Carrés de terrain ; pour plusieurs emprises un carré chacune, dont ceux de la première sont dessinés.</translation>
+  </message>
+  <message>
+   <source>Standard deviation along each axis of what map and ground differ by, neighbors alike, as maps of two dates do. 0 where the images are cut from a map of another date already.</source>
+   <translation>Écart type le long de chaque axe de la différence entre carte et terrain, les voisins de même, comme entre les cartes de deux dates. 0 si les images sont déjà découpées dans une carte d’une autre date.</translation>
   </message>
   <message>
    <source>Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced alike, so that it limits how exactly images are located; the radius of fixes reckons with it. 1.1 m was measured between maps of two dates.</source>
@@ -2916,6 +3016,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La carte dans laquelle les images sont découpées : celle de la base de données ou une autre du même terrain, dans le SCR de la base et avec ses classes ; la taille de pixel peut différer.</translation>
   </message>
   <message>
+   <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
+   <translation>Les cartes n’ont pas de SCR métrique, le biais des classes n’est donc pas connu en mètres ; donnez des cartes qui en ont un ou laissez MODEL_OUTPUT vide.</translation>
+  </message>
+  <message>
    <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
    <translation>Les cartes n’ont en commun aucun pixel étiqueté par REFERENCE ; choisissez des cartes du même terrain.</translation>
   </message>
@@ -2942,6 +3046,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
    <translation>La fenêtre la plus proche est à la distance {distance:.3f}, plus que {threshold:g}.</translation>
+  </message>
+  <message>
+   <source>The network that made the predicted map, if the bias of its classes is to be written into a copy.</source>
+   <translation>Le réseau qui a fait la carte prédite, si le biais de ses classes doit être écrit dans une copie.</translation>
   </message>
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
@@ -3176,6 +3284,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Trop peu de repères visuels</translation>
   </message>
   <message>
+   <source>Too few landmarks are whole in both maps to tell.</source>
+   <translation>Trop peu de repères visuels sont entiers dans les deux cartes pour le dire.</translation>
+  </message>
+  <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
    <translation>Trop peu de repères visuels : {landmarks:.0f} en vue en moyenne.</translation>
   </message>
@@ -3242,10 +3354,10 @@ Du terrain est mis de côté pour dire ce que vaut le réseau. L’entraînement
   <message>
    <source>Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off the windows and spoiled, then localized with one method or several.
 
-The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer: on its own map a database always does better.</source>
+The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer, and 0 for “Map displaced” then: on its own map a database always does better.</source>
    <translation>Met à l’essai une base de données de référence : des images dont la vérité est connue sont découpées dans une carte d’étiquettes, tournées, mises à l’échelle, décalées des fenêtres et dégradées, puis localisées avec une ou plusieurs méthodes.
 
-Le rapport compare les méthodes, avec les deux tableaux de He &amp; Wu 2025, la réussite selon le décalage et le bruit, les erreurs, les fausses acceptations et ce que vaut la confiance. Même graine, même résultat. Utilisez une carte d’étiquettes d’une autre date que celle de la base de données pour une réponse honnête : sur sa propre carte, une base de données fait toujours mieux.</translation>
+Le rapport compare les méthodes, avec les deux tableaux de He &amp; Wu 2025, la réussite selon le décalage et le bruit, les erreurs, les fausses acceptations et ce que vaut la confiance. Même graine, même résultat. Utilisez une carte d’étiquettes d’une autre date que celle de la base de données pour une réponse honnête, et alors 0 pour « Carte déplacée » : sur sa propre carte, une base de données fait toujours mieux.</translation>
   </message>
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
@@ -3368,6 +3480,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Ce qui compose le rayon à 95 % : {parts}.</translation>
   </message>
   <message>
+   <source>What radius and confidence are worth</source>
+   <translation>Ce que valent le rayon et la confiance</translation>
+  </message>
+  <message>
    <source>What the confidence is worth</source>
    <translation>Ce que vaut la confiance</translation>
   </message>
@@ -3410,6 +3526,14 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Where the image’s top points to, in degrees clockwise from grid north</source>
    <translation>Vers où pointe le haut de l’image, en degrés dans le sens horaire depuis le nord de la grille</translation>
+  </message>
+  <message>
+   <source>Where the sun stood when the images were taken, in degrees clockwise from grid north: what the model states that shadows shift turns with it. Without it such a shift is only added to the error.</source>
+   <translation>Où se trouvait le soleil à la prise des images, en degrés dans le sens horaire depuis le nord de la grille : ce que, selon le modèle, les ombres décalent tourne avec lui. Sans cela, ce décalage est seulement ajouté à l’erreur.</translation>
+  </message>
+  <message>
+   <source>Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a bias that shadows make turns with it. If left out, the bias is the same under any sun.</source>
+   <translation>Où se trouvait le soleil à la prise de l’image prédite, en degrés dans le sens horaire depuis le nord de la grille : un biais dû aux ombres tourne avec lui. Si omis, le biais est le même sous tout soleil.</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -3572,6 +3696,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>meilleure époque</translation>
   </message>
   <message>
+   <source>calibration error</source>
+   <translation>erreur de calibration</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>classe</translation>
   </message>
@@ -3606,6 +3734,18 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>distance {value:.4f}</source>
    <translation>distance {value:.4f}</translation>
+  </message>
+  <message>
+   <source>down</source>
+   <translation>bas</translation>
+  </message>
+  <message>
+   <source>east</source>
+   <translation>est</translation>
+  </message>
+  <message>
+   <source>east, north</source>
+   <translation>est, nord</translation>
   </message>
   <message>
    <source>epoch</source>
@@ -3676,8 +3816,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>images avec une position trouvée</translation>
   </message>
   <message>
+   <source>in the 50 % ellipse</source>
+   <translation>dans l’ellipse à 50 %</translation>
+  </message>
+  <message>
    <source>in the 95 % ellipse</source>
    <translation>dans l’ellipse à 95 %</translation>
+  </message>
+  <message>
+   <source>in the 99 % ellipse</source>
+   <translation>dans l’ellipse à 99 %</translation>
   </message>
   <message>
    <source>information</source>
@@ -3708,8 +3856,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>type, voir le tableau</translation>
   </message>
   <message>
+   <source>known to</source>
+   <translation>connu à</translation>
+  </message>
+  <message>
    <source>landmarks</source>
    <translation>repères visuels</translation>
+  </message>
+  <message>
+   <source>landmarks in both</source>
+   <translation>repères visuels dans les deux</translation>
   </message>
   <message>
    <source>landmarks in the window</source>
@@ -3768,6 +3924,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>moyenne sur le terrain</translation>
   </message>
   <message>
+   <source>median 95 % radius</source>
+   <translation>rayon à 95 % (médiane)</translation>
+  </message>
+  <message>
    <source>median area</source>
    <translation>surface médiane</translation>
   </message>
@@ -3790,6 +3950,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>noise of single landmarks</source>
    <translation>bruit des repères visuels isolés</translation>
+  </message>
+  <message>
+   <source>north</source>
+   <translation>nord</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -3856,6 +4020,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>de façon fiable</translation>
   </message>
   <message>
+   <source>right</source>
+   <translation>correctes</translation>
+  </message>
+  <message>
    <source>right among the fixes</source>
    <translation>part correcte des positions trouvées</translation>
   </message>
@@ -3866,6 +4034,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>right where predicted</source>
    <translation>correct là où prédit</translation>
+  </message>
+  <message>
+   <source>right, down</source>
+   <translation>droite, bas</translation>
   </message>
   <message>
    <source>scale</source>
@@ -3908,6 +4080,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>parfois</translation>
   </message>
   <message>
+   <source>spread</source>
+   <translation>dispersion</translation>
+  </message>
+  <message>
    <source>stopped: no progress any more</source>
    <translation>arrêté : plus de progrès</translation>
   </message>
@@ -3938,6 +4114,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>to (m)</source>
    <translation>à (m)</translation>
+  </message>
+  <message>
+   <source>told to be right</source>
+   <translation>annoncées correctes</translation>
   </message>
   <message>
    <source>too few landmarks</source>
@@ -4254,6 +4434,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name} : IoU {iou:.1%}, {pixels} pixels annotés</translation>
+  </message>
+  <message>
+   <source>{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.</source>
+   <translation>{name} : montrée à {across:+.2f} et {along:+.2f} {unit} ({axes}), {count} repères visuels.</translation>
+  </message>
+  <message>
+   <source>{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.</source>
+   <translation>{name} : selon le modèle, montrée {east:+.2f} m à l’est et {north:+.2f} m au nord de son lieu.</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
@@ -4636,6 +4824,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} garde ses poids dans un autre fichier, absent ou tronqué ; mettez-le à côté du modèle sous son ancien nom ({reason}).</translation>
   </message>
   <message>
+   <source>{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.</source>
+   <translation>{path} garde ses poids dans un autre fichier et ne peut donc pas être copié avec son biais ; exportez-le en un seul fichier.</translation>
+  </message>
+  <message>
    <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
    <translation>Il manque à {path} {lacking} des {count} tenseurs de l’encodeur, comme {name}.</translation>
   </message>
@@ -4810,6 +5002,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
    <translation>{source} a {value} dans class_values ; les valeurs de classe sont des nombres entiers de 0 à 255.</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes, and east, north, right, down, spread in meters up to {most:g}, sun in degrees: mend or remove it.</source>
+   <translation>{source} a « {text} » comme {key} ; ce doit être du JSON comme {{"building": {{"east": 0.1, "spread": 0.3}}}} avec des noms de ses classes, et east, north, right, down, spread en mètres jusqu’à {most:g}, sun en degrés : corrigez-le ou retirez-le.</translation>
   </message>
   <message>
    <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>

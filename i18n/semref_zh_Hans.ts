@@ -16,6 +16,10 @@
    <translation>--risk 为 {risk:g}；它必须是 {least:g} 到 {most:g} 之间的概率。</translation>
   </message>
   <message>
+   <source>--sun is {sun:g}; it must be a direction from 0 to 360 degrees.</source>
+   <translation>--sun 是 {sun:g}；它必须是 0 到 360 度之间的方向。</translation>
+  </message>
+  <message>
    <source>--threads is {threads}; it must be from 1 to {most}.</source>
    <translation>--threads 为 {threads}；必须在 1 到 {most} 之间。</translation>
   </message>
@@ -42,6 +46,10 @@
   <message>
    <source>A canceled run with the same output and settings is gone on with; otherwise it is begun anew.</source>
    <translation>继续具有相同输出和设置的已取消运行；否则重新开始。</translation>
+  </message>
+  <message>
+   <source>A copy of the model whose metadata say how far off it shows its classes, in meters.</source>
+   <translation>模型的副本，其元数据以米为单位说明它显示各类别时偏离多远。</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -300,8 +308,8 @@
    <translation>航线的评价</translation>
   </message>
   <message>
-   <source>Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in the database. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
-   <translation>假定：相机水平；任意航向；地标漏检 {missed}、虚报 {invented}、类别错误 {misnamed}；边缘偏移 {ragged:g} 地图单位（标准差）；无先验位置；地面与数据库一致。误差在覆盖边长 2 % 以内的定位算正确。方法：{method}。</translation>
+   <source>Assumed: any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed, {background} of the background misnamed; edges off by {ragged:g} map units (standard deviation), the map by {displaced:g} along each axis with neighbors alike, each class by {shifted:g}; roofs leaning by {leaning}; lens bent by {lens}; camera tilted by {tilt:g}°; no prior position. A fix counts as right within 2 % of the footprint. Method: {method}.</source>
+   <translation>假设：任意航向；{missed} 的地标漏检，{invented} 虚构，{misnamed} 类别错误，{background} 的背景类别错误；边缘偏离 {ragged:g} 个地图单位（标准差），地图沿每个轴偏离 {displaced:g}（相邻处相同），每个类别偏离 {shifted:g}；屋顶倾斜 {leaning}；镜头畸变 {lens}；相机倾斜 {tilt:g}°；没有先验位置。定位在覆盖范围的 2 % 以内算作正确。方法：{method}。</translation>
   </message>
   <message>
    <source>At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.</source>
@@ -324,8 +332,16 @@
    <translation>自动只使用星座匹配，不使用地图相关：{reason}</translation>
   </message>
   <message>
+   <source>Background misnamed (%)</source>
+   <translation>类别错误的背景（%）</translation>
+  </message>
+  <message>
    <source>Base model</source>
    <translation>基础模型</translation>
+  </message>
+  <message>
+   <source>Bias of classes</source>
+   <translation>类别的偏移</translation>
   </message>
   <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
@@ -368,6 +384,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>按覆盖范围</translation>
   </message>
   <message>
+   <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
+   <translation>按给出定位的方法。声称正确：平均置信度，应等于正确定位的比例；校准误差：两者的差距，按置信度每十分之一统计。椭圆：真实位置落在所报椭圆内的正确定位；诚实的椭圆应包含 50、95 和 99 %。</translation>
+  </message>
+  <message>
    <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
    <translation>CLASS_FIELD 为空；请选择说明每个多边形类别的字段。</translation>
   </message>
@@ -406,6 +426,10 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
    <translation>相机表（横滚角、俯仰角、焦距、时间、高度、航向）</translation>
+  </message>
+  <message>
+   <source>Camera tilt (°)</source>
+   <translation>相机倾斜（°）</translation>
   </message>
   <message>
    <source>Cancel</source>
@@ -524,6 +548,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>类别</translation>
   </message>
   <message>
+   <source>Classes shifted (map units)</source>
+   <translation>类别偏移（地图单位）</translation>
+  </message>
+  <message>
    <source>Classes that only the predicted map has: {names}.</source>
    <translation>仅预测标签图具有的类别：{names}。</translation>
   </message>
@@ -550,14 +578,22 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Compares a predicted label map with an annotated one: confusion matrix, IoU of each class, overall accuracy, and the places where they disagree as polygons, the largest first.
 
-Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.</source>
+Classes are matched by name, or by value where the maps share no names. Maps of different pixel sizes are compared on the pixels of the annotated one. Pixels without annotation are left out; pixels without prediction count as wrong.
+
+The report also tells how far from where they are the landmarks of each class are shown: a network’s bias, which an image’s position inherits. With a model it is written into a copy of it, for “Localize images” to take it off.</source>
    <translation>将预测的标签图与标注的标签图进行比较：混淆矩阵、各类别的 IoU、总体精度，并以多边形给出两者不一致之处，面积最大的排在最前。
 
-类别按名称匹配；若两图没有相同的名称，则按值匹配。像元大小不同的标签图按标注标签图的像元进行比较。未标注的像元不参与比较；没有预测值的像元计为错误。</translation>
+类别按名称匹配；若两图没有相同的名称，则按值匹配。像元大小不同的标签图按标注标签图的像元进行比较。未标注的像元不参与比较；没有预测值的像元计为错误。
+
+报告还说明各类别的地标被显示时偏离真实位置多远：即网络的偏移，影像的位置会继承它。给出模型时，偏移会写入模型的副本，供“定位影像”扣除。</translation>
   </message>
   <message>
    <source>Comparing</source>
    <translation>正在比较</translation>
+  </message>
+  <message>
+   <source>Comparing landmarks</source>
+   <translation>正在比较地标</translation>
   </message>
   <message>
    <source>Comparing windows</source>
@@ -658,6 +694,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Describing windows</source>
    <translation>正在描述窗口</translation>
+  </message>
+  <message>
+   <source>Direction of the sun (°)</source>
+   <translation>太阳方向（°）</translation>
   </message>
   <message>
    <source>Disagreements</source>
@@ -972,6 +1012,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>已定位</translation>
   </message>
   <message>
+   <source>Fixes by</source>
+   <translation>定位方法</translation>
+  </message>
+  <message>
    <source>Folder for the georeferenced images</source>
    <translation>地理配准影像的文件夹</translation>
   </message>
@@ -1148,12 +1192,28 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>影像顶边的航向，自坐标北起顺时针计算。</translation>
   </message>
   <message>
+   <source>How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks do.</source>
+   <translation>每个地标类别整体偏离其真实位置多远，方向任意，如网络所为。</translation>
+  </message>
+  <message>
+   <source>How far from where they are the landmarks of each class are shown, over pieces of {edge} pixels: an image’s position is off as much, and no residual tells. Spread: standard deviation along each axis of what one piece differs by.</source>
+   <translation>各类别地标被显示时偏离真实位置多远，按 {edge} 像素的分块统计：影像的位置也会偏离同样多，而残差看不出来。离散：单个分块差异沿每个轴的标准差。</translation>
+  </message>
+  <message>
+   <source>How far landmarks lean away from the image’s center, in percent of their distance from it: their height over the camera’s.</source>
+   <translation>地标向背离影像中心的方向倾斜多远，以其到中心距离的百分比表示：其高度与相机高度之比。</translation>
+  </message>
+  <message>
    <source>How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the image shows. The topology vector is right when it names the nearest window.</source>
    <translation>定位结果的误差不超过多少仍计为正确。若留空，则为影像所覆盖地面边长的 2%。拓扑向量法识别出最近的窗口即为正确。</translation>
   </message>
   <message>
    <source>How far stretches without an expected fix may be shifted to either side; half of it is tried, too. The footprint if left out, 0 for none.</source>
    <translation>无预期定位的航段可向两侧平移多远；也会尝试其一半。不填则为覆盖边长，0 表示不平移。</translation>
+  </message>
+  <message>
+   <source>How far the camera looks aside from straight down, in any direction.</source>
+   <translation>相机偏离垂直向下多少，方向任意。</translation>
   </message>
   <message>
    <source>How far the compared image’s vector differs here</source>
@@ -1166,6 +1226,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
    <translation>向量包含离中心最近的多少个地标。</translation>
+  </message>
+  <message>
+   <source>How much farther out or in than it should the ground in the image’s corners is shown.</source>
+   <translation>影像四角的地面被显示得比应有位置靠外或靠内多少。</translation>
   </message>
   <message>
    <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
@@ -1408,6 +1472,14 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>正在叠置多边形</translation>
   </message>
   <message>
+   <source>Leaning roofs (%)</source>
+   <translation>屋顶倾斜（%）</translation>
+  </message>
+  <message>
+   <source>Lens distortion (%)</source>
+   <translation>镜头畸变（%）</translation>
+  </message>
+  <message>
    <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
    <translation>已校正倾斜：横滚角 {roll:.1f}°，俯仰角 {pitch:.1f}°（{source}）。</translation>
   </message>
@@ -1528,6 +1600,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>METHODS 为空；请至少选择一种方法。</translation>
   </message>
   <message>
+   <source>MODEL_OUTPUT is a copy of the model; give the network as MODEL.</source>
+   <translation>MODEL_OUTPUT 是模型的副本；请用 MODEL 给出网络。</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>生成示例区域</translation>
   </message>
@@ -1562,6 +1638,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Map correlation</source>
    <translation>地图相关</translation>
+  </message>
+  <message>
+   <source>Map displaced (map units)</source>
+   <translation>地图位移（地图单位）</translation>
   </message>
   <message>
    <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
@@ -1632,6 +1712,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>模型</translation>
   </message>
   <message>
+   <source>Model with bias</source>
+   <translation>带偏移的模型</translation>
+  </message>
+  <message>
    <source>Model, for photos</source>
    <translation>用于照片的模型</translation>
   </message>
@@ -1696,8 +1780,16 @@ The model that ships with SemRef can read these photos.</source>
    <translation>没有参考类别；请在 REFERENCE_CLASSES 中至少写出 {classes} 中的一个，或在类别表中为其指定角色“reference”。</translation>
   </message>
   <message>
+   <source>No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave MODEL_OUTPUT empty.</source>
+   <translation>{path} 没有任何类别在两张地图中有足够的地标来得出其偏移；请给出更大的区域，或将 MODEL_OUTPUT 留空。</translation>
+  </message>
+  <message>
    <source>No ground was set aside, so nothing tells how good the network is.</source>
    <translation>没有预留地面，因此无法说明网络的好坏。</translation>
+  </message>
+  <message>
+   <source>No image has a fix.</source>
+   <translation>没有影像得到定位。</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -2376,6 +2468,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>增加的地标所占的比例，其形状与地图其他地方的地标相同。</translation>
   </message>
   <message>
+   <source>Share of the areas of other classes than those of landmarks that get another of these.</source>
+   <translation>非地标类别的区域中被改成另一个此类类别的比例。</translation>
+  </message>
+  <message>
    <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
    <translation>有标签的地面中留作验证的比例；0 表示不留。</translation>
   </message>
@@ -2502,6 +2598,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.</source>
    <translation>地面方格；多个覆盖边长时各有一个方格，绘制的是第一个的。</translation>
+  </message>
+  <message>
+   <source>Standard deviation along each axis of what map and ground differ by, neighbors alike, as maps of two dates do. 0 where the images are cut from a map of another date already.</source>
+   <translation>地图与地面之差沿每个轴的标准差，相邻处相同，如两个日期的地图那样。若影像本来就取自另一日期的地图，则为 0。</translation>
   </message>
   <message>
    <source>Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced alike, so that it limits how exactly images are located; the radius of fixes reckons with it. 1.1 m was measured between maps of two dates.</source>
@@ -2916,6 +3016,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>从中裁取影像的地图：数据库自身的地图或同一地面的另一幅地图，须采用数据库的坐标参照系和类别；像元大小可以不同。</translation>
   </message>
   <message>
+   <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
+   <translation>地图没有以米为单位的坐标系，因此类别偏移的米数未知；请给出有此坐标系的地图，或将 MODEL_OUTPUT 留空。</translation>
+  </message>
+  <message>
    <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
    <translation>两幅地图没有共同的、由 REFERENCE 标注的像元；请选择同一地面的地图。</translation>
   </message>
@@ -2942,6 +3046,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
    <translation>最近窗口的距离为 {distance:.3f}，大于 {threshold:g}。</translation>
+  </message>
+  <message>
+   <source>The network that made the predicted map, if the bias of its classes is to be written into a copy.</source>
+   <translation>生成预测地图的网络，若要把其类别偏移写入副本。</translation>
   </message>
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
@@ -3176,6 +3284,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>地标太少</translation>
   </message>
   <message>
+   <source>Too few landmarks are whole in both maps to tell.</source>
+   <translation>两张地图中完整的地标太少，无法判断。</translation>
+  </message>
+  <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
    <translation>地标太少：视野内平均 {landmarks:.0f} 个。</translation>
   </message>
@@ -3242,10 +3354,10 @@ Ground is set aside to tell how good the network is. Training runs in a Python o
   <message>
    <source>Tries a reference database: images with known truth are cut from a label map, turned, scaled, moved off the windows and spoiled, then localized with one method or several.
 
-The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer: on its own map a database always does better.</source>
+The report compares the methods, with the two tables of He &amp; Wu 2025, success against offset and noise, errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of another date than the database’s for an honest answer, and 0 for “Map displaced” then: on its own map a database always does better.</source>
    <translation>试验参考数据库：从标签图裁取真值已知的影像，对其旋转、缩放、偏离窗口并加以扰动，再用一种或多种方法定位。
 
-报告对各方法进行比较，包括 He &amp; Wu 2025 的两个表格、成功率与偏移和噪声的关系、误差、误接受，以及置信度的意义。随机种子相同，结果相同。要得到如实的答案，请使用与数据库不同日期的标签图：在数据库自身的地图上，结果总会更好。</translation>
+报告对各方法进行比较，包括 He &amp; Wu 2025 的两个表格、成功率与偏移和噪声的关系、误差、误接受，以及置信度的意义。随机种子相同，结果相同。要得到如实的答案，请使用与数据库不同日期的标签图，并将“地图位移”设为 0：在数据库自身的地图上，结果总会更好。</translation>
   </message>
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
@@ -3368,6 +3480,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>95 % 半径的构成：{parts}。</translation>
   </message>
   <message>
+   <source>What radius and confidence are worth</source>
+   <translation>半径和置信度是否可靠</translation>
+  </message>
+  <message>
    <source>What the confidence is worth</source>
    <translation>置信度的意义</translation>
   </message>
@@ -3410,6 +3526,14 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Where the image’s top points to, in degrees clockwise from grid north</source>
    <translation>影像顶边的指向，以自坐标北起顺时针的度数表示</translation>
+  </message>
+  <message>
+   <source>Where the sun stood when the images were taken, in degrees clockwise from grid north: what the model states that shadows shift turns with it. Without it such a shift is only added to the error.</source>
+   <translation>拍摄影像时太阳的方向，从格网北顺时针计的度数：模型所说的阴影造成的偏移随之转动。若不给出，这种偏移只计入误差。</translation>
+  </message>
+  <message>
+   <source>Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a bias that shadows make turns with it. If left out, the bias is the same under any sun.</source>
+   <translation>拍摄被预测的影像时太阳的方向，从格网北顺时针计的度数：阴影造成的偏移随之转动。若省略，则偏移在任何阳光下都相同。</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -3572,6 +3696,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>最佳轮次</translation>
   </message>
   <message>
+   <source>calibration error</source>
+   <translation>校准误差</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>类别</translation>
   </message>
@@ -3606,6 +3734,18 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>distance {value:.4f}</source>
    <translation>距离 {value:.4f}</translation>
+  </message>
+  <message>
+   <source>down</source>
+   <translation>下</translation>
+  </message>
+  <message>
+   <source>east</source>
+   <translation>东</translation>
+  </message>
+  <message>
+   <source>east, north</source>
+   <translation>东、北</translation>
   </message>
   <message>
    <source>epoch</source>
@@ -3676,8 +3816,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>有定位结果的影像</translation>
   </message>
   <message>
+   <source>in the 50 % ellipse</source>
+   <translation>在 50 % 椭圆内</translation>
+  </message>
+  <message>
    <source>in the 95 % ellipse</source>
    <translation>在 95% 椭圆内</translation>
+  </message>
+  <message>
+   <source>in the 99 % ellipse</source>
+   <translation>在 99 % 椭圆内</translation>
   </message>
   <message>
    <source>information</source>
@@ -3708,8 +3856,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>种类，见表</translation>
   </message>
   <message>
+   <source>known to</source>
+   <translation>精确到</translation>
+  </message>
+  <message>
    <source>landmarks</source>
    <translation>地标</translation>
+  </message>
+  <message>
+   <source>landmarks in both</source>
+   <translation>两者共有的地标</translation>
   </message>
   <message>
    <source>landmarks in the window</source>
@@ -3768,6 +3924,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>地面平均</translation>
   </message>
   <message>
+   <source>median 95 % radius</source>
+   <translation>95 % 半径（中位数）</translation>
+  </message>
+  <message>
    <source>median area</source>
    <translation>面积中位数</translation>
   </message>
@@ -3790,6 +3950,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>noise of single landmarks</source>
    <translation>单个地标的噪声</translation>
+  </message>
+  <message>
+   <source>north</source>
+   <translation>北</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -3856,6 +4020,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>可靠</translation>
   </message>
   <message>
+   <source>right</source>
+   <translation>正确</translation>
+  </message>
+  <message>
    <source>right among the fixes</source>
    <translation>定位结果中正确的比例</translation>
   </message>
@@ -3866,6 +4034,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>right where predicted</source>
    <translation>预测中正确的比例</translation>
+  </message>
+  <message>
+   <source>right, down</source>
+   <translation>右、下</translation>
   </message>
   <message>
    <source>scale</source>
@@ -3908,6 +4080,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>有时</translation>
   </message>
   <message>
+   <source>spread</source>
+   <translation>离散</translation>
+  </message>
+  <message>
    <source>stopped: no progress any more</source>
    <translation>已停止：不再有进步</translation>
   </message>
@@ -3938,6 +4114,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>to (m)</source>
    <translation>止（m）</translation>
+  </message>
+  <message>
+   <source>told to be right</source>
+   <translation>声称正确</translation>
   </message>
   <message>
    <source>too few landmarks</source>
@@ -4254,6 +4434,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}：IoU {iou:.1%}，标注像元 {pixels} 个</translation>
+  </message>
+  <message>
+   <source>{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.</source>
+   <translation>{name}：显示偏离 {across:+.2f} 和 {along:+.2f} {unit}（{axes}），{count} 个地标。</translation>
+  </message>
+  <message>
+   <source>{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.</source>
+   <translation>{name}：据模型所述，显示在其真实位置以东 {east:+.2f} 米、以北 {north:+.2f} 米。</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
@@ -4636,6 +4824,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 的权重保存在另一个缺失或不完整的文件中；请将其以原名放在模型旁边（{reason}）。</translation>
   </message>
   <message>
+   <source>{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.</source>
+   <translation>{path} 的权重保存在另一个文件中，因此无法连同其偏移一起复制；请导出为单个文件。</translation>
+  </message>
+  <message>
    <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
    <translation>{path} 缺少编码器 {count} 个张量中的 {lacking} 个，例如 {name}。</translation>
   </message>
@@ -4810,6 +5002,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{source} has {value} in class_values; class values are whole numbers from 0 to 255.</source>
    <translation>{source} 的 class_values 中有 {value}；类别值为 0 到 255 的整数。</translation>
+  </message>
+  <message>
+   <source>{source} has “{text}” as {key}; it must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with names of its classes, and east, north, right, down, spread in meters up to {most:g}, sun in degrees: mend or remove it.</source>
+   <translation>{source} 的 {key} 为“{text}”；它必须是如 {{"building": {{"east": 0.1, "spread": 0.3}}}} 的 JSON，含其类别名称，以及以米为单位（不超过 {most:g}）的 east、north、right、down、spread，以度为单位的 sun：请修正或删除。</translation>
   </message>
   <message>
    <source>{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.</source>

@@ -17,9 +17,10 @@ import numpy as np
 from ..constellation.verification import center_noise
 from ..database.model import ReferenceDatabase
 from ..evaluation.trial import Query, Trial
+from ..geometry.error_settings import NETWORK_SPREAD
 from ..localization import Status
 from ..localizer.localizer import Localizer
-from ..simulation.noise import LabelNoise
+from ..simulation.conditions import Conditions
 from .images import ImageSimulator
 from .model import SuccessModel, fit_success, local_sums
 
@@ -93,7 +94,7 @@ class Assessment:
         database: ReferenceDatabase,
         localizer: Localizer,
         footprint: float,
-        noise: LabelNoise,
+        conditions: Conditions,
         seed: int,
         correlation: bool = False,
     ) -> None:
@@ -103,7 +104,7 @@ class Assessment:
             database: what is assessed
             localizer: of the database
             footprint: edge of the ground that an image shows, map units
-            noise: how poor labels are taken to be, in map units
+            conditions: how poor labels and cameras are taken to be
             seed: with the same one, everything is the same
             correlation: landmarks first, then map correlation, as the method “automatic” does; needs the overview
 
@@ -111,8 +112,11 @@ class Assessment:
             ParameterError: for a footprint that is none.
             DatabaseError: for a database without landmarks.
         """
+        if conditions.class_shift > 0:
+            # As of a network that states no bias.
+            localizer.heed_biases(class_spread=NETWORK_SPREAD)
         self.simulator = ImageSimulator(localizer, database, footprint)
-        self.noise = noise
+        self.conditions = conditions
         self.footprint = footprint
         self.correlation = correlation
         self._database = database
@@ -130,10 +134,12 @@ class Assessment:
         offsets = rng.uniform(-spread / 2, spread / 2, (len(chosen), 2))
         headings = rng.uniform(0, 360, len(chosen))
         centers = places[chosen] + offsets
-        return [
-            PlaceQuery(self.simulator.view(x, y, heading), number=number, noise=self.noise, place=place)
-            for number, (place, (x, y), heading) in enumerate(zip(chosen.tolist(), centers.tolist(), headings.tolist()))
-        ]
+        values = self._database.class_table.reference_values
+        queries = []
+        for number, (place, (x, y), heading) in enumerate(zip(chosen.tolist(), centers.tolist(), headings.tolist())):
+            view, noise = self.conditions.drawn(self.simulator.view(x, y, heading), rng, values)
+            queries.append(PlaceQuery(view, number=number, noise=noise, place=place))
+        return queries
 
     def run(self, query: PlaceQuery) -> Trial:
         """The image, localized by its landmarks."""

@@ -33,6 +33,9 @@ SMALL_SHARE = 0.35
 """Objects too small for the catalogue that an image shows besides, as a share of its landmarks: a database doesn't know
 them, and they are in the way. Liechtenstein 2021 has so many of 16 to 100 m²."""
 
+REACH = 1.5
+"""Landmarks are looked for so much farther out than a level camera sees: a tilted one sees farther on one side."""
+
 OTHER_SHAPE = 0.8
 """An object whose bounding box is not known is taken for a square of this share of its half edge more: √area / 2 / 0.8,
 as landmarks are hardly ever squares."""
@@ -71,7 +74,7 @@ class ImageSimulator:
         self._half = _half_boxes(database)
         self._order = np.argsort(references.positions[:, 0], kind="stable")
         self._eastings = references.positions[self._order, 0]
-        self._reach = footprint * math.sqrt(0.5)
+        self._reach = REACH * footprint * math.sqrt(0.5)
 
     def view(self, x: float, y: float, heading_deg: float) -> View:
         """An image of the footprint at a place."""

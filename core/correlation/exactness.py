@@ -55,7 +55,8 @@ def known_pose(
     shared = errors.map_accuracy**2 * shared_over(errors.settings.map_kernels, edge_m)
     known = [errors.bias_of(bias.value) for bias in (*errors.class_biases, ClassBias(0))]
     # Which class moved the place, and how far, areas don't tell: what is stated is not taken off.
-    bias = max(errors.spread_of(one, pose.pixel_size_m) ** 2 + one.length**2 / 2 for one in known)
+    common = errors.common_spread if errors.unstated([one.value for one in known]) else 0.0
+    bias = common**2 + max(errors.spread_of(one, pose.pixel_size_m) ** 2 + one.length**2 / 2 for one in known)
     parts = [
         (AREAS, float(np.sqrt(np.trace(own[:2, :2]) / 2))),
         (MAP, float(np.sqrt(shared))),

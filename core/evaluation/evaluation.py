@@ -14,10 +14,12 @@ import numpy as np
 
 from ..database.model import ReferenceDatabase
 from ..errors import ParameterError
+from ..geometry.error_settings import NETWORK_SPREAD
 from ..geometry.frame import MapFrame
 from ..labels.sources import LabelSource
 from ..localization import Localization, Method
 from ..localizer.localizer import Localizer
+from ..simulation.conditions import Conditions
 from ..simulation.label_errors import spoil_labels
 from ..simulation.noise import LabelNoise
 from ..simulation.views import View, cut
@@ -36,7 +38,10 @@ ROTATIONS_DEG = tuple(range(0, 360, 30))
 OFFSETS = (0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5)
 """Steps by which windows are moved, as shares of the stride."""
 
-CLEAN = dict.fromkeys(("offset", "missed", "invented", "misnamed", "ragged", "rotation"), (0.0, 0.0))
+SHARED = ("background", "displaced", "shifted", "leaning", "lens", "tilt")
+"""Ranges of what landmarks of an image have in common, and of its background."""
+
+CLEAN = dict.fromkeys(("offset", "missed", "invented", "misnamed", "ragged", "rotation", *SHARED), (0.0, 0.0))
 """Ranges of a query that shows a window as it is, but for its scale."""
 
 NOISE_LEVELS = (0.0, 20.0, 40.0, 60.0)
@@ -44,6 +49,9 @@ NOISE_LEVELS = (0.0, 20.0, 40.0, 60.0)
 
 TABLE_WINDOWS = 3
 """Windows that are scaled and turned for the two tables."""
+
+LARGEST_LENS, LARGEST_TILT_DEG = 10.0, 30.0
+"""Percent and degrees: no map could be read from beyond."""
 
 LARGEST_IMAGE_PX = 2000
 """Edge of a query; larger windows are shown with larger pixels."""
@@ -61,6 +69,12 @@ class TrialRanges:
         invented: spurious landmarks, percent of those that are there
         misnamed: percent of the landmarks that are mislabeled
         ragged: boundary jitter, its standard deviation in map units
+        background: percent of the regions of other classes that are mislabeled
+        displaced: what map and ground differ by, neighbors alike: standard deviation along each axis, map units
+        shifted: how far each class of landmarks is shifted as a whole, map units
+        leaning: how far roofs lie from where they stand, percent of the distance from the image's center
+        lens: radial distortion in the corners, percent
+        tilt: of the camera, degrees
 
     Raises:
         ParameterError: for values that can't be.
@@ -73,9 +87,17 @@ class TrialRanges:
     invented: tuple[float, float] = (20.0, 20.0)
     misnamed: tuple[float, float] = (5.0, 5.0)
     ragged: tuple[float, float] = (0.0, 1.0)
+    background: tuple[float, float] = (0.0, 0.0)
+    displaced: tuple[float, float] = (0.0, 0.0)
+    shifted: tuple[float, float] = (0.0, 0.0)
+    leaning: tuple[float, float] = (0.0, 0.0)
+    lens: tuple[float, float] = (0.0, 0.0)
+    tilt: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        limits = {"scale": (0.05, 20.0), "rotation": (-360.0, 360.0), "offset": (0.0, 0.5), "ragged": (0.0, math.inf)}
+        limits = {"scale": (0.05, 20.0), "rotation": (-360.0, 360.0), "offset": (0.0, 0.5)}
+        limits |= dict.fromkeys(("ragged", "displaced", "shifted"), (0.0, math.inf))
+        limits |= {"lens": (0.0, LARGEST_LENS), "tilt": (0.0, LARGEST_TILT_DEG)}
         for field in fields(self):
             low, high = getattr(self, field.name)
             least, most = limits.get(field.name, (0.0, 100.0))
@@ -92,12 +114,14 @@ class WindowQuery(Query):
         landmarks: so many the database has in it
         scale: ground shown, in edges of the window
         offset: of the image's center from the window's, as a share of the stride, the larger of both axes
+        shifted: how far each class of landmarks is shifted, map units
     """
 
     window: str = ""
     landmarks: int = 0
     scale: float = 1.0
     offset: float = 0.0
+    shifted: float = 0.0
 
 
 class Evaluation:
@@ -133,6 +157,9 @@ class Evaluation:
         self._seed = seed
         self._right_within = right_within
         self.localizer = Localizer(database)
+        if ranges.shifted[1] > 0:
+            # As of a network that states no bias.
+            self.localizer.heed_biases(class_spread=NETWORK_SPREAD)
         self._frame = frame.of_shape(source.shape_hw)
         self._edge = float(database.windows.sizes.min()) if len(database.windows) else 0.0
         self.image_px = min(max(round(self._edge / database.parameters.pixel_size), 1), LARGEST_IMAGE_PX)
@@ -220,17 +247,25 @@ class Evaluation:
         missed, invented, misnamed, ragged = (
             float(rng.uniform(*ranges[name])) for name in ("missed", "invented", "misnamed", "ragged")
         )
+        # Drawn after all else, so that images are where they were before there was any of it.
+        background, displaced, shifted, leaning, lens, tilt = (float(rng.uniform(*ranges[name])) for name in SHARED)
+        noise = LabelNoise(missed / 100, invented / 100, misnamed / 100, ragged)
+        noise = replace(noise, background=background / 100, displaced=displaced, leaning=leaning / 100)
         windows = self._database.windows
         x, y = windows.centers[window] + self._database.parameters.stride * offset_xy
+        values = self._database.class_table.reference_values
+        view = self._view(x, y, heading, scale, part == MIRRORED)
+        view, noise = Conditions(noise, shifted, lens / 100, tilt).drawn(view, rng, values)
         return WindowQuery(
-            self._view(x, y, heading, scale, part == MIRRORED),
+            view,
             part,
             number,
-            LabelNoise(missed / 100, invented / 100, misnamed / 100, ragged),
+            noise,
             window=windows.name(window),
             landmarks=int(windows.counts[window]),
             scale=scale,
             offset=float(np.abs(offset_xy).max()),
+            shifted=shifted,
         )
 
     def _view(self, x: float, y: float, heading_deg: float, scale: float, is_mirrored: bool = False) -> View:

@@ -10,6 +10,7 @@ from typing import cast
 
 import numpy as np
 
+from ..localization import Method
 from .evaluation import MAP, MIRRORED, NOISE, NOISE_LEVELS, OFFSET, OFFSETS, WindowQuery
 from .rates import Rate, RateAt, binned, rate_of
 from .trial import Trial
@@ -83,6 +84,54 @@ def held_shares(trials: Sequence[Trial]) -> tuple[Rate, ...]:
     at_95 = math.sqrt(-2 * math.log(0.05))
     ratios = [t.radius_ratio * at_95 for t in trials if t.radius_ratio is not None]
     return tuple(rate_of(r <= math.sqrt(-2 * math.log(1 - share)) for r in ratios) for share in HELD_SHARES)
+
+
+@dataclass(frozen=True)
+class RoadSummary:
+    """What a road says of its fixes, against the truth. None where nothing is known.
+
+    Attributes:
+        road: method that gave them
+        right: fixes at the right place, of all fixes
+        told: mean confidence
+        calibration_error: mean difference of confidence and share of right ones, bin by bin
+        held: right fixes within the 50, 95 and 99 % ellipses that were told
+        median_radius: told 95 % radius of right fixes, map units
+        median_error: of right fixes, map units
+    """
+
+    road: Method
+    right: Rate
+    told: float | None
+    calibration_error: float | None
+    held: tuple[Rate, ...]
+    median_radius: float | None
+    median_error: float | None
+
+
+def road_summaries(trials: Sequence[Trial]) -> list[RoadSummary]:
+    """A summary for each method that gave fixes, whatever method was asked for; images that can't be right count."""
+    by_road: dict[Method, list[Trial]] = {}
+    for trial in trials:
+        if trial.is_fix:
+            by_road.setdefault(trial.result.method, []).append(trial)
+    return [_road(road, by_road[road]) for road in Method if road in by_road]
+
+
+def _road(road: Method, fixes: Sequence[Trial]) -> RoadSummary:
+    right = [t for t in fixes if t.is_right]
+    told = [t.result.confidence or 0.0 for t in fixes]
+    bins = binned(told, [t.is_right for t in fixes], CONFIDENCE_BINS)
+    apart = sum(abs(one.at - one.rate.successes / one.rate.trials) * one.rate.trials for one in bins)
+    return RoadSummary(
+        road,
+        rate_of(t.is_right for t in fixes),
+        sum(told) / len(told),
+        apart / len(fixes),
+        held_shares(right),
+        percentile([t.result.error_95_m for t in right], 50),
+        percentile([t.error for t in right], 50),
+    )
 
 
 def percentile(values: Sequence[float | None], percent: float) -> float | None:

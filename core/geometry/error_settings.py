@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 MAP_ACCURACY = 1.1
 """Standard deviation along each axis of landmarks between two maps of one ground, meters, where nobody states another:
 1.6 m root mean square between maps of Liechtenstein of two dates, by other mappers."""
 
-NETWORK_SPREAD = 0.5
-"""Standard deviation along each axis of the shift that a network gives a class, meters, where nobody states it: those
-that were measured are off by 0.1 to 0.7 m as a whole (docs/calibration.md#what-networks-shift)."""
+NETWORK_SPREAD = 0.6
+"""Standard deviation along each axis of the shift that a network gives a class, meters, where nobody states it: the one
+that was measured shows buildings 0.4 to 0.6 m from the sun, by 0.35 m more or less from piece to piece of ground
+(docs/calibration.md#what-networks-shift)."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,8 @@ class ErrorSettings:
             units of what a tilt of 10° does, share of cameras): none of both, little, much [by hand; covariance].
         class_spread_px: Standard deviation of the shift that a class has as a whole, beyond what is stated, pixels of
             the image [by hand; covariance].
+        common_share: Share of the variance that classes of which nothing is known are shifted by alike
+            [photos of made-up areas; biases].
         leaning: Standard deviation of ln pixel size for roofs that lean away from the image's center: they look larger,
             and no residual tells [geometry of houses of 5 m seen from 1,000 m].
         most_landmarks: Landmarks that a pose is fitted to; of more so many, evenly chosen [by hand].
@@ -45,6 +49,7 @@ class ErrorSettings:
     own_spread: float = 1.0
     views: tuple[tuple[float, float, float], ...] = ((0.0001, 0.0001, 0.7), (0.01, 0.1, 0.15), (0.02, 1.0, 0.15))
     class_spread_px: float = 0.1
+    common_share: float = 0.5
     leaning: float = 0.005
     most_landmarks: int = 200
 
@@ -126,8 +131,18 @@ class SharedErrors:
     def spread_of(self, bias: ClassBias, pixel_size: float) -> float:
         """Standard deviation along each axis of what remains of a bias, map units."""
         if bias.spread is None:
-            return max(self.class_spread, self.settings.class_spread_px * pixel_size)
+            own = self.class_spread * math.sqrt(1 - self.settings.common_share)
+            return max(own, self.settings.class_spread_px * pixel_size)
         return max(bias.spread, 1e-3 * pixel_size)
+
+    @property
+    def common_spread(self) -> float:
+        """Standard deviation along each axis of what all classes are shifted by of which nothing is known, meters."""
+        return self.class_spread * math.sqrt(self.settings.common_share)
+
+    def unstated(self, values: Sequence[int]) -> list[int]:
+        """Those of class values of whose shift nothing is known."""
+        return [value for value in values if self.bias_of(value).spread is None]
 
     def _told(self, bias: ClassBias) -> float:
         return self.class_spread if bias.spread is None else bias.spread

@@ -202,6 +202,12 @@ class _System:
             effect = -bias.in_image(pose.turn) / self._scale
             stated += [effect.real, effect.imag]
             spreads += [errors.spread_of(bias, abs(pose.turn)) / self._scale] * 2
+        unstated = np.isin(matched.classes, errors.unstated(np.unique(matched.classes).tolist())).astype(np.float64)
+        if errors.class_spread and unstated.any():
+            # Of one network: shadows and its own habits shift all of its classes alike.
+            columns += [unstated, 1j * unstated]
+            stated += [0.0, 0.0]
+            spreads += [errors.common_spread / self._scale] * 2
         return np.column_stack(columns), np.array(stated), np.array(spreads)
 
     def variances(self, map_accuracy: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

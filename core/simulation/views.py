@@ -121,10 +121,10 @@ def lies_on(frame: MapFrame, view: View) -> bool:
 
 
 def image_coordinates(view: View, positions: np.ndarray) -> np.ndarray:
-    """Where in a level image points of the map lie.
+    """Where in an image points of the map lie.
 
     Args:
-        view: not tilted; its lens may bend
+        view: level or tilted; its lens may bend
         positions: (n, 2) map x, y
 
     Returns:
@@ -134,6 +134,8 @@ def image_coordinates(view: View, positions: np.ndarray) -> np.ndarray:
     turn = math.radians(view.heading_deg)
     right = (east * math.cos(turn) - north * math.sin(turn)) / view.pixel_size
     up = (east * math.sin(turn) + north * math.cos(turn)) / view.pixel_size
+    if view.tilt_deg:
+        right, up = _in_the_image(view, right, up)
     if view.is_mirrored:
         right = -right
     if view.lens:
@@ -197,6 +199,22 @@ def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.nd
     # The camera is lower the more it is tilted, so that a pixel at the center covers as much ground as a level one's.
     lower = np.cos(tilt) ** 1.5
     along, across = lower * along / (np.cos(tilt) * depth), lower * across / depth
+    return (
+        np.sin(direction) * along + np.cos(direction) * across,
+        np.cos(direction) * along - np.sin(direction) * across,
+    )
+
+
+def _in_the_image(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The inverse of ``_on_the_ground``; what lies at or behind the horizon comes out far outside."""
+    tilt, direction = np.radians(view.tilt_deg), np.radians(view.tilt_direction_deg)
+    focal = view.width_px / 2 / np.tan(np.radians(view.field_of_view_deg) / 2)
+    lower = np.cos(tilt) ** 1.5
+    along = (np.sin(direction) * right + np.cos(direction) * up) / lower
+    across = (np.cos(direction) * right - np.sin(direction) * up) / lower
+    stretched = np.maximum(1 + along * np.cos(tilt) * np.sin(tilt) / focal, 1e-3)
+    along = along * np.cos(tilt) ** 2 / stretched
+    across = across * (np.cos(tilt) - along / focal * np.sin(tilt))
     return (
         np.sin(direction) * along + np.cos(direction) * across,
         np.cos(direction) * along - np.sin(direction) * across,

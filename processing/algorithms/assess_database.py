@@ -163,14 +163,14 @@ class AssessDatabase(AssessAlgorithm):
     ) -> str:
         from ..reports.assessment_report import AssessmentReport
 
-        noise, threshold = self.noise(values), self.threshold(values)
+        conditions, threshold = self.conditions(values), self.threshold(values)
         correlation = self.with_correlation(values, database)
         settings = [
             (tr("Spacing (map units)"), f"{cells.size:g}"),
             (tr("Simulated images"), str(values.integer(self.TRIALS))),
-            *setting_rows(noise, threshold, correlation, values.integer(self.SEED)),
+            *setting_rows(conditions, threshold, correlation, values.integer(self.SEED)),
         ]
-        report = AssessmentReport(database, cells, results, noise, threshold, correlation, settings)
+        report = AssessmentReport(database, cells, results, conditions, threshold, correlation, settings)
         return report.html(os.path.basename(database.source))
 
     def _write_cells(

@@ -250,14 +250,14 @@ class AssessRoute(AssessAlgorithm):
     def _report(self, values: Values, database: ReferenceDatabase, route: AssessedRoute, assessment: Assessment) -> str:
         from ..reports.route_report import route_html
 
-        noise = self.noise(values)
+        conditions = self.conditions(values)
         settings = [
             (tr("Footprint (map units)"), f"{route.footprint:g}"),
             (tr("Spacing (map units)"), f"{route.spacing:g}"),
             (tr("Simulated images a point"), str(values.integer(self.TRIALS))),
-            *setting_rows(noise, route.threshold, assessment.correlation, values.integer(self.SEED)),
+            *setting_rows(conditions, route.threshold, assessment.correlation, values.integer(self.SEED)),
         ]
-        return route_html(route, os.path.basename(database.source), noise, assessment.correlation, settings)
+        return route_html(route, os.path.basename(database.source), conditions, assessment.correlation, settings)
 
     def _write_points(self, outputs: Outputs, route: AssessedRoute, crs: QgsCoordinateReferenceSystem) -> None:
         from ..exchange.assessment_styles import point_renderer

@@ -11,7 +11,7 @@ from ..compat import POLYGON
 from ..framework import offers
 from ..framework.annotation import geometry_of
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.class_biases import MeasuredShifts, measured_shifts, model_with_biases
+from ..framework.class_biases import measured_shifts, model_with_biases, say_shifts
 from ..framework.declarations import FileOutput, Number, NumberResult, PolygonOutput, RasterLayer
 from ..translation import tr
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from ...storage.comparing import DisagreementMap, LabelMapPair
     from ..framework.outputs import Outputs
     from ..framework.values import Values
+    from ..reports.comparison_report import MeasuredShifts
 
 FIELDS = (
     ("rank", "integer"),
@@ -141,7 +142,7 @@ class CompareLabels(SemRefAlgorithm):
         self._write(outputs, polygons, match)
         feedback.pushInfo(tr("{count} places disagree.").format(count=len(polygons)))
         _say(comparison, match, feedback)
-        shifts.say(feedback)
+        say_shifts(shifts, feedback)
         return {self.MEAN_IOU: comparison.mean_iou, self.OVERALL_ACCURACY: comparison.overall_accuracy}
 
     def _write_model(self, values: Values, outputs: Outputs, shifts: MeasuredShifts) -> None:

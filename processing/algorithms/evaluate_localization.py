@@ -43,6 +43,8 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     DATABASE, LABELS, REPORT, SEED = offers.DATABASE, offers.LABELS, offers.REPORT, offers.SEED
     MISSED, INVENTED, MISNAMED, RAGGED = offers.MISSED, offers.INVENTED, offers.MISNAMED, offers.RAGGED
+    BACKGROUND, DISPLACED, SHIFTED = offers.BACKGROUND, offers.DISPLACED, offers.SHIFTED
+    LEANING, LENS, TILT = offers.LEANING, offers.LENS, offers.TILT
     METHODS = "METHODS"
     TRIALS = "TRIALS"
     MIRRORED = "MIRRORED"
@@ -66,7 +68,8 @@ class EvaluateLocalization(SemRefAlgorithm):
             "the windows and spoiled, then localized with one method or several.\n\n"
             "The report compares the methods, with the two tables of He & Wu 2025, success against offset and noise, "
             "errors, false accepts and what the confidence is worth. Same seed, same result. Use a label map of "
-            "another date than the database’s for an honest answer: on its own map a database always does better."
+            "another date than the database’s for an honest answer, and 0 for “Map displaced” then: on its own map a "
+            "database always does better."
         )
 
     def parameters(self) -> tuple[Declared, ...]:
@@ -144,6 +147,8 @@ class EvaluateLocalization(SemRefAlgorithm):
     def _ranges_offered(self) -> list[NumberRange]:
         """What trials draw their values from."""
         defaults = {self.MISSED: "20,20", self.INVENTED: "20,20", self.MISNAMED: "5,5", self.RAGGED: "0,1"}
+        defaults |= {self.BACKGROUND: "5,5", self.DISPLACED: "1.1,1.1", self.SHIFTED: "0.5,0.5", self.LEANING: "0,1"}
+        defaults |= {self.LENS: "0,1", self.TILT: "0,3"}
         ranges = (
             (self.SCALE, tr("Scale"), tr("Ground that an image shows, as a multiple of the window size."), "0.8,1.25"),
             (
@@ -156,7 +161,7 @@ class EvaluateLocalization(SemRefAlgorithm):
                 "0,0.5",
             ),
             (self.ROTATION, tr("Rotation (°)"), tr("Heading of an image’s top, clockwise from grid north."), "0,360"),
-            *((key, title, text, defaults[key]) for key, title, text in offers.noises()),
+            *((key, title, text, defaults[key]) for key, title, text in (*offers.noises(), *offers.shared_errors())),
         )
         # Optional, because QGIS ignores the default of a range that is not.
         return [

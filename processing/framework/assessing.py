@@ -9,7 +9,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...core.errors import DatabaseError, ParameterError
+from ...core.evaluation.evaluation import LARGEST_LENS, LARGEST_TILT_DEG
 from ...core.localization import Method, Status
+from ...core.simulation.conditions import ASSUMED
 from ..translation import tr
 from ..wording.sentences import worded
 from . import offers
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
     from ...core.evaluation.trial import Trial
     from ...core.localizer.localizer import Localizer
-    from ...core.simulation.noise import LabelNoise
+    from ...core.simulation.conditions import Conditions
     from .values import Values
 
 CORRELATED_SHARE = 8
@@ -34,6 +36,8 @@ class AssessAlgorithm(SemRefAlgorithm):
     """An algorithm that simulates images of a database."""
 
     MISSED, INVENTED, MISNAMED, RAGGED = offers.MISSED, offers.INVENTED, offers.MISNAMED, offers.RAGGED
+    BACKGROUND, DISPLACED, SHIFTED = offers.BACKGROUND, offers.DISPLACED, offers.SHIFTED
+    LEANING, LENS, TILT = offers.LEANING, offers.LENS, offers.TILT
     DATABASE, REPORT, SEED = offers.DATABASE, offers.REPORT, offers.SEED
     MAP_CORRELATION = "MAP_CORRELATION"
     THRESHOLD = "THRESHOLD"
@@ -42,6 +46,11 @@ class AssessAlgorithm(SemRefAlgorithm):
         """What is good enough, how images are localized, and how poor their labels are."""
         limits = {self.MISSED: (20.0, 100.0), self.INVENTED: (20.0, 100.0), self.MISNAMED: (5.0, 100.0)}
         limits[self.RAGGED] = 1.0, None
+        usual = ASSUMED
+        limits[self.BACKGROUND] = 100 * usual.noise.background, 100.0
+        limits[self.DISPLACED], limits[self.SHIFTED] = (1.1, None), (usual.class_shift, None)
+        limits[self.LEANING], limits[self.LENS] = (100 * usual.noise.leaning, 100.0), (100 * usual.lens, LARGEST_LENS)
+        limits[self.TILT] = usual.tilt_deg, LARGEST_TILT_DEG
         return (
             Number(
                 self.THRESHOLD,
@@ -67,17 +76,29 @@ class AssessAlgorithm(SemRefAlgorithm):
                 for key, title, text in offers.noises()
             ),
             offers.seed(),
+            *(
+                Number(key, title, text, advanced=True, default=limits[key][0], minimum=0.0, maximum=limits[key][1])
+                for key, title, text in offers.shared_errors()
+            ),
         )
 
     def check(self, values: Values) -> None:
-        self.noise(values)
+        self.conditions(values)
 
-    def noise(self, values: Values) -> LabelNoise:
-        """How poor labels are taken to be, in map units. Raises ParameterError for noise that can't be."""
+    def conditions(self, values: Values) -> Conditions:
+        """How poor labels and cameras are taken to be, in map units. Raises ParameterError for what can't be."""
+        from ...core.simulation.conditions import Conditions
         from ...core.simulation.noise import LabelNoise
 
         shares = [values.number(key) / 100 for key in (self.MISSED, self.INVENTED, self.MISNAMED)]
-        return LabelNoise(*shares, values.number(self.RAGGED))
+        noise = LabelNoise(
+            *shares,
+            values.number(self.RAGGED),
+            background=values.number(self.BACKGROUND) / 100,
+            displaced=values.number(self.DISPLACED),
+            leaning=values.number(self.LEANING) / 100,
+        )
+        return Conditions(noise, values.number(self.SHIFTED), values.number(self.LENS) / 100, values.number(self.TILT))
 
     def with_correlation(self, values: Values, database: ReferenceDatabase) -> bool:
         """Whether map correlation is assessed as well: it is wanted, and the database has what it needs."""
@@ -125,7 +146,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         from ...core.assessment.assessment import Assessment
 
         correlation = self.with_correlation(values, database)
-        arguments = database, localizer, footprint, self.noise(values), values.integer(self.SEED), correlation
+        arguments = database, localizer, footprint, self.conditions(values), values.integer(self.SEED), correlation
         made = cancelable(Assessment, *arguments, feedback=feedback)
         if not made.simulator.is_searched or correlation and not made.simulator.is_correlated:
             feedback.pushWarning(
@@ -176,8 +197,11 @@ class AssessAlgorithm(SemRefAlgorithm):
         return trials, correlated
 
 
-def setting_rows(noise: LabelNoise, threshold: float, correlation: bool, seed: int) -> list[tuple[str, str]]:
+def setting_rows(conditions: Conditions, threshold: float, correlation: bool, seed: int) -> list[tuple[str, str]]:
     """What both reports list: (what, value)."""
+    noise = conditions.noise
+    shared = (100 * noise.background, noise.displaced, conditions.class_shift, 100 * noise.leaning)
+    numbers = (*shared, 100 * conditions.lens, conditions.tilt_deg)
     method = Method.AUTOMATIC if correlation else Method.CONSTELLATION
     return [
         (tr("Method"), worded(method.title)),
@@ -185,6 +209,7 @@ def setting_rows(noise: LabelNoise, threshold: float, correlation: bool, seed: i
         (tr("Landmarks invented (%)"), f"{100 * noise.spurious:g}"),
         (tr("Landmarks misnamed (%)"), f"{100 * noise.mislabeled:g}"),
         (tr("Ragged edges (map units)"), f"{noise.jitter:g}"),
+        *((title, f"{number:g}") for (_, title, _), number in zip(offers.shared_errors(), numbers)),
         (tr("Good enough from (%)"), f"{100 * threshold:g}"),
         (tr("Seed"), str(seed)),
     ]

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...core.errors import ModelError, ParameterError
 from ...core.geometry.error_settings import ClassBias
 from ...core.landmarks.class_shifts import PIECE_PX, ClassShift, class_shifts, piece_shifts
 from ..compat import is_metric
+from ..reports.comparison_report import MAP_UNIT, METER, PIXEL, MeasuredShifts, ShiftRow
 from ..translation import tr
 from .base import check_canceled
 
@@ -17,39 +18,6 @@ if TYPE_CHECKING:
 
     from ...core.labels.comparison import ClassMatch, LabelComparison
     from ...storage.comparing import LabelMapPair
-
-METER, PIXEL, MAP_UNIT = "m", "px", ""
-
-
-@dataclass(frozen=True)
-class ShiftRow:
-    """One class: its name, landmarks in both maps, shift along two axes, how exactly it is known, and its spread."""
-
-    name: str
-    pairs: int
-    along: tuple[float, float]
-    deviation: float
-    spread: float | None
-
-
-@dataclass(frozen=True)
-class MeasuredShifts:
-    """Of all classes with enough landmarks; ``unit``: meters where the CRS is metric, pixels without a georeference,
-    where the axes are the image's (``in_image``: right, down) instead of the map's (east, north)."""
-
-    rows: tuple[ShiftRow, ...]
-    unit: str
-    in_image: bool
-    piece_px: int = PIECE_PX
-
-    def say(self, feedback: QgsProcessingFeedback) -> None:
-        """Tells each class's shift."""
-        for row in self.rows:
-            text = tr("{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.")
-            axes = tr("right, down") if self.in_image else tr("east, north")
-            across, along = row.along
-            told = text.format(name=row.name, across=across, along=along, unit=self.unit, axes=axes, count=row.pairs)
-            feedback.pushInfo(told)
 
 
 def measured_shifts(
@@ -70,6 +38,16 @@ def measured_shifts(
     rows = tuple(_row(shift, match.name(shift.value), pair.geotransform, has_ground) for shift in class_shifts(pieces))
     unit = PIXEL if not has_ground else METER if is_metric(crs) else MAP_UNIT
     return MeasuredShifts(rows, unit, not has_ground)
+
+
+def say_shifts(shifts: MeasuredShifts, feedback: QgsProcessingFeedback) -> None:
+    """Tells each class's shift."""
+    for row in shifts.rows:
+        text = tr("{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.")
+        axes = tr("right, down") if shifts.in_image else tr("east, north")
+        across, along = row.along
+        told = text.format(name=row.name, across=across, along=along, unit=shifts.unit, axes=axes, count=row.pairs)
+        feedback.pushInfo(told)
 
 
 def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) -> bytes:

@@ -11,6 +11,8 @@ INPUT, CLASS_FIELD, PRIORITY_FIELD, CLASS_TABLE = "INPUT", "CLASS_FIELD", "PRIOR
 REFERENCE_CLASSES, REPORT, SEED = "REFERENCE_CLASSES", "REPORT", "SEED"
 SUN_DIRECTION = "SUN_DIRECTION"
 MISSED, INVENTED, MISNAMED, RAGGED = "MISSED", "INVENTED", "MISNAMED", "RAGGED"
+BACKGROUND, DISPLACED, SHIFTED, LEANING = "BACKGROUND", "DISPLACED", "SHIFTED", "LEANING"
+LENS, TILT = "LENS", "TILT"
 
 
 def database(text: str = "", optional: bool = False) -> File:
@@ -108,4 +110,45 @@ def noises() -> tuple[tuple[str, str, str], ...]:
             tr("Ragged edges (map units)"),
             tr("Standard deviation of how far edges are moved, alike over eight pixels."),
         ),
+    )
+
+
+def shared_errors() -> tuple[tuple[str, str, str], ...]:
+    """(key, title, help) of the background's noise and of errors that all landmarks of an image share."""
+    return (
+        (
+            BACKGROUND,
+            tr("Background misnamed (%)"),
+            tr("Share of the areas of other classes than those of landmarks that get another of these."),
+        ),
+        (
+            DISPLACED,
+            tr("Map displaced (map units)"),
+            tr(
+                "Standard deviation along each axis of what map and ground differ by, neighbors alike, as maps of two "
+                "dates do. 0 where the images are cut from a map of another date already."
+            ),
+        ),
+        (
+            SHIFTED,
+            tr("Classes shifted (map units)"),
+            tr(
+                "How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks "
+                "do."
+            ),
+        ),
+        (
+            LEANING,
+            tr("Leaning roofs (%)"),
+            tr(
+                "How far landmarks lean away from the image’s center, in percent of their distance from it: their "
+                "height over the camera’s."
+            ),
+        ),
+        (
+            LENS,
+            tr("Lens distortion (%)"),
+            tr("How much farther out or in than it should the ground in the image’s corners is shown."),
+        ),
+        (TILT, tr("Camera tilt (°)"), tr("How far the camera looks aside from straight down, in any direction.")),
     )

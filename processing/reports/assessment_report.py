@@ -14,14 +14,16 @@ from ...core.assessment.model import SuccessModel
 from ...core.assessment.summary import brier_score, calibration, success_by_landmarks
 from ...core.database.model import ReferenceDatabase
 from ...core.evaluation.rates import rate_of
+from ...core.evaluation.summary import road_summaries
 from ...core.evaluation.trial import Trial
 from ...core.localization import Status
-from ...core.simulation.noise import LabelNoise
+from ...core.simulation.conditions import Conditions
 from ..exchange.assessment_styles import success_classes
 from ..translation import tr
 from . import charts, page
 from .assessment_map import cell_map, legend
 from .charts import rate_series
+from .roads import road_rows, road_table
 
 
 @dataclass(frozen=True)
@@ -45,7 +47,7 @@ class AssessmentReport:
     database: ReferenceDatabase
     cells: Cells
     results: Sequence[AssessedFootprint]
-    noise: LabelNoise
+    conditions: Conditions
     threshold: float
     correlation: bool
     settings: Sequence[tuple[str, str]]
@@ -56,11 +58,12 @@ class AssessmentReport:
             tr("Assessment of a reference database"),
             name,
             self._key_figures(self.results[0]),
-            page.paragraph(assumed(self.noise, self.correlation)),
+            page.paragraph(assumed(self.conditions, self.correlation)),
             page.section(tr("Where it will localize"), *self._maps()),
             page.section(tr("By footprint"), self._footprints(), self._landmarks_chart()),
             page.section(tr("Why it fails"), self._reasons()),
             page.section(tr("Landmarks"), self._landmarks()),
+            page.section(tr("What radius and confidence are worth"), *self._roads()),
             page.section(tr("How far this can be trusted"), *trust(self.results)),
             page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], self.settings)),
         )
@@ -149,6 +152,13 @@ class AssessmentReport:
             [tr("Footprint"), tr("Reason"), tr("share of the ground")], rows, [2]
         )
 
+    def _roads(self) -> list[str]:
+        rows = []
+        for r in self.results:
+            found = road_summaries([*r.trials, *r.correlated.values()])
+            rows += road_rows(found, r.title() if len(self.results) > 1 else "")
+        return road_table(rows)
+
     def _landmarks(self) -> str:
         references = self.database.references
         rows = []
@@ -183,19 +193,28 @@ def trust(results: Sequence[AssessedFootprint]) -> list[str]:
     return [page.figure(chart, text.format(scores="; ".join(scores)))]
 
 
-def assumed(noise: LabelNoise, correlation: bool) -> str:
+def assumed(conditions: Conditions, correlation: bool) -> str:
     """The sentence of what was assumed."""
+    noise = conditions.noise
     text = tr(
-        "Assumed: a level camera; any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} "
-        "misnamed; edges off by {ragged:g} map units (standard deviation); no prior position; the ground as it is in "
-        "the database. A fix counts as right within 2 % of the footprint. Method: {method}."
+        "Assumed: any heading; {missed} of the landmarks missed, {invented} invented, {misnamed} misnamed, "
+        "{background} of the background misnamed; edges off by {ragged:g} map units (standard deviation), the map by "
+        "{displaced:g} along each axis with neighbors alike, each class by {shifted:g}; roofs leaning by {leaning}; "
+        "lens bent by {lens}; camera tilted by {tilt:g}°; no prior position. A fix counts as right "
+        "within 2 % of the footprint. Method: {method}."
     )
     method = tr("constellation, then map correlation") if correlation else tr("constellation alone")
     return text.format(
         missed=page.percent(noise.missed, 0),
         invented=page.percent(noise.spurious, 0),
         misnamed=page.percent(noise.mislabeled, 0),
+        background=page.percent(noise.background, 0),
         ragged=noise.jitter,
+        displaced=noise.displaced,
+        shifted=conditions.class_shift,
+        leaning=page.percent(noise.leaning),
+        lens=page.percent(conditions.lens),
+        tilt=conditions.tilt_deg,
         method=method,
     )
 

@@ -3,11 +3,36 @@
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 
 from ...core.labels.comparison import ClassMatch, LabelComparison
-from ..framework.class_biases import MeasuredShifts
+from ...core.landmarks.class_shifts import PIECE_PX
 from ..translation import tr
 from . import charts, page
+
+METER, PIXEL, MAP_UNIT = "m", "px", ""
+
+
+@dataclass(frozen=True)
+class ShiftRow:
+    """One class: its name, landmarks in both maps, shift along two axes, how exactly it is known, and its spread."""
+
+    name: str
+    pairs: int
+    along: tuple[float, float]
+    deviation: float
+    spread: float | None
+
+
+@dataclass(frozen=True)
+class MeasuredShifts:
+    """Of all classes with enough landmarks; ``unit``: meters where the CRS is metric, pixels without a georeference,
+    where the axes are the image's (``in_image``: right, down) instead of the map's (east, north)."""
+
+    rows: tuple[ShiftRow, ...]
+    unit: str
+    in_image: bool
+    piece_px: int = PIECE_PX
 
 
 def comparison_html(

@@ -10,9 +10,12 @@ from typing import Any, Callable
 from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING
 from ...core.evaluation.rates import Rate, RateAt
 from ...core.evaluation.summary import (
+    HELD_SHARES,
+    RoadSummary,
     noise_rates,
     of_method,
     reliability,
+    road_summaries,
     success_by_landmarks,
     success_by_offset,
     summarize,
@@ -52,6 +55,14 @@ FIELDS = (
     ("distance", "real"),
     ("log_odds", "real"),
     ("reason", "text"),
+    ("background", "real"),
+    ("displaced", "real"),
+    ("shifted", "real"),
+    ("leaning", "real"),
+    ("lens", "real"),
+    ("tilt", "real"),
+    ("road", "text"),
+    ("radius_ratio", "real"),
 )
 """Columns of the trials as a layer, with their types."""
 
@@ -102,6 +113,14 @@ def values_of(trial: Trial, wording: Callable[[Sentence], str] = english) -> dic
         "ragged": query.noise.jitter,
         "landmarks": trial.landmarks,
         **{name: known[name] for name in ("references", "inliers", "distance", "log_odds", "reason")},
+        "background": 100 * query.noise.background,
+        "displaced": query.noise.displaced,
+        "shifted": query.shifted,
+        "leaning": 100 * query.noise.leaning,
+        "lens": 100 * view.lens,
+        "tilt": view.tilt_deg,
+        "road": trial.result.method.key,
+        "radius_ratio": trial.radius_ratio,
     }
 
 
@@ -110,8 +129,15 @@ def _method(trials: Sequence[Trial], method: str) -> dict[str, Any]:
     values = {name: _rate(value) if isinstance(value, Rate) else value for name, value in vars(summary).items()}
     values["success_by_offset"] = [_rate_at(one) for one in success_by_offset(trials, method)]
     values["success_by_landmarks"] = [_rate_at(one) for one in success_by_landmarks(trials, method)]
+    values["roads"] = [_road(one) for one in road_summaries(of_method(trials, method, MAP, MIRRORED))]
     values["reliability"] = [_rate_at(one) for one in reliability(trials, method)]
     return values
+
+
+def _road(one: RoadSummary) -> dict[str, Any]:
+    held = {f"held_{100 * share:.0f}": _rate(rate) for share, rate in zip(HELD_SHARES, one.held)}
+    values = {name: getattr(one, name) for name in ("told", "calibration_error", "median_radius", "median_error")}
+    return {"road": one.road.key, "right": _rate(one.right), **values, **held}
 
 
 def _rate(rate: Rate) -> dict[str, Any]:

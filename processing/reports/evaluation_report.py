@@ -7,13 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...core.evaluation.evaluation import NOISE_LEVELS, ROTATION, SCALING
+from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING
 from ...core.evaluation.summary import (
     MethodSummary,
     error_curve,
     noise_rates,
     of_method,
     reliability,
+    road_summaries,
     success_by_landmarks,
     success_by_offset,
     summarize,
@@ -24,6 +25,7 @@ from ..translation import tr
 from ..wording.sentences import worded
 from . import charts, page
 from .charts import Series, rate_series
+from .roads import road_rows, road_table
 
 
 @dataclass(frozen=True)
@@ -64,6 +66,7 @@ class EvaluationReport:
             page.section(
                 tr("What the confidence is worth"), page.columns(self._reliability_chart(), self._statuses(summaries))
             ),
+            page.section(tr("What radius and confidence are worth"), *self._roads()),
             page.section(
                 tr("Scale (Table 4 of He & Wu 2025)"),
                 page.paragraph(
@@ -175,6 +178,14 @@ class EvaluationReport:
         )
         caption = tr("On the diagonal a confidence means what it says; below it promises too much.")
         return page.figure(chart, caption)
+
+    def _roads(self) -> list[str]:
+        """Mirrored images' fixes count, which can't be right."""
+        rows = []
+        for method, title in self.methods.items():
+            found = road_summaries(of_method(self.trials, method, MAP, MIRRORED))
+            rows += road_rows(found, title if len(self.methods) > 1 else "")
+        return road_table(rows)
 
     def _statuses(self, summaries: Sequence[MethodSummary]) -> str:
         found = [status for status in Status if any(status.key in s.statuses for s in summaries)]

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...core.assessment.assessment import Estimates
 from ...core.assessment.route import Gap, RoutePoints, ShiftHint
-from ...core.simulation.noise import LabelNoise
+from ...core.simulation.conditions import Conditions
 from ..translation import tr
 from . import page
 from .assessment_report import assumed, reason_titles
@@ -39,7 +39,7 @@ class AssessedRoute:
 def route_html(
     route: AssessedRoute,
     name: str,
-    noise: LabelNoise,
+    conditions: Conditions,
     correlation: bool,
     settings: Sequence[tuple[str, str]],
 ) -> str:
@@ -57,7 +57,7 @@ def route_html(
         tr("Assessment of a route"),
         name,
         _key_figures(route),
-        page.paragraph(assumed(noise, correlation)),
+        page.paragraph(assumed(conditions, correlation)),
         page.section(tr("Profile"), *profiles),
         page.section(tr("Stretches without an expected fix"), *_gap_table(route)),
         page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], settings)),

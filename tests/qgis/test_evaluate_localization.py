@@ -17,7 +17,8 @@ EVALUATE = "semref:evaluatelocalization"
 SIZE, STRIDE = 160, 40
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = scattered_objects(420, 480, 260, seed=21)
-CLEAN = {"MISSED": "0,0", "INVENTED": "0,0", "MISNAMED": "0,0", "RAGGED": "0,0"}
+CLEAN = dict.fromkeys(("MISSED", "INVENTED", "MISNAMED", "RAGGED", "BACKGROUND", "DISPLACED", "SHIFTED"), "0,0")
+CLEAN |= dict.fromkeys(("LEANING", "LENS", "TILT"), "0,0")
 BOTH = [0, 1]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sys
 
 import numpy as np
@@ -10,6 +11,9 @@ from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raste
 from made_models import metadata, painted, write_model, writer
 from osgeo import ogr
 from qgis.core import QgsProcessingException
+
+from semref.core.segmentation.onnx_file import with_metadata
+from semref.storage.rasters import stated_biases
 
 LOCALIZE = "semref:localizeimages"
 SIZE = 160
@@ -130,3 +134,56 @@ def test_a_model_without_class_names_is_refused_without_a_key_that_is_not_there(
         localize([photo], MODEL=str(nameless))
     assert "does not name its classes (metadata key class_names); choose a model that does" in str(error.value)
     assert "CLASS_TABLE" not in str(error.value)
+
+
+@pytest.fixture
+def off_by(folder, tmp_path):
+    """A model that states how far off it shows each class; east and north, meters."""
+
+    def make(east, north, **more):
+        stated = {name: {"east": east, "north": north, "spread": 0.1, **more} for name in CLASSES[1:]}
+        path = tmp_path / "off.onnx"
+        path.write_bytes(with_metadata((folder / "colors.onnx").read_bytes(), "class_bias", json.dumps(stated)))
+        return str(path)
+
+    return make
+
+
+@pytest.fixture
+def photo(tmp_path):
+    labels = turned_view(LABELS, SIZE, 300, 250, 33)
+    return write_raster(tmp_path / "photo.tif", photo_of(labels), transform=None)
+
+
+def position(row):
+    return np.array([row["x"], row["y"]])
+
+
+# Landmarks that are shown too far east put the image too far west.
+
+
+def test_a_models_bias_is_taken_off_and_without_one_the_radius_is_larger(localize, off_by, photo):
+    (silent,) = localize([photo])
+    (stated,) = localize([photo], MODEL=off_by(2.0, -1.0))
+    np.testing.assert_allclose(position(stated) - position(silent), [2.0, -1.0], atol=0.1)
+    assert silent["error_95"] > 1 and stated["error_95"] < silent["error_95"]
+    assert "classes" in silent["reason"]
+
+
+def test_a_bias_of_shadows_turns_with_the_sun(localize, off_by, photo):
+    (silent,) = localize([photo])
+    (turned,) = localize([photo], MODEL=off_by(0.0, 2.0, sun=180), SUN_DIRECTION=270)
+    np.testing.assert_allclose(position(turned) - position(silent), [2.0, 0.0], atol=0.1)
+    (unknown,) = localize([photo], MODEL=off_by(0.0, 2.0, sun=180))
+    np.testing.assert_allclose(position(unknown), position(silent), atol=0.1)
+    assert unknown["error_95"] > silent["error_95"] > turned["error_95"]
+
+
+def test_a_label_map_carries_the_bias_of_the_network_that_made_it(run_algorithm, localize, off_by, photo, tmp_path):
+    labels = str(tmp_path / "labels.tif")
+    run_algorithm("semref:segmentimage", {"INPUT": str(photo), "MODEL": off_by(2.0, -1.0), "OUTPUT": labels})
+    (from_photo,) = localize([photo], MODEL=off_by(2.0, -1.0), LABELS=str(tmp_path / "kept"))
+    kept = str(tmp_path / "kept" / "photo.tif")
+    (again,) = localize([kept], MODEL=None)
+    assert [again[key] for key in ("x", "y", "error_95")] == [from_photo[key] for key in ("x", "y", "error_95")]
+    assert json.loads(stated_biases(labels)) == json.loads(stated_biases(kept)) != {}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -25,6 +25,7 @@ from semref.storage.sample_files import grid_of, rasterize
 FIRST_SEED = 31
 """Of landscapes that the shipped network was not trained on."""
 
+SOUTH_DEG = 180.0
 COLUMNS = ("photo", "class", "pairs, pieces", "east, north", "toward the sun", "known to", "spread")
 QUALITY = [cv2.IMWRITE_JPEG_QUALITY, 85]
 
@@ -82,7 +83,7 @@ def _tile_scenes(run: inputs.Run) -> Iterator[Scene]:
 def _measured(model_path: str, table: ClassTable, scenes: Iterator[Scene]) -> list[list[str]]:
     model = SegmentationModel(model_path, 1)
     values = model.classes.values_in(table, model_path)
-    every, rows = [], []
+    every, turned, rows = [], [], []
     for scene in scenes:
         predicted = PhotoLabels(model, ArrayImage(scene.photo_hw3), values).found()
         pieces = []
@@ -91,10 +92,14 @@ def _measured(model_path: str, table: ClassTable, scenes: Iterator[Scene]) -> li
                 part = np.s_[top : top + PIECE_PX, left : left + PIECE_PX]
                 pieces += piece_shifts(scene.labels_hw[part], predicted[part], table.reference_values)
         every += pieces
+        if scene.sun_deg is not None:
+            turn = complex(np.exp(1j * np.radians(SOUTH_DEG - scene.sun_deg)))
+            turned += [replace(piece, shift=turn * piece.shift) for piece in pieces]
         rows += _rows(scene.name, table, pieces, scene.pixel_m, scene.sun_deg)
         print("  " + "\n  ".join(" | ".join(row) for row in rows[-3:]), file=sys.stderr, flush=True)
         pixel_m = scene.pixel_m
-    return [*rows, *_rows("all", table, every, pixel_m, None)]
+    rows += _rows("all", table, every, pixel_m, None)
+    return [*rows, *_rows("all, turned so that the sun is in the south", table, turned, pixel_m, SOUTH_DEG)]
 
 
 def _rows(name: str, table: ClassTable, pieces: list, pixel_m: float, sun_deg: float | None) -> list[list[str]]:

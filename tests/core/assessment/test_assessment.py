@@ -8,6 +8,7 @@ import pytest
 from semref.core.assessment.assessment import REASONS, Assessment
 from semref.core.assessment.cells import ground_cells
 from semref.core.assessment.summary import brier_score
+from semref.core.simulation.conditions import Conditions
 from semref.core.simulation.noise import USUAL
 
 FOOTPRINT = 250.0
@@ -16,7 +17,7 @@ FOOTPRINT = 250.0
 @pytest.fixture(scope="module")
 def assessed(assessed_database, localizer):
     """Cells, trials and estimates of the made map under the usual noise, and their assessment."""
-    assessment = Assessment(assessed_database, localizer, FOOTPRINT, USUAL, seed=1)
+    assessment = Assessment(assessed_database, localizer, FOOTPRINT, Conditions(USUAL), seed=1)
     cells = ground_cells(assessed_database, 100.0)
     trials = [assessment.run(query) for query in assessment.plan(cells.centers, cells.size, 100)]
     return cells, trials, assessment.estimate(cells.centers, trials, spread=cells.size), assessment
@@ -54,7 +55,7 @@ def test_predictions_from_the_other_trials_come_true(assessed):
 
 def test_the_same_seed_gives_the_same_assessment_and_another_one_another(assessed_database, localizer, assessed):
     cells, trials, _, _ = assessed
-    again, other = (Assessment(assessed_database, localizer, FOOTPRINT, USUAL, seed) for seed in (1, 2))
+    again, other = (Assessment(assessed_database, localizer, FOOTPRINT, Conditions(USUAL), seed) for seed in (1, 2))
     queries = again.plan(cells.centers, cells.size, 100)
     assert queries == [trial.query for trial in trials]
     positions = [again.run(query).result.position for query in queries[:10]]

@@ -16,6 +16,7 @@ from semref.core.evaluation.evaluation import (
     ROTATIONS_DEG,
     SCALES,
     SCALING,
+    SHARED,
     Evaluation,
     TrialRanges,
 )
@@ -238,3 +239,26 @@ def test_methods_on_a_made_map_behave_as_they_must(evaluate):
     trials = [t for query in between.trials(6, 6) for t in between.run(query, both)]
     assert summarize(trials, Method.CONSTELLATION).right.share > summarize(trials, Method.TOPOLOGY_VECTOR).right.share
     assert summarize(trials, Method.CONSTELLATION).false_accepts == Rate(0, 6)
+
+
+def test_what_landmarks_share_is_drawn_from_its_ranges(evaluate):
+    ranges = dict.fromkeys(SHARED, (1.0, 2.0))
+    queries = list(evaluate(**ranges).trials(60, 0))
+    found = {
+        "background": [100 * q.noise.background for q in queries],
+        "displaced": [q.noise.displaced for q in queries],
+        "shifted": [np.hypot(*q.noise.class_shifts[0][1:]) for q in queries],
+        "leaning": [100 * q.noise.leaning for q in queries],
+        "lens": [100 * abs(q.view.lens) for q in queries],
+        "tilt": [q.view.tilt_deg for q in queries],
+    }
+    assert set(found) == set(SHARED)
+    for name, values in found.items():
+        assert 1 <= min(values) < 1.2 and 1.8 < max(values) <= 2, name
+    assert [q.shifted for q in queries] == pytest.approx(found["shifted"])
+
+
+def test_shared_errors_leave_images_where_they_were(evaluate):
+    plain, shared = (list(evaluate(**ranges).trials(5, 2)) for ranges in ({}, {"displaced": (1.0, 1.0)}))
+    assert [q.view.position for q in plain] == [q.view.position for q in shared]
+    assert [q.noise.missed for q in plain] == [q.noise.missed for q in shared]

@@ -1,5 +1,7 @@
 """Summaries: what is counted is counted of the trials it belongs to."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -21,6 +23,7 @@ from semref.core.evaluation.summary import (
     noise_rates,
     percentile,
     reliability,
+    road_summaries,
     success_by_landmarks,
     success_by_offset,
     summarize,
@@ -98,3 +101,20 @@ def test_shares_of_errors_are_counted_in_the_ellipses_of_50_95_and_99_percent():
     # In units of the 95 % ellipse, 50 % reach 0.481 and 99 % 1.240.
     tried = [trial(ratio=ratio) for ratio in (0.4, 0.9, 1.2, 1.3)]
     assert [rate.successes for rate in held_shares(tried)] == [1, 2, 3]
+
+
+def test_a_road_is_the_method_that_gave_the_fix():
+    stars = [trial(right=n > 0, confidence=0.95, ratio=0.3 * n) for n in range(4)]
+    areas = [
+        replace(one, result=replace(one.result, method=Method.MAP_CORRELATION, confidence=0.6))
+        for one in (trial(ratio=2.0), trial(right=False))
+    ]
+    first, second = road_summaries([*areas, *stars, trial(status="no_match")])
+    assert (first.road, second.road) == (Method.CONSTELLATION, Method.MAP_CORRELATION)
+    assert first.right == Rate(3, 4) and first.told == pytest.approx(0.95)
+    assert first.calibration_error == pytest.approx(0.2) and second.calibration_error == pytest.approx(0.1)
+    assert [rate.successes for rate in first.held] == [1, 3, 3] and second.held[1] == Rate(0, 1)
+
+
+def test_without_fixes_there_is_no_road():
+    assert road_summaries([trial(status="ambiguous")]) == []

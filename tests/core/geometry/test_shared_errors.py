@@ -142,3 +142,23 @@ def test_of_very_many_landmarks_so_many_are_used_from_first_to_last():
     assert len(thinned.image) == 200 and thinned.image[[0, -1]].tolist() == [0, count - 1]
     assert len(np.unique(thinned.classes)) == 200
     assert all_of_them.thinned(count) is all_of_them
+
+
+def test_what_nobody_states_of_a_network_is_added_once_for_all_its_classes():
+    rng = np.random.default_rng(6)
+    points = rng.uniform(-550, 550, (120, 2)) @ (1, 1j)
+    on_map = TRUE.on_map(points) + complex_normal(rng, 120, 0.5)
+    first = Pose(*(complex(v) for v in fit_similarity(points, on_map, np.ones(120))))
+
+    def part(classes, **known):
+        matched = MatchedPoints(
+            points, on_map, np.full(120, 0.7), (np.arange(120) % classes).astype(np.uint8), DIAGONAL
+        )
+        return refined_pose(matched, first, SharedErrors(0.0, **known))[1].part(CLASSES)
+
+    one, six = part(1, class_spread=0.5), part(6, class_spread=0.5)
+    assert one == pytest.approx(2.4477 * 0.5, rel=0.05)
+    # Half of the variance is alike in all classes, the other half averages out over six.
+    assert six == pytest.approx(2.4477 * 0.5 * (0.5 + 0.5 / 6) ** 0.5, rel=0.1)
+    stated = tuple(ClassBias(value, spread=0.05) for value in range(6))
+    assert part(6, class_spread=0.5, class_biases=stated) < 0.2

@@ -133,3 +133,11 @@ def test_image_coordinates_undo_a_lens():
     np.testing.assert_allclose(
         image_coordinates(view, np.column_stack(map_coordinates(view, *pixels.T))), pixels, atol=1e-4
     )
+
+
+@pytest.mark.parametrize("changes", [{}, {"lens": 0.02}, {"is_mirrored": True}])
+def test_image_coordinates_undo_a_tilt(changes):
+    view = View(700_100.0, 5_199_900.0, 25.0, 1.5, 640, 480, tilt_deg=12.0, tilt_direction_deg=200.0, **changes)
+    pixels = np.random.default_rng(1).uniform((0, 0), (640, 480), (50, 2))
+    found = image_coordinates(view, np.column_stack(map_coordinates(view, *pixels.T)))
+    np.testing.assert_allclose(found, pixels, atol=1e-3)
