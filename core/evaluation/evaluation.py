@@ -19,7 +19,7 @@ from ..geometry.frame import MapFrame
 from ..labels.sources import LabelSource
 from ..localization import Localization, Method
 from ..localizer.localizer import Localizer
-from ..simulation.conditions import Conditions
+from ..simulation.conditions import LARGEST_LENS, LARGEST_TILT_DEG, Conditions
 from ..simulation.label_errors import spoil_labels
 from ..simulation.noise import LabelNoise
 from ..simulation.views import View, cut
@@ -49,9 +49,6 @@ NOISE_LEVELS = (0.0, 20.0, 40.0, 60.0)
 
 TABLE_WINDOWS = 3
 """Windows that are scaled and turned for the two tables."""
-
-LARGEST_LENS, LARGEST_TILT_DEG = 10.0, 30.0
-"""Percent and degrees: no map could be read from beyond."""
 
 LARGEST_IMAGE_PX = 2000
 """Edge of a query; larger windows are shown with larger pixels."""

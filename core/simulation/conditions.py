@@ -11,6 +11,9 @@ import numpy as np
 from .noise import DISPLACED_M, USUAL, LabelNoise
 from .views import View
 
+LARGEST_LENS, LARGEST_TILT_DEG = 10.0, 30.0
+"""Percent and degrees: no map could be read from beyond."""
+
 
 @dataclass(frozen=True)
 class Conditions:

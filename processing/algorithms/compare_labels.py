@@ -11,7 +11,6 @@ from ..compat import POLYGON
 from ..framework import offers
 from ..framework.annotation import geometry_of
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.class_biases import measured_shifts, model_with_biases, say_shifts
 from ..framework.declarations import FileOutput, Number, NumberResult, PolygonOutput, RasterLayer
 from ..translation import tr
 
@@ -121,6 +120,7 @@ class CompareLabels(SemRefAlgorithm):
         from ...core.labels.comparison import LabelComparison
         from ...storage.comparing import DisagreementMap, LabelMapPair
         from ..exchange.layers import require_one_crs
+        from ..framework.class_biases import measured_shifts, say_shifts
         from ..reports.comparison_report import comparison_html
 
         require_one_crs(*self._layers)
@@ -147,6 +147,8 @@ class CompareLabels(SemRefAlgorithm):
 
     def _write_model(self, values: Values, outputs: Outputs, shifts: MeasuredShifts) -> None:
         """The copy of the model, where it is wanted."""
+        from ..framework.class_biases import model_with_biases
+
         if outputs.wants(self.MODEL_OUTPUT):
             sun_deg = values.optional_number(self.SUN_DIRECTION)
             content = model_with_biases(values.file(self.MODEL), shifts, sun_deg)

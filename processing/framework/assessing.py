@@ -9,9 +9,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...core.errors import DatabaseError, ParameterError
-from ...core.evaluation.evaluation import LARGEST_LENS, LARGEST_TILT_DEG
 from ...core.localization import Method, Status
-from ...core.simulation.conditions import ASSUMED
+from ...core.simulation.conditions import ASSUMED, LARGEST_LENS, LARGEST_TILT_DEG
 from ..translation import tr
 from ..wording.sentences import worded
 from . import offers
