@@ -6,7 +6,6 @@ what stays is the network's own.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Callable
 
@@ -18,7 +17,6 @@ from ..core.landmarks.class_shifts import ClassShift, PieceShift, class_shifts, 
 QUARTERS = 4
 MOST_TILES = 100
 """Every one is shown to the network four times."""
-
 
 
 @dataclass(frozen=True)
