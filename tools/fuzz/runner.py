@@ -111,6 +111,9 @@ def _batch(door: Door, seed: int, first: int, last: int) -> tuple[Tally, int, st
         for line in results.read_text(encoding="utf-8").splitlines() if results.exists() else ():
             outcomes, finds = json.loads(line)
             tally = Tally(Counter(outcomes), finds)
+        if death and tally.finds:
+            # It could still say why.
+            death = "\n".join(text for _, text in tally.finds.values())
         return tally, reached, death
     finally:
         shutil.rmtree(folder, ignore_errors=True)

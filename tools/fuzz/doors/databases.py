@@ -27,13 +27,17 @@ _OTHERS = ("gpkg_contents", "gpkg_geometry_columns", "gpkg_spatial_ref_sys", "gp
 def made_database(folder: Path) -> bytes:
     """A small database as this version writes it: a corner of the map of tests/data/onboard_blobs.py."""
     from onboard_blobs import FRAME, MAP, TABLE
+    from osgeo import osr
 
     from semref.core.database.build import BuildSettings, DatabaseBuilder
     from semref.core.labels.sources import ArrayLabels
     from semref.storage.database.writer import DatabaseWriter
 
     labels = ArrayLabels(np.ascontiguousarray(MAP[:70, :90]))
-    frame = replace(FRAME, shape_hw=(70, 90)) if hasattr(FRAME, "shape_hw") else FRAME
+    crs = osr.SpatialReference()
+    crs.ImportFromEPSG(32632)
+    # The blobs' own CRS has a name only, which newer PROJ refuses to write.
+    frame = replace(FRAME, shape_hw=(70, 90), crs=crs.ExportToWkt())
     builder = DatabaseBuilder(labels, frame, TABLE, BuildSettings(80.0, 40.0, minimum_area=28.0), "1.2.3")
     for _ in builder.steps():
         pass
