@@ -11,7 +11,7 @@ from osgeo import gdal, gdal_array, ogr, osr
 
 from ...core.database.model import ReferenceDatabase
 from ...core.errors import DatabaseError
-from ..gdal_errors import gdal_failure
+from ..gdal_errors import gdal_failure, gdal_failures
 from ..label_map_file import set_class_colors
 from . import schema
 from .reader import leave_wal, store_checksums
@@ -146,10 +146,12 @@ class DatabaseWriter:
         band = memory.GetRasterBand(1)
         set_class_colors(band, self._database.class_table)
         options = ["APPEND_SUBDATASET=YES", f"RASTER_TABLE={schema.OVERVIEW}", "TILE_FORMAT=PNG"]
-        written = gdal.GetDriverByName("GPKG").CreateCopy(self._path, memory, options=options)
-        if written is None:
-            raise DatabaseError("storage.overview_unwritable", reason=gdal_failure())
-        schema.close(written)
+        is_made = False
+        with gdal_failures() as failures:
+            # Not kept: GDAL writes its last tables when it lets go of the file.
+            is_made = gdal.GetDriverByName("GPKG").CreateCopy(self._path, memory, options=options) is not None
+        if failures or not is_made:
+            raise DatabaseError("storage.overview_unwritable", reason=failures[0] if failures else gdal_failure())
 
 
 def _square_wkb(left: float, bottom: float, right: float, top: float) -> bytes:

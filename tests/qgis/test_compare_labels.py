@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import sys
 
 import numpy as np
 import pytest
+from full_disks import files_of_at_most
 from made_inputs import NORTH, WEST, scattered_objects, write_raster
 from made_models import write_model
 from osgeo import ogr
@@ -193,19 +193,6 @@ def test_a_photo_is_no_prediction(compare, tmp_path):
         compare(write_raster(tmp_path / "a.tif", LABELS), photo)
 
 
-@contextlib.contextmanager
-def _files_of_at_most(size):
-    """Lets no file grow past ``size`` bytes, as a disk that is full then."""
-    import resource
-
-    before = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, before)
-
-
 @pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
 def test_where_there_is_no_room_for_its_polygons_it_says_so(tmp_path):
     """GDAL takes back all rows where a commit finds the disk full; that was read as maps that agree everywhere."""
@@ -218,7 +205,7 @@ def test_where_there_is_no_room_for_its_polygons_it_says_so(tmp_path):
     for size in (*range(0, 600_000, 60_000), 5_000_000):
         with DisagreementMap(pair) as disagreements:
             try:
-                with _files_of_at_most(size):
+                with files_of_at_most(size):
                     disagreements.write_rows(0, noise.astype(np.uint16))
                     disagreements.outline(lambda share: True)
                 outcomes.append(len(disagreements.ranked(0)))

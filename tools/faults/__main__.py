@@ -11,7 +11,9 @@ Ends with 1 where that is not so; ``--write`` puts the table into docs/reliabili
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import datetime
+import json
 import os
 import platform
 import shutil
@@ -33,6 +35,13 @@ from faults import command_line, page, readers, trials  # noqa: E402
 from faults.writers import make_quick, tried_writers  # noqa: E402
 
 
+def _kept(path: Path | None) -> dict[str, trials.Row]:
+    """Rows of earlier runs, by writer."""
+    if path is None or not path.exists():
+        return {}
+    return {row["name"]: trials.Row(**row) for row in json.loads(path.read_text(encoding="utf-8"))}
+
+
 def _told(options: argparse.Namespace, seconds: float) -> str:
     """By which command, when, of which commit and on what machine the table came about."""
     given = f"--kills {options.kills} --disks {options.disks} --most-steps {options.most_steps} --seed {options.seed}"
@@ -51,13 +60,14 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", nargs="*", default=[], metavar="WRITER")
     parser.add_argument("--folder", type=Path, help="empty one to work in (default: a temporary one)")
+    parser.add_argument("--results", type=Path, help="JSON that keeps the rows; a later run leaves out who is in it")
     parser.add_argument("--write", action="store_true", help="put the table into docs/reliability.md")
     options = parser.parse_args()
     folder = options.folder or Path(tempfile.mkdtemp())
     folder.mkdir(exist_ok=True)
     from qgis_session import qgis_session
 
-    started, rows, finds, failed = time.monotonic(), [], [], []
+    started, failed = time.monotonic(), []
     with qgis_session() as provider:
         make_quick()
         from osgeo import gdal
@@ -65,22 +75,23 @@ def main() -> int:
 
         print(f"QGIS {Qgis.QGIS_VERSION}, GDAL {gdal.__version__}, {platform.platform()}", flush=True)
         plan = trials.Plan(options.kills, options.disks, options.most_steps, options.seed)
-        for writer in tried_writers(provider, folder, options.only, failed.append):
-            row = trials.all_of(writer, folder, plan)
-            rows.append(row)
-            finds += row.finds
-            print(row.line(), flush=True)
-            for find in row.finds:
-                print("   ", find, flush=True)
-        for other in (command_line.row, readers.row):
-            if options.only:
-                break
-            rows.append(other(provider, folder, plan))
-            finds += rows[-1].finds
-            print(rows[-1].line(), *rows[-1].finds, sep="\n    ", flush=True)
+        rows = _kept(options.results)
+
+        def add(row: trials.Row) -> None:
+            rows[row.name] = row
+            print(row.line(), *row.finds, sep="\n    ", flush=True)
+            if options.results:
+                stored = [dataclasses.asdict(row) for row in rows.values()]
+                options.results.write_text(json.dumps(stored, indent=1), encoding="utf-8")
+
+        for writer in tried_writers(provider, folder, options.only, failed.append, rows):
+            add(trials.all_of(writer, folder, plan))
+        for name, other in ((command_line.NAME, command_line.row), (readers.NAME, readers.row)):
+            if not options.only and name not in rows:
+                add(other(provider, folder, plan))
         print(*failed, sep="\n", flush=True)
-        finds += failed
-        table = page.table(rows, _told(options, time.monotonic() - started))
+        finds = [*failed, *(find for row in rows.values() for find in row.finds)]
+        table = page.table(list(rows.values()), _told(options, time.monotonic() - started))
         print(table, flush=True)
         if options.write:
             page.write(TOOLS.parent / "docs" / "reliability.md", table)

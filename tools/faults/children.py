@@ -18,7 +18,9 @@ from typing import Any
 LONGEST_S = 120.0
 """Who takes longer hangs."""
 
-_LOOK_EVERY_S = 0.0005
+_LOOK_EVERY_S, _LOOK_CLOSELY_EVERY_S = 0.004, 0.0005
+"""How often it is looked whether a child has ended, and whether the moment of its kill has come."""
+
 _EVENTS = ("open", "os.rename", "os.link", "os.remove", "os.rmdir", "os.mkdir", "os.truncate", "sqlite3.connect")
 """Python's audit events of what is done to files."""
 
@@ -104,7 +106,7 @@ def wait(child: int, answer: int, folder: Path, kill: Kill | None = None) -> End
         if now - started > LONGEST_S:
             hangs = True
             os.kill(child, signal.SIGKILL)
-        time.sleep(_LOOK_EVERY_S)
+        time.sleep(_LOOK_CLOSELY_EVERY_S if kill and kill.after_s is not None else _LOOK_EVERY_S)
     with contextlib.suppress(BlockingIOError):
         text += os.read(answer, 1 << 24)
     os.close(answer)

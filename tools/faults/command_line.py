@@ -13,6 +13,7 @@ from .children import Ending, Kill
 from .trials import Plan, Row
 from .writers import runner
 
+NAME = "python -m core localize, watch"
 _OLDER = b'{"image": "older"}\n'
 
 
@@ -20,7 +21,7 @@ def row(provider: Any, folder: Path, plan: Plan) -> Row:
     """Injects kills and full disks into both commands."""
     at, out = folder / "inputs" / "new", folder / "out"
     runner(provider)("exportonboard", {"DATABASE": str(at / "area.gpkg"), "OUTPUT": str(folder / "area.npz")})
-    found = Row("python -m core localize, watch")
+    found = Row(NAME)
     moments = random.Random(f"{plan.seed} core")
     for name, arguments in _commands(folder, at, out).items():
         sound = _Sound(name, arguments, out)

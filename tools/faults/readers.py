@@ -11,6 +11,7 @@ from .content import state
 from .trials import Plan, Row
 from .writers import runner
 
+NAME = "updatedatabase in place, read by two"
 _READERS = ("localizeimages", "describeimage", "exportonboard")
 """The last one writes all of a database into a file of its own."""
 
@@ -34,7 +35,7 @@ def read_while_updated(provider: Any, folder: Path, times: int) -> Row:
         run("updatedatabase", {**update, "LABELS": label})
         for name in _READERS:
             known[name].append(_read(run, name, at, area, shared / "known"))
-    found = Row("updatedatabase in place, read by two")
+    found = Row(NAME)
 
     def updates() -> int:
         done = 0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -69,7 +69,11 @@ def lay_out(writer: Writer, folder: Path, with_older: bool = True) -> None:
 
 
 def tried_writers(
-    provider: Any, folder: Path, wanted: list[str], failed: Callable[[str], None] | None = None
+    provider: Any,
+    folder: Path,
+    wanted: list[str],
+    failed: Callable[[str], None] | None = None,
+    known: Container[str] = (),
 ) -> Iterator[Writer]:
     """Each writer with what it writes.
 
@@ -78,6 +82,7 @@ def tried_writers(
         folder: An empty one to work in.
         wanted: Writers by name, all when empty.
         failed: Is told what is wrong with a writer that is left out.
+        known: Writers that are left out.
 
     Raises:
         KeyError: A writer has no inputs in ``cases``.
@@ -87,7 +92,7 @@ def tried_writers(
     for variant in VARIANTS:
         cases.make_inputs(inputs / variant, run)
     for name, (algorithm, parameters) in cases.all_parameters(provider, inputs).items():
-        if not wanted or name in wanted:
+        if name not in known and (not wanted or name in wanted):
             if algorithm == "makesample":
                 _picture_samples()
             is_model = "Model" in type(provider.algorithm(algorithm)).__name__

@@ -6,6 +6,7 @@ import contextlib
 import shutil
 import sqlite3
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -13,11 +14,13 @@ from built_database import (
     LAYERS,
     columns_of,
 )
+from full_disks import files_of_at_most
 from made_inputs import METRIC_CRS
 from osgeo import ogr
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
     QgsPalettedRasterRenderer,
+    QgsProcessingException,
     QgsRasterLayer,
     QgsSingleSymbolRenderer,
     QgsVectorLayer,
@@ -120,3 +123,22 @@ def test_the_overview_opens_colored_by_class(database, query):
     shown = {int(entry.value): entry.color.name() for entry in renderer.classes()}
     for value, color in query("SELECT value, color FROM classes"):
         assert shown[value] == color
+
+
+def _rows(path) -> dict[str, int]:
+    with contextlib.closing(sqlite3.connect(path)) as connection:
+        tables = connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'").fetchall()
+        return {name: connection.execute(f'SELECT count(*) FROM "{name}"').fetchone()[0] for (name,) in tables}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
+def test_a_disk_that_is_full_at_the_last_pages_is_told(build, label_map, database, tmp_path):
+    """GDAL writes its last tables when it lets go of a file; what fails then was told to nobody."""
+    size = Path(database).stat().st_size
+    for lacking in range(-4096, 7 * 4096, 4096):
+        target = tmp_path / f"{lacking}.gpkg"
+        with contextlib.suppress(QgsProcessingException):
+            with files_of_at_most(size - lacking):
+                build(label_map, DATABASE=str(target))
+            assert _rows(target) == _rows(database)
+    assert not list(tmp_path.glob("*.gpkg*"))[2:], "most of these had no room"
