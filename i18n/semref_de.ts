@@ -472,6 +472,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Annotationen prüfen und reparieren, das Beispielprojekt erstellen</translation>
   </message>
   <message>
+   <source>Checking torch…</source>
+   <translation>torch wird geprüft …</translation>
+  </message>
+  <message>
    <source>Checking {package}…</source>
    <translation>{package} wird geprüft…</translation>
   </message>
@@ -1304,6 +1308,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Von SemRef installiert</translation>
   </message>
   <message>
+   <source>Installing torch and what goes with it; this takes minutes…</source>
+   <translation>torch und was dazugehört wird installiert; das dauert Minuten …</translation>
+  </message>
+  <message>
    <source>Installing {package}…</source>
    <translation>{package} wird installiert…</translation>
   </message>
@@ -1604,6 +1612,14 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>MODEL_OUTPUT ist eine Kopie des Modells; das Netz als MODEL angeben.</translation>
   </message>
   <message>
+   <source>Make environment</source>
+   <translation>Umgebung anlegen</translation>
+  </message>
+  <message>
+   <source>Make it from a folder of wheels…</source>
+   <translation>Aus einem Ordner mit Wheels anlegen …</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>Beispielgebiet erzeugen</translation>
   </message>
@@ -1622,6 +1638,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>Erfindet ein Stück Land von 4 × 3 km, um SemRef daran auszuprobieren: seine Landbedeckung als Polygone (landcover.shp), deren Klassentabelle (classes.csv), ein Orthofoto und Fotos von beliebigen Stellen darüber, dazu die wahren Aufnahmeorte (photos.csv).
 
 Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
+  </message>
+  <message>
+   <source>Making an environment for training…</source>
+   <translation>Eine Umgebung zum Trainieren wird angelegt …</translation>
   </message>
   <message>
    <source>Making the sample area</source>
@@ -2272,6 +2292,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Verlässlichkeit der Konfidenz</translation>
   </message>
   <message>
+   <source>Remove environment</source>
+   <translation>Umgebung entfernen</translation>
+  </message>
+  <message>
    <source>Remove the selected images (Del)</source>
    <translation>Ausgewählte Bilder entfernen (Entf)</translation>
   </message>
@@ -2454,6 +2478,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>SemRef windows</source>
    <translation>SemRef-Fenster</translation>
+  </message>
+  <message>
+   <source>SemRef’s own environment</source>
+   <translation>SemRefs eigene Umgebung</translation>
   </message>
   <message>
    <source>Setting</source>
@@ -2802,6 +2830,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The edge of a square is {size:g}; give it in map units.</source>
    <translation>Die Kantenlänge eines Quadrats ist {size:g}; sie in Karteneinheiten angeben.</translation>
+  </message>
+  <message>
+   <source>The environment for training could not be filled: {reason}.</source>
+   <translation>Die Umgebung zum Trainieren konnte nicht gefüllt werden: {reason}.</translation>
+  </message>
+  <message>
+   <source>The environment is ready: {folder}</source>
+   <translation>Die Umgebung ist bereit: {folder}</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}; choose another one.</source>
@@ -3228,6 +3264,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Es gibt keine Datenbank {path}; eine erstellen oder eine andere Datei wählen.</translation>
   </message>
   <message>
+   <source>There is no environment for training yet.</source>
+   <translation>Es gibt noch keine Umgebung zum Trainieren.</translation>
+  </message>
+  <message>
    <source>There is no example: no ground was set aside.</source>
    <translation>Es gibt kein Beispiel: es wurde kein Gelände zurückgehalten.</translation>
   </message>
@@ -3308,8 +3348,16 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Topologievektor (He &amp; Wu 2025)</translation>
   </message>
   <message>
+   <source>Train a model on an orthophoto and polygons…</source>
+   <translation>Ein Modell an einem Orthofoto und Polygonen trainieren …</translation>
+  </message>
+  <message>
    <source>Train model</source>
    <translation>Modell trainieren</translation>
+  </message>
+  <message>
+   <source>Training</source>
+   <translation>Training</translation>
   </message>
   <message>
    <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
@@ -3606,6 +3654,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Ohne Datenbank: die Klassen. Ohne Angabe die, die das Klassenbild selbst mitbringt.</translation>
+  </message>
+  <message>
+   <source>Without graphics cards: about a fifth of the size</source>
+   <translation>Ohne Grafikkarten: etwa ein Fünftel der Größe</translation>
   </message>
   <message>
    <source>Without information</source>
@@ -4126,6 +4178,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>too little evidence</source>
    <translation>zu wenig Belege</translation>
+  </message>
+  <message>
+   <source>torch was installed, but can’t be used: {reason}; it was removed again.</source>
+   <translation>torch wurde installiert, kann aber nicht benutzt werden: {reason}; es wurde wieder entfernt.</translation>
   </message>
   <message>
    <source>training time</source>
@@ -4904,6 +4960,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{python} kann nicht gestartet werden ({reason}); ein anderes Python zum Trainieren wählen.</translation>
   </message>
   <message>
+   <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
+   <translation>{python} kann keine Umgebung anlegen ({reason}); unter Debian und Ubuntu python3-venv installieren, sonst ein anderes Python mit torch nennen.</translation>
+  </message>
+  <message>
    <source>{python} is no Python that can train; choose another one.</source>
    <translation>{python} ist kein Python, das trainieren kann; ein anderes wählen.</translation>
   </message>
@@ -5102,6 +5162,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{written} of {images} images are georeferenced.</source>
    <translation>{written} von {images} Bildern sind georeferenziert.</translation>
+  </message>
+  <message>
+   <source>“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it.</source>
+   <translation>„Modell trainieren“ braucht ein eigenes Python mit torch. SemRef kann eines im Profil anlegen: etwa 1,5 GB auf der Platte, bis zu 7 GB mit Unterstützung für NVIDIA-Grafikkarten. Oder ein Python nennen, das es hat.</translation>
   </message>
   <message>
    <source>“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.</source>

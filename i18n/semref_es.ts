@@ -472,6 +472,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Comprobar y reparar anotaciones, crear el proyecto de ejemplo</translation>
   </message>
   <message>
+   <source>Checking torch…</source>
+   <translation>Comprobando torch…</translation>
+  </message>
+  <message>
    <source>Checking {package}…</source>
    <translation>Comprobando {package}…</translation>
   </message>
@@ -1304,6 +1308,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Instalado por SemRef</translation>
   </message>
   <message>
+   <source>Installing torch and what goes with it; this takes minutes…</source>
+   <translation>Instalando torch y lo que necesita; tarda minutos…</translation>
+  </message>
+  <message>
    <source>Installing {package}…</source>
    <translation>Instalando {package}…</translation>
   </message>
@@ -1604,6 +1612,14 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>MODEL_OUTPUT es una copia del modelo; indique la red como MODEL.</translation>
   </message>
   <message>
+   <source>Make environment</source>
+   <translation>Crear entorno</translation>
+  </message>
+  <message>
+   <source>Make it from a folder of wheels…</source>
+   <translation>Crearlo desde una carpeta de wheels…</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>Crear zona de ejemplo</translation>
   </message>
@@ -1622,6 +1638,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>Inventa un terreno de 4 × 3 km para probar SemRef: sus polígonos de cobertura del suelo (landcover.shp), su tabla de clases (classes.csv), una ortofoto y fotos tomadas en cualquier punto sobre él, con el lugar real de cada toma (photos.csv).
 
 El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
+  </message>
+  <message>
+   <source>Making an environment for training…</source>
+   <translation>Creando un entorno para entrenar…</translation>
   </message>
   <message>
    <source>Making the sample area</source>
@@ -2272,6 +2292,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Fiabilidad de la confianza</translation>
   </message>
   <message>
+   <source>Remove environment</source>
+   <translation>Eliminar entorno</translation>
+  </message>
+  <message>
    <source>Remove the selected images (Del)</source>
    <translation>Quitar las imágenes seleccionadas (Supr)</translation>
   </message>
@@ -2454,6 +2478,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>SemRef windows</source>
    <translation>Ventanas de SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef’s own environment</source>
+   <translation>El entorno propio de SemRef</translation>
   </message>
   <message>
    <source>Setting</source>
@@ -2802,6 +2830,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The edge of a square is {size:g}; give it in map units.</source>
    <translation>El lado de un cuadrado es {size:g}; indíquelo en unidades del mapa.</translation>
+  </message>
+  <message>
+   <source>The environment for training could not be filled: {reason}.</source>
+   <translation>No se pudo llenar el entorno para entrenar: {reason}.</translation>
+  </message>
+  <message>
+   <source>The environment is ready: {folder}</source>
+   <translation>El entorno está listo: {folder}</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}; choose another one.</source>
@@ -3228,6 +3264,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No hay ninguna base de datos {path}; cree una o elija otro archivo.</translation>
   </message>
   <message>
+   <source>There is no environment for training yet.</source>
+   <translation>Aún no hay un entorno para entrenar.</translation>
+  </message>
+  <message>
    <source>There is no example: no ground was set aside.</source>
    <translation>No hay ningún ejemplo: no se reservó terreno.</translation>
   </message>
@@ -3308,8 +3348,16 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Vector topológico (He &amp; Wu 2025)</translation>
   </message>
   <message>
+   <source>Train a model on an orthophoto and polygons…</source>
+   <translation>Entrenar un modelo con una ortofoto y polígonos…</translation>
+  </message>
+  <message>
    <source>Train model</source>
    <translation>Entrenar modelo</translation>
+  </message>
+  <message>
+   <source>Training</source>
+   <translation>Entrenamiento</translation>
   </message>
   <message>
    <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
@@ -3606,6 +3654,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Sin base de datos: las clases. Si se omite, las que lleva la propia imagen de etiquetas.</translation>
+  </message>
+  <message>
+   <source>Without graphics cards: about a fifth of the size</source>
+   <translation>Sin tarjetas gráficas: cerca de un quinto del tamaño</translation>
   </message>
   <message>
    <source>Without information</source>
@@ -4126,6 +4178,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>too little evidence</source>
    <translation>muy poca evidencia</translation>
+  </message>
+  <message>
+   <source>torch was installed, but can’t be used: {reason}; it was removed again.</source>
+   <translation>torch se instaló, pero no se puede usar: {reason}; se eliminó de nuevo.</translation>
   </message>
   <message>
    <source>training time</source>
@@ -4904,6 +4960,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{python} no se puede iniciar ({reason}); elija otro Python para entrenar.</translation>
   </message>
   <message>
+   <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
+   <translation>{python} no puede crear un entorno ({reason}); en Debian y Ubuntu instale python3-venv, en otros sistemas indique otro Python con torch.</translation>
+  </message>
+  <message>
    <source>{python} is no Python that can train; choose another one.</source>
    <translation>{python} no es un Python que pueda entrenar; elija otro.</translation>
   </message>
@@ -5102,6 +5162,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{written} of {images} images are georeferenced.</source>
    <translation>{written} de {images} imágenes están georreferenciadas.</translation>
+  </message>
+  <message>
+   <source>“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it.</source>
+   <translation>«Entrenar modelo» necesita un Python propio con torch. SemRef puede crear uno en su perfil: unos 1,5 GB en disco y hasta 7 GB con soporte de tarjetas gráficas NVIDIA. O indique un Python que lo tenga.</translation>
   </message>
   <message>
    <source>“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.</source>

@@ -472,6 +472,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Vérifier et réparer les annotations, créer le projet exemple</translation>
   </message>
   <message>
+   <source>Checking torch…</source>
+   <translation>Vérification de torch…</translation>
+  </message>
+  <message>
    <source>Checking {package}…</source>
    <translation>Vérification de {package}…</translation>
   </message>
@@ -1304,6 +1308,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Installé par SemRef</translation>
   </message>
   <message>
+   <source>Installing torch and what goes with it; this takes minutes…</source>
+   <translation>Installation de torch et de ce qui va avec ; cela prend des minutes…</translation>
+  </message>
+  <message>
    <source>Installing {package}…</source>
    <translation>Installation de {package}…</translation>
   </message>
@@ -1604,6 +1612,14 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>MODEL_OUTPUT est une copie du modèle ; donnez le réseau comme MODEL.</translation>
   </message>
   <message>
+   <source>Make environment</source>
+   <translation>Créer l’environnement</translation>
+  </message>
+  <message>
+   <source>Make it from a folder of wheels…</source>
+   <translation>Le créer depuis un dossier de wheels…</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>Créer une zone d’exemple</translation>
   </message>
@@ -1622,6 +1638,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>Invente un morceau de pays de 4 × 3 km pour essayer SemRef : ses polygones d’occupation du sol (landcover.shp), leur table de classes (classes.csv), une orthophoto et des photos prises n’importe où au-dessus, avec le lieu réel de chaque prise de vue (photos.csv).
 
 Le modèle livré avec SemRef sait lire ces photos.</translation>
+  </message>
+  <message>
+   <source>Making an environment for training…</source>
+   <translation>Création d’un environnement d’entraînement…</translation>
   </message>
   <message>
    <source>Making the sample area</source>
@@ -2272,6 +2292,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Fiabilité de la confiance</translation>
   </message>
   <message>
+   <source>Remove environment</source>
+   <translation>Supprimer l’environnement</translation>
+  </message>
+  <message>
    <source>Remove the selected images (Del)</source>
    <translation>Retirer les images sélectionnées (Suppr)</translation>
   </message>
@@ -2454,6 +2478,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>SemRef windows</source>
    <translation>Fenêtres SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef’s own environment</source>
+   <translation>L’environnement propre à SemRef</translation>
   </message>
   <message>
    <source>Setting</source>
@@ -2802,6 +2830,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The edge of a square is {size:g}; give it in map units.</source>
    <translation>Le côté d’un carré est de {size:g} ; donnez-le en unités de carte.</translation>
+  </message>
+  <message>
+   <source>The environment for training could not be filled: {reason}.</source>
+   <translation>L’environnement d’entraînement n’a pas pu être rempli : {reason}.</translation>
+  </message>
+  <message>
+   <source>The environment is ready: {folder}</source>
+   <translation>L’environnement est prêt : {folder}</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}; choose another one.</source>
@@ -3228,6 +3264,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a pas de base de données {path} ; créez-en une ou choisissez un autre fichier.</translation>
   </message>
   <message>
+   <source>There is no environment for training yet.</source>
+   <translation>Il n’y a pas encore d’environnement d’entraînement.</translation>
+  </message>
+  <message>
    <source>There is no example: no ground was set aside.</source>
    <translation>Il n’y a pas d’exemple : aucun terrain n’a été mis de côté.</translation>
   </message>
@@ -3308,8 +3348,16 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Vecteur topologique (He &amp; Wu 2025)</translation>
   </message>
   <message>
+   <source>Train a model on an orthophoto and polygons…</source>
+   <translation>Entraîner un modèle sur une orthophoto et des polygones…</translation>
+  </message>
+  <message>
    <source>Train model</source>
    <translation>Entraîner un modèle</translation>
+  </message>
+  <message>
+   <source>Training</source>
+   <translation>Entraînement</translation>
   </message>
   <message>
    <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
@@ -3606,6 +3654,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>Sans base de données : les classes. En cas d’omission, celles que l’image d’étiquettes porte elle-même.</translation>
+  </message>
+  <message>
+   <source>Without graphics cards: about a fifth of the size</source>
+   <translation>Sans cartes graphiques : environ un cinquième de la taille</translation>
   </message>
   <message>
    <source>Without information</source>
@@ -4126,6 +4178,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>too little evidence</source>
    <translation>trop peu d’indices</translation>
+  </message>
+  <message>
+   <source>torch was installed, but can’t be used: {reason}; it was removed again.</source>
+   <translation>torch a été installé, mais ne peut pas être utilisé : {reason} ; il a été supprimé.</translation>
   </message>
   <message>
    <source>training time</source>
@@ -4904,6 +4960,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{python} ne peut pas être démarré ({reason}) ; choisissez un autre Python pour l’entraînement.</translation>
   </message>
   <message>
+   <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
+   <translation>{python} ne peut pas créer d’environnement ({reason}) ; sous Debian et Ubuntu, installez python3-venv, ailleurs indiquez un autre Python avec torch.</translation>
+  </message>
+  <message>
    <source>{python} is no Python that can train; choose another one.</source>
    <translation>{python} n’est pas un Python qui puisse entraîner ; choisissez-en un autre.</translation>
   </message>
@@ -5102,6 +5162,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{written} of {images} images are georeferenced.</source>
    <translation>{written} images sur {images} sont géoréférencées.</translation>
+  </message>
+  <message>
+   <source>“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it.</source>
+   <translation>« Entraîner un modèle » a besoin d’un Python à lui, avec torch. SemRef peut en créer un dans votre profil : environ 1,5 Go sur le disque, et jusqu’à 7 Go avec la prise en charge des cartes graphiques NVIDIA. Ou indiquez un Python qui l’a.</translation>
   </message>
   <message>
    <source>“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.</source>

@@ -472,6 +472,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>检查和修复标注，制作示例工程</translation>
   </message>
   <message>
+   <source>Checking torch…</source>
+   <translation>正在检查 torch…</translation>
+  </message>
+  <message>
    <source>Checking {package}…</source>
    <translation>正在检查 {package}…</translation>
   </message>
@@ -1304,6 +1308,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>由 SemRef 安装</translation>
   </message>
   <message>
+   <source>Installing torch and what goes with it; this takes minutes…</source>
+   <translation>正在安装 torch 及其依赖；需要几分钟…</translation>
+  </message>
+  <message>
    <source>Installing {package}…</source>
    <translation>正在安装 {package}…</translation>
   </message>
@@ -1604,6 +1612,14 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>MODEL_OUTPUT 是模型的副本；请用 MODEL 给出网络。</translation>
   </message>
   <message>
+   <source>Make environment</source>
+   <translation>创建环境</translation>
+  </message>
+  <message>
+   <source>Make it from a folder of wheels…</source>
+   <translation>从 wheel 文件夹创建…</translation>
+  </message>
+  <message>
    <source>Make sample area</source>
    <translation>生成示例区域</translation>
   </message>
@@ -1622,6 +1638,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>虚构一块 4 × 3 km 的土地，用来试用 SemRef：土地覆盖多边形（landcover.shp）、类别表（classes.csv）、一幅正射影像，以及在其上空任意位置拍摄的照片和真实拍摄位置（photos.csv）。
 
 随 SemRef 提供的模型可以识别这些照片。</translation>
+  </message>
+  <message>
+   <source>Making an environment for training…</source>
+   <translation>正在创建训练环境…</translation>
   </message>
   <message>
    <source>Making the sample area</source>
@@ -2272,6 +2292,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>置信度的可靠性</translation>
   </message>
   <message>
+   <source>Remove environment</source>
+   <translation>删除环境</translation>
+  </message>
+  <message>
    <source>Remove the selected images (Del)</source>
    <translation>移除所选影像 (Del)</translation>
   </message>
@@ -2454,6 +2478,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>SemRef windows</source>
    <translation>SemRef 窗口</translation>
+  </message>
+  <message>
+   <source>SemRef’s own environment</source>
+   <translation>SemRef 自己的环境</translation>
   </message>
   <message>
    <source>Setting</source>
@@ -2802,6 +2830,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The edge of a square is {size:g}; give it in map units.</source>
    <translation>方格边长为 {size:g}；请以地图单位给出。</translation>
+  </message>
+  <message>
+   <source>The environment for training could not be filled: {reason}.</source>
+   <translation>无法填充训练环境：{reason}。</translation>
+  </message>
+  <message>
+   <source>The environment is ready: {folder}</source>
+   <translation>环境已就绪：{folder}</translation>
   </message>
   <message>
    <source>The extent for “{layer}” does not fit its CRS {crs}; choose another one.</source>
@@ -3228,6 +3264,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>没有数据库 {path}；请构建一个或选择其他文件。</translation>
   </message>
   <message>
+   <source>There is no environment for training yet.</source>
+   <translation>尚无训练环境。</translation>
+  </message>
+  <message>
    <source>There is no example: no ground was set aside.</source>
    <translation>没有示例：没有预留地面。</translation>
   </message>
@@ -3308,8 +3348,16 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>拓扑向量（He &amp; Wu 2025）</translation>
   </message>
   <message>
+   <source>Train a model on an orthophoto and polygons…</source>
+   <translation>用正射影像和多边形训练模型…</translation>
+  </message>
+  <message>
    <source>Train model</source>
    <translation>训练模型</translation>
+  </message>
+  <message>
+   <source>Training</source>
+   <translation>训练</translation>
   </message>
   <message>
    <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
@@ -3606,6 +3654,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Without a database: the classes. If left out, those that the label image itself carries.</source>
    <translation>没有数据库时：类别。若留空，则为标签影像自身所带的类别。</translation>
+  </message>
+  <message>
+   <source>Without graphics cards: about a fifth of the size</source>
+   <translation>不支持显卡：约五分之一的大小</translation>
   </message>
   <message>
    <source>Without information</source>
@@ -4126,6 +4178,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>too little evidence</source>
    <translation>证据不足</translation>
+  </message>
+  <message>
+   <source>torch was installed, but can’t be used: {reason}; it was removed again.</source>
+   <translation>torch 已安装但无法使用：{reason}；已将其删除。</translation>
   </message>
   <message>
    <source>training time</source>
@@ -4904,6 +4960,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>无法启动 {python}（{reason}）；请选择其他 Python 进行训练。</translation>
   </message>
   <message>
+   <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
+   <translation>{python} 无法创建环境（{reason}）；在 Debian 和 Ubuntu 上请安装 python3-venv，其他系统请指定另一个带 torch 的 Python。</translation>
+  </message>
+  <message>
    <source>{python} is no Python that can train; choose another one.</source>
    <translation>{python} 不是可用于训练的 Python；请另选一个。</translation>
   </message>
@@ -5102,6 +5162,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{written} of {images} images are georeferenced.</source>
    <translation>{images} 幅影像中有 {written} 幅已地理配准。</translation>
+  </message>
+  <message>
+   <source>“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it.</source>
+   <translation>“训练模型”需要带有 torch 的独立 Python。SemRef 可在您的配置文件夹中创建一个：磁盘占用约 1.5 GB，支持 NVIDIA 显卡时最多 7 GB。也可以指定已有 torch 的 Python。</translation>
   </message>
   <message>
    <source>“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.</source>

@@ -60,16 +60,17 @@ class DockEntry:
         self._help.triggered.connect(_open_user_guide)
         iface.addPluginToMenu(MENU, self._help)
         # Not the page's: it goes on when the options are closed.
-        self._installer = ComponentInstaller(window)
-        self._options = OptionsFactory(self._installer)
+        self._installer, self._training_installer = ComponentInstaller(window), ComponentInstaller(window)
+        self._options = OptionsFactory(self._installer, self._training_installer)
         iface.registerOptionsWidgetFactory(self._options)
         self._dock.helpAsked.connect(_open_user_guide)
         self._dock.installAsked.connect(self._show_options)
         self._options.changed.connect(self._dock.refresh_notice)
         for signal in (self._installer.installed, self._installer.failed, self._installer.canceled):
             signal.connect(self._dock.refresh_notice)
-        self._installer.failed.connect(self._dock.messages.error)
-        self._installer.broke.connect(self._dock.messages.bug)
+        for installer in (self._installer, self._training_installer):
+            installer.failed.connect(self._dock.messages.error)
+            installer.broke.connect(self._dock.messages.bug)
 
     def _open_sample(self) -> None:
         lacking = missing((OPENCV, SHAPELY))
@@ -89,10 +90,11 @@ class DockEntry:
     def remove(self) -> None:
         """Takes everything away again."""
         self._preload.stop()
-        self._installer.cancel()
+        for installer in (self._installer, self._training_installer):
+            installer.cancel()
+            installer.deleteLater()
         self._iface.unregisterOptionsWidgetFactory(self._options)
         self._options.deleteLater()
-        self._installer.deleteLater()
         self._iface.removePluginMenu(MENU, self._help)
         self._help.deleteLater()
         self._iface.removePluginMenu(MENU, self._sample_action)
@@ -110,7 +112,8 @@ class DockEntry:
         self._iface.removePluginMenu(MENU, self._action)
         self._iface.removeToolBarIcon(self._action)
         self._action.deleteLater()
-        self._dock = self._action = self._locator = self._help = self._options = self._installer = self._preload = None
+        self._dock = self._action = self._locator = self._help = self._options = self._installer = None
+        self._training_installer = self._preload = None
 
     def _show_options(self) -> None:
         self._iface.showOptionsDialog(self._iface.mainWindow(), PAGE)

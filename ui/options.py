@@ -16,11 +16,11 @@ class OptionsFactory(QgsOptionsWidgetFactory):
 
     changed = pyqtSignal()
 
-    def __init__(self, installer: ComponentInstaller) -> None:
+    def __init__(self, installer: ComponentInstaller, training_installer: ComponentInstaller) -> None:
         super().__init__("SemRef", QIcon(str(ICON_PATH)))
-        self._installer = installer
+        self._installer, self._training_installer = installer, training_installer
 
     def createWidget(self, parent=None) -> ComponentsPage:
-        page = ComponentsPage(self._installer, parent)
+        page = ComponentsPage(self._installer, self._training_installer, parent)
         page.removed.connect(self.changed)
         return page

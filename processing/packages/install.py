@@ -164,11 +164,7 @@ def _install(python: str, package: Package, folder: str, wheels: str) -> Command
     temporary.mkdir()
     requirement = package.requirement(np.__version__)
     title = tr("Installing {package}…").format(package=package.pip_name)
-    variables = {**_PIP_VARIABLES, **{name: str(temporary) for name in ("TMPDIR", "TEMP", "TMP")}}
-    proxy = proxy_url(QgsNetworkAccessManager.instance().fallbackProxy())
-    if proxy:
-        # In the environment: other users see command lines, and it may hold a password.
-        variables["PIP_PROXY"] = proxy
+    variables = pip_variables(str(temporary))
     asked = [requirement] if wheels else _with_hashes(package, temporary)
     pip = yield Command(title, python, pip_arguments(asked, folder, wheels), str(temporary), variables)
     if pip.status != 0:
@@ -179,7 +175,7 @@ def _install(python: str, package: Package, folder: str, wheels: str) -> Command
     check = yield Command(title, python, arguments, str(temporary), {"PYTHONDONTWRITEBYTECODE": "1"})
     if check.status != 0:
         raise ComponentError(
-            "packages.unusable", package=requirement, numpy=np.__version__, reason=_last_line(check.output)
+            "packages.unusable", package=requirement, numpy=np.__version__, reason=last_line(check.output)
         )
 
 
@@ -189,6 +185,16 @@ _PIP_VARIABLES = {
     "PIP_USER": "0",
     "PIP_REQUIRE_VIRTUALENV": "0",
 }
+
+
+def pip_variables(temporary: str) -> dict[str, str]:
+    """The environment of pip; ``temporary``: the folder in which it unpacks."""
+    variables = {**_PIP_VARIABLES, **dict.fromkeys(("TMPDIR", "TEMP", "TMP"), temporary)}
+    proxy = proxy_url(QgsNetworkAccessManager.instance().fallbackProxy())
+    if proxy:
+        # In the environment: other users see command lines, and it may hold a password.
+        variables["PIP_PROXY"] = proxy
+    return variables
 
 
 def _with_hashes(package: Package, temporary: Path) -> list[str]:
@@ -247,12 +253,16 @@ def why_pip_failed(requirement: str, output: str, wheels: str) -> Sentence:
         return Sentence("packages.no_wheel", folder=wheels, package=requirement, python=python)
     if "No matching distribution" in output:
         return Sentence("packages.not_in_index", package=requirement, python=python)
+    return Sentence("packages.pip_failed", package=requirement, reason=last_error(output))
+
+
+def last_error(output: str) -> str:
+    """What pip calls an error last, as part of a sentence."""
     errors = "\n".join(line for line in output.splitlines() if line.startswith("ERROR:"))
-    reason = _last_line(errors or output).replace("ERROR: ", "")
-    return Sentence("packages.pip_failed", package=requirement, reason=reason)
+    return last_line(errors or output).replace("ERROR: ", "")
 
 
-def _last_line(output: str) -> str:
+def last_line(output: str) -> str:
     """The last line that says something, as part of a sentence."""
     lines = [line.strip() for line in output.splitlines() if line.strip()]
     return lines[-1].rstrip(".") if lines else tr("it ended without a word")

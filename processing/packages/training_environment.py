@@ -5,14 +5,18 @@ torch never comes into QGIS's Python: it is large, and brings a numpy of its own
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import sys
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 from qgis.core import QgsApplication, QgsSettings
 
 from ...core.errors import ComponentError
+from ..translation import tr
+from .install import Answer, Command, Commands, last_error, last_line, pip_variables, python_candidates
 
 PYTHON_SETTING = "semref/options/training_python"
 REQUIREMENTS = Path(__file__).resolve().parents[2] / "training" / "requirements.txt"
@@ -64,6 +68,89 @@ def remove_environment() -> None:
         raise ComponentError("packages.not_removed", name=error.filename or folder) from error
 
 
-def mark_ready(version: str) -> None:
-    """Says that the environment is whole."""
-    (environment_folder() / _MARK).write_text(f"torch {version}, Python {sys.version}\n", encoding="utf-8")
+# --- making one ---
+
+
+def making_environment(wheels: str = "", without_graphics_card: bool = False) -> Commands:
+    """Makes SemRef's own environment, as ``install.installing`` does: commands out, answers in.
+
+    Args:
+        wheels: A folder of wheels to take everything from instead of the package index.
+        without_graphics_card: Whether torch comes from its makers' index of builds for processors alone, which are a
+            small part of the size on Linux.
+
+    Raises:
+        ComponentError: With the reason; nothing of the environment stays then.
+    """
+    folder = environment_folder()
+    remove_environment()
+    with _whole(folder):
+        base = yield from _base_python()
+        title = tr("Making an environment for training…")
+        made = yield Command(title, base, ["-m", "venv", str(folder)], str(folder.parent), _APART)
+        python = str(environment_python(folder))
+        if made.status != 0 or not os.path.isfile(python):
+            raise ComponentError("packages.no_venv", python=base, reason=last_line(made.output))
+        for arguments in _pip_runs(wheels, without_graphics_card):
+            yield from _install(python, folder, arguments)
+        title = tr("Checking torch…")
+        answer = yield Command(title, python, [str(REQUIREMENTS.parent)], str(folder), _APART)
+        if answer.status != 0:
+            raise ComponentError("packages.training_unusable", reason=last_line(answer.output))
+        (folder / _MARK).write_text(answer.output, encoding="utf-8")
+
+
+_APART = {"PYTHONHOME": "", "PYTHONPATH": "", "PYTHONDONTWRITEBYTECODE": "1"}
+"""QGIS leads its own Python by the first two, and another one astray."""
+
+_PROCESSOR_BUILDS = "https://download.pytorch.org/whl/cpu"
+"""torch's builds for processors alone, by its makers; the common index has those for NVIDIA's cards on Linux."""
+
+
+@contextlib.contextmanager
+def _whole(folder: Path) -> Iterator[None]:
+    """Removes the folder unless the block ends well."""
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    done = False
+    try:
+        yield
+        done = True
+    finally:
+        if not done:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _base_python() -> Generator[Command, Answer, str]:
+    """A Python that can make environments: QGIS's own, or one like it."""
+    tried = ("", "")
+    candidates = python_candidates(sys.executable or "", sys.prefix, sys.version_info[:2], os.name == "nt")
+    for path in filter(os.path.isfile, candidates):
+        title = tr("Looking for QGIS’s Python…")
+        answer = yield Command(title, path, ["-c", "import venv, ensurepip"], os.path.dirname(path), _APART)
+        if answer.status == 0:
+            return path
+        tried = path, last_line(answer.output)
+    raise ComponentError("packages.no_venv", python=tried[0] or ", ".join(candidates), reason=tried[1] or "venv")
+
+
+def _pip_runs(wheels: str, without_graphics_card: bool) -> list[list[str]]:
+    """Arguments of each run of pip."""
+    if wheels:
+        return [["--no-index", "--find-links", wheels, "--requirement", str(REQUIREMENTS)]]
+    everything = ["--requirement", str(REQUIREMENTS)]
+    if not without_graphics_card:
+        return [everything]
+    torch = [line for line in REQUIREMENTS.read_text(encoding="utf-8").splitlines() if line.startswith("torch")]
+    return [["--index-url", _PROCESSOR_BUILDS, *torch], everything]
+
+
+def _install(python: str, folder: Path, arguments: list[str]) -> Commands:
+    temporary = folder / "tmp"
+    temporary.mkdir(exist_ok=True)
+    variables = {**_APART, **pip_variables(str(temporary))}
+    options = ["--only-binary=:all:", "--no-input", "--disable-pip-version-check", "--progress-bar=off"]
+    title = tr("Installing torch and what goes with it; this takes minutes…")
+    pip = yield Command(title, python, ["-m", "pip", "install", *options, *arguments], str(folder), variables)
+    shutil.rmtree(temporary, ignore_errors=True)
+    if pip.status != 0:
+        raise ComponentError("packages.no_training_wheels", reason=last_error(pip.output))

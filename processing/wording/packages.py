@@ -35,6 +35,12 @@ SENTENCES = {
         "{commands}."
     ),
     "packages.no_such_python": "{python} is no program; choose the Python that trains, or leave it out.",
+    "packages.no_venv": (
+        "{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name "
+        "another Python with torch."
+    ),
+    "packages.no_training_wheels": "The environment for training could not be filled: {reason}.",
+    "packages.training_unusable": "torch was installed, but can’t be used: {reason}; it was removed again.",
     "packages.no_training_python": (
         "Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about "
         "1.5 GB, more with support for graphics cards), or name one in PYTHON."

@@ -84,3 +84,26 @@ def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lack
     lacking.clear()
     plugin._entry._installer.installed.emit()
     assert not dock.content.notice.isVisible()
+
+
+def test_the_page_keeps_which_python_trains(page):
+    from qgis.core import QgsSettings
+
+    from semref.processing.packages.training_environment import PYTHON_SETTING
+
+    assert "no environment" in page.training.state.text()
+    assert page.training.make.isEnabled() and not page.training.remove.isEnabled()
+    page.training.python.setFilePath("/opt/torch/bin/python")
+    page.apply()
+    assert QgsSettings().value(PYTHON_SETTING) == "/opt/torch/bin/python"
+    page.training.python.setFilePath("")
+    page.apply()
+
+
+def test_what_goes_wrong_with_the_environment_is_shown_and_can_be_tried_again(page, iface, plugin):
+    installer = plugin._entry._training_installer
+    installer.began.emit("Making an environment for training…")
+    assert page.training.state.text() == "Making an environment for training…"
+    installer.failed.emit("The environment for training could not be filled: no network.")
+    assert "no network" in page.training.state.text() and page.training.make.isEnabled()
+    assert "no network" in iface.bar.currentItem().text()

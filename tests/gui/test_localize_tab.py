@@ -398,3 +398,26 @@ def test_what_a_run_says_is_in_the_log_panel_and_a_hidden_dock_tells_the_outcome
     log.messageReceived[str, str, "Qgis::MessageLevel"].disconnect(note)
     assert any("on_window.tif: 400250.0" in text for text, tag, *_ in logged if tag == "SemRef")
     assert messages(iface) == ["1 of 1 images have a fix."]
+
+
+def test_a_model_that_is_trained_from_the_dock_is_the_chosen_one(tab, tmp_path, monkeypatch):
+    import processing
+    from qgis.PyQt.QtCore import pyqtSignal
+    from qgis.PyQt.QtWidgets import QDialog
+
+    class Dialog(QDialog):
+        """Stands for QGIS's, which needs its main window."""
+
+        algorithmFinished = pyqtSignal(bool, dict)
+
+    asked = []
+    monkeypatch.setattr(processing, "createAlgorithmDialog", lambda name: asked.append(name) or Dialog())
+    tab.images.train.click()
+    dialog = tab.images.training
+    assert dialog.isVisible() and asked == ["semref:trainmodel"]
+    dialog.algorithmFinished.emit(False, {})
+    assert tab.images.model_path() == ""
+    dialog.algorithmFinished.emit(True, {"OUTPUT": str(tmp_path / "own.onnx")})
+    assert tab.images.model_path() == str(tmp_path / "own.onnx")
+    tab.images.model.setFilePath("")
+    dialog.close()

@@ -41,8 +41,12 @@ class ComponentInstaller(QObject):
 
     def start(self, packages: list[Package], wheels: str = "") -> None:
         """``wheels``: a folder of wheels to install from instead of the package index."""
+        self.follow(installing(packages, wheels))
+
+    def follow(self, commands: Commands) -> None:
+        """Runs these commands."""
         self.log = ""
-        self._commands = installing(packages, wheels)
+        self._commands = commands
         self._go_on(None)
 
     def cancel(self) -> None:

@@ -40,6 +40,7 @@ from ...processing.packages.components import (
 from ...processing.translation import tr
 from ...processing.wording.sentences import worded
 from .component_installer import ComponentInstaller
+from .training_group import TrainingGroup
 
 PAGE = "SemRefOptions"
 """Name by which QGIS opens the page."""
@@ -54,10 +55,13 @@ class ComponentsPage(QgsOptionsPageWidget):
 
     removed = pyqtSignal()
 
-    def __init__(self, installer: ComponentInstaller, parent=None) -> None:
+    def __init__(
+        self, installer: ComponentInstaller, training_installer: ComponentInstaller | None = None, parent=None
+    ) -> None:
         super().__init__(parent)
         self.setObjectName(PAGE)
         self._installer = installer
+        self.training = None if training_installer is None else TrainingGroup(training_installer)
         self.list = QTreeWidget()
         self.install = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Install"))
         self.install_wheels = QPushButton(tr("Install from a folder of wheels…"))
@@ -73,7 +77,9 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._add_to_log(installer.log)
 
     def apply(self) -> None:
-        """Nothing waits for OK: each button acts at once."""
+        """Keeps which Python trains; nothing else waits for OK: each button acts at once."""
+        if self.training is not None:
+            self.training.apply()
 
     def _lay_out(self) -> None:
         explanation = QLabel(
@@ -115,6 +121,8 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(group, 1)
+        if self.training is not None:
+            layout.addWidget(self.training)
 
     def _connect(self) -> None:
         self.list.itemChanged.connect(self._enable)

@@ -30,6 +30,8 @@ _METHOD_SETTING = "semref/dock/method"
 _MODEL_SETTING = "semref/dock/model"
 _FOLDER_SETTING = "semref/dock/image_folder"
 
+TRAIN_MODEL = "semref:trainmodel"
+
 
 class ImageBox(QgsCollapsibleGroupBox):
     """The images, and the buttons that add and remove them.
@@ -59,10 +61,13 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.model.lineEdit().setPlaceholderText(tr("Model, for photos"))
         self.model.setToolTip(tr("The network that makes labels of photos; leave empty for label images"))
         self.model.setFilePath(QgsSettings().value(_MODEL_SETTING, "", type=str))
+        self.train = tool_button("/processingAlgorithm.svg", tr("Train a model on an orthophoto and polygons…"))
+        self.training: QWidget | None = None
         layout = narrow(QVBoxLayout(self))
         layout.addWidget(self.list)
         layout.addLayout(row_of((self.add_files, 1), (self.add_folder, 1), self.add_layer, self.remove))
-        layout.addWidget(self.model)
+        layout.addLayout(row_of((self.model, 1), self.train))
+        self.train.clicked.connect(self._train_model)
         self.model.fileChanged.connect(self._remember_model)
         self.add_files.clicked.connect(self._choose_files)
         self.add_folder.clicked.connect(self._choose_folder)
@@ -80,6 +85,18 @@ class ImageBox(QgsCollapsibleGroupBox):
     def model_path(self) -> str:
         """Of the network for photos; empty for label images."""
         return self.model.filePath().strip()
+
+    def _train_model(self) -> None:
+        """Opens the algorithm's dialog, beside which QGIS can be used; its model becomes the chosen one."""
+        from processing import createAlgorithmDialog
+
+        self.training = createAlgorithmDialog(TRAIN_MODEL)
+        self.training.algorithmFinished.connect(self._take_model)
+        self.training.show()
+
+    def _take_model(self, successful: bool, results: dict) -> None:
+        if successful and results.get("OUTPUT"):
+            self.model.setFilePath(results["OUTPUT"])
 
     def _remember_model(self) -> None:
         QgsSettings().setValue(_MODEL_SETTING, self.model_path())
