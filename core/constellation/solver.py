@@ -22,15 +22,14 @@ from ..landmarks.landmarks import Landmarks
 from ..localization import LEAST_RISK, RISK, Localization, Matches, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
-from .hypotheses import QueryTriangles, Seeds, SeenLandmarks, find_seeds, query_triangles
+from .hypotheses import QueryTriangles, SeenLandmarks, query_triangles
 from .index import ConstellationIndex, full_area
 from .parts import Agreement, empty_side, is_uneven
+from .search import level_poses, rounds, same_place, search, tilted_poses, with_repeats
 from .settings import ConstellationSettings
 from .verification import (
     PoseEvidence,
     Verifier,
-    median,
-    rough_scores,
     telling_objects,
     verify,
     verify_tilted,
@@ -68,14 +67,14 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     blind = None if prior is None else replace(prior, heading_deg=None)
     searched = _Searched([], [], False, errors or SharedErrors())
     triangles = query_triangles(query, settings)
-    for some, cap in _rounds(triangles, settings):
+    for some, cap in rounds(triangles, settings):
         if cap is None and not searched.capped:
             break
-        found, capped = _solve(verifier, query, some, prior, cap)
+        found, capped = search(verifier, query, some, prior, cap)
         searched = replace(searched, found=found, decoys=[], capped=capped)
         if not found or found[0].log_odds <= 0:
             continue
-        searched = replace(searched, found=_with_repeats(verifier, query, found))
+        searched = replace(searched, found=with_repeats(verifier, query, found))
         is_last = cap is None or some is triangles and not capped
         if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings):
             searched = replace(searched, decoys=_decoys(verifier, query, some, blind, cap, searched))
@@ -127,75 +126,6 @@ def make_query(objects: Landmarks, index: ConstellationIndex, size_wh: tuple[flo
     return SeenLandmarks(points, index.rank_of(objects.classes), log_areas, whole, float(np.hypot(*size_wh)))
 
 
-def _rounds(triangles: QueryTriangles, settings: ConstellationSettings) -> list[tuple[QueryTriangles, int | None]]:
-    """The triangles in three rounds with their caps: a few from all over the image, then all, then without a cap."""
-    step = max(-(-len(triangles) // settings.first_triangles), 1)
-    caps = settings.maximum_hits
-    return [(triangles.every(step), caps[0]), (triangles, caps[1]), (triangles, None)]
-
-
-def _solve(
-    verifier: Verifier, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int | None
-) -> tuple[list[PoseEvidence], bool]:
-    """The best few poses at different places, best first; and whether the search was capped."""
-    found, seeds = _level(verifier, query, triangles, prior, cap)
-    return _tilted(verifier, query, found, seeds), seeds.capped
-
-
-def _level(
-    verifier: Verifier, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int | None
-) -> tuple[list[PoseEvidence], Seeds]:
-    """The best few poses of a level camera at different places, best first; and the clusters they come from."""
-    settings = verifier.index.settings
-    seeds = find_seeds(verifier.index, query, triangles, prior, cap)
-    found: list[PoseEvidence] = []
-    if not len(seeds.centers):
-        return found, seeds
-    gates = [gate * query.diagonal for gate in settings.rough_gates]
-    rough = query.select(telling_objects(query, settings.rough_objects))
-    centers, turns, scores = rough_scores(verifier.index, rough, seeds.centers, seeds.turns, gates)
-    telling = query.select(telling_objects(query, settings.largest_objects))
-    tried: list[Pose] = []
-    best = 0.0
-    for number in np.argsort(-scores, kind="stable"):
-        pose = Pose(complex(centers[number]), complex(turns[number]))
-        if any(_distance(query, pose, other) < 2.0 * abs(pose.turn) for other in tried):
-            continue
-        if tried and scores[number] < settings.rough_share * best:
-            break
-        best = max(best, float(scores[number]))
-        tried.append(pose)
-        _add(query, found, verify(verifier, telling, pose), settings)
-        if len(telling.points) <= settings.few_objects:
-            # The rough fit of few objects may have settled on wrong matches.
-            seed = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
-            _add(query, found, verify(verifier, telling, seed), settings)
-        if len(tried) == settings.verified:
-            break
-    return _best_first(found), seeds
-
-
-def _tilted(verifier: Verifier, query: SeenLandmarks, level: list[PoseEvidence], seeds: Seeds) -> list[PoseEvidence]:
-    """The best few poses with those of a camera that may be tilted, best first."""
-    settings, found = verifier.index.settings, list(level)
-    if not found:
-        return found
-    strongest, telling = found[0], query.select(telling_objects(query, settings.largest_objects))
-    if strongest.log_odds > 0:
-        focus = complex(telling.points[strongest.matched].mean()) if len(strongest.matched) else 0j
-        _add(query, found, verify_tilted(verifier, telling, strongest.pose, focus), settings)
-    if not _agrees(strongest, settings):
-        for number in range(min(settings.tilted_verified, len(seeds.centers))):
-            pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
-            evidence = verify_tilted(verifier, telling, pose, complex(seeds.focuses[number]))
-            _add(query, found, evidence, settings)
-    return _best_first(found)
-
-
-def _best_first(found: list[PoseEvidence]) -> list[PoseEvidence]:
-    return sorted(found, key=lambda evidence: -evidence.log_odds)
-
-
 def _decoys(  # noqa: PLR0913 - a search as the image's, and what that found
     verifier: Verifier,
     query: SeenLandmarks,
@@ -206,71 +136,12 @@ def _decoys(  # noqa: PLR0913 - a search as the image's, and what that found
 ) -> list[PoseEvidence]:
     """The best few poses of the mirrored image, best first; those of tilted cameras only where they could count."""
     mirrored, settings = query.mirrored(), verifier.index.settings
-    level, seeds = _level(verifier, mirrored, triangles.mirrored(), prior, cap)
+    level, seeds = level_poses(verifier, mirrored, triangles.mirrored(), prior, cap)
     opponents = replace(searched, decoys=level).opponents(verifier.index)
-    strongest = opponents.strongest + settings.mirror_tilted
+    strongest = opponents.strongest + settings.tilted_slack
     if risk_against(opponents, strongest, settings) <= LEAST_RISK:
         return level
-    return _tilted(verifier, mirrored, level, seeds)
-
-
-def _agrees(evidence: PoseEvidence, settings: ConstellationSettings) -> bool:
-    """Whether a level camera explains the image, so that a tilted one needs no trial."""
-    share = len(evidence.matched) / max(evidence.considered, 1)
-    exact = evidence.noise_factor < settings.tilted_noise
-    return evidence.log_odds >= settings.minimum_log_odds and exact and share > settings.tilted_share
-
-
-def _add(
-    query: SeenLandmarks, found: list[PoseEvidence], evidence: PoseEvidence, settings: ConstellationSettings
-) -> None:
-    """Adds a pose; of those at one place the best stays, a tilted one only if it is clearly better."""
-    same = [other for other in found if same_place(query, evidence, other, settings)]
-    better = evidence.log_odds - (0 if evidence.pose.is_level else settings.tilted_margin)
-    if all(better > other.log_odds for other in same):
-        found[:] = [other for other in found if not any(other is one for one in same)] + [evidence]
-
-
-def _with_repeats(verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence]) -> list[PoseEvidence]:
-    """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
-    settings = verifier.index.settings
-    best, telling = found[0], query.select(telling_objects(query, settings.largest_objects))
-    all_found = list(found)
-    for step in repeats(verifier, query, best):
-        moved = verify(verifier, telling, Pose(best.pose.center + step, best.pose.turn))
-        if not any(same_place(query, moved, other, settings) for other in all_found):
-            all_found.append(moved)
-    return _best_first(all_found)
-
-
-def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> list[complex]:
-    """Steps at which enough of the matched objects have another of their class, most frequent first."""
-    index, settings = verifier.index, verifier.index.settings
-    points, ranks = index.points[evidence.objects], index.ranks[evidence.objects]
-    if len(points) < settings.minimum_objects:
-        return []
-    noise = median(evidence.deviations)
-    steps = (points[:, None] - points[None])[ranks[:, None] == ranks[None]]
-    longest = settings.repeat_reach * np.ptp(points.real)
-    steps = steps[(np.abs(steps) > settings.same_place_in_noise * noise) & (np.abs(steps) < longest)]
-    cells = np.round(steps / (2 * noise))
-    _, first, counts = np.unique(cells, return_index=True, return_counts=True)
-    order = np.argsort(-counts, kind="stable")[: settings.verified]
-    return [complex(steps[first[k]]) for k in order if counts[k] >= settings.repeated * len(points)]
-
-
-def same_place(query: SeenLandmarks, one: PoseEvidence, other: PoseEvidence, settings: ConstellationSettings) -> bool:
-    """Whether two poses put the image's objects on the same spots, as far as their noise tells."""
-    noise = max((median(e.deviations) if len(e.deviations) else 0.0) for e in (one, other))
-    reach = max(settings.same_place_in_noise * noise, 2.0 * abs(one.pose.turn))
-    if not (one.pose.is_level and other.pose.is_level):
-        reach = max(reach, settings.same_tilted_place * query.diagonal * abs(one.pose.turn))
-    return _distance(query, one.pose, other.pose) < reach
-
-
-def _distance(query: SeenLandmarks, pose: Pose, other: Pose) -> float:
-    """Median distance on the map between an image's objects at two poses."""
-    return median(np.abs(pose.on_map(query.points) - other.on_map(query.points)))
+    return tilted_poses(verifier, mirrored, level, seeds)
 
 
 @dataclass(frozen=True)
@@ -359,10 +230,10 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence) -
         return None
     telling = telling_objects(query, settings.largest_objects)
     others = query.select(np.setdiff1d(telling[best.possible], telling[best.matched]))
-    triangles, cap = _rounds(query_triangles(others, settings), settings)[0]
-    found, seeds = _level(verifier, others, triangles, None, cap)
+    triangles, cap = rounds(query_triangles(others, settings), settings)[0]
+    found, seeds = level_poses(verifier, others, triangles, None, cap)
     if found and (found[0].log_odds > 0 or not best.pose.is_level):
-        found = _tilted(verifier, others, found, seeds)
+        found = tilted_poses(verifier, others, found, seeds)
     evident = found and found[0].log_odds >= settings.minimum_log_odds
     return found[0] if evident and not same_place(query, found[0], best, settings) else None
 

@@ -236,6 +236,29 @@ def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: c
     return _refined(verifier, query, pose, 2.0, tilted=True)
 
 
+def gained_by_tilt(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> float:
+    """Log likelihood that the matches of a level pose gain if the camera may be tilted; 2 on average if it is level.
+
+    Args:
+        verifier: Catalogue and image.
+        query: The image's ``telling_objects``.
+        evidence: Of a level pose, with ``minimum_matches`` or more.
+    """
+    image, on_map = query.points[evidence.matched], verifier.index.points[evidence.objects]
+    level = np.abs(evidence.pose.on_map(image) - on_map)
+    loose = evidence.deviations / np.sqrt(huber(level, evidence.deviations))
+    tilted = fit_tilted(image, on_map, loose, evidence.pose, query.diagonal)
+    least = (verifier.index.settings.noise_factors[0] / evidence.noise_factor) ** 2
+    before, after = (((off / loose) ** 2).mean() / 2 for off in (level, np.abs(tilted.on_map(image) - on_map)))
+    return len(image) * float(_surprise(before, least) - _surprise(after, least))
+
+
+def _surprise(variance: float, least: float) -> float:
+    """−ln likelihood of a residual whose squares have this mean along each axis, if noise is as large but not less."""
+    noise = max(variance, least)
+    return float(np.log(noise) + variance / noise)
+
+
 def _refined(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float, tilted: bool = False) -> PoseEvidence:
     """Match and fit until both agree; then the evidence."""
     settings = verifier.index.settings

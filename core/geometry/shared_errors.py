@@ -117,6 +117,38 @@ def inverted(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return rest, logarithms
 
 
+def eliminated(matrices: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """What is left of symmetric matrices (…, p, p) without their last unknowns, and ln of the pivots' products (…).
+
+    Args:
+        matrices: Of normal equations; those that border them may be among the first rows and columns.
+        count: Unknowns that are eliminated, last ones first.
+
+    Returns:
+        (…, p − count, p − count), the Schur complements.
+    """
+    rest, logarithms = matrices, np.zeros(matrices.shape[:-2])
+    for _ in range(count):
+        pivot, column = rest[..., -1, -1], rest[..., :-1, -1]
+        logarithms += np.log(pivot)
+        rest = rest[..., :-1, :-1] - column[..., :, None] * (column / pivot[..., None])[..., None, :]
+    return rest, logarithms
+
+
+def bordered(precisions: np.ndarray, means: np.ndarray) -> np.ndarray:
+    """(…, p + 1, p + 1) normal equations of what is known beforehand, bordered by the means (p,).
+
+    ``precisions``: (…, p).
+    """
+    weighed = precisions * means
+    matrices = np.zeros((*precisions.shape[:-1], len(means) + 1, len(means) + 1))
+    matrices[..., 0, 0] = (weighed * means).sum(axis=-1)
+    matrices[..., 0, 1:] = matrices[..., 1:, 0] = weighed
+    places = np.arange(1, len(means) + 1)
+    matrices[..., places, places] = precisions
+    return matrices
+
+
 def covariance_of(full: np.ndarray, pixel_size: float, parts: tuple[ErrorPart, ...]) -> PoseCovariance:
     """What is told of a covariance.
 
@@ -176,13 +208,11 @@ class _System:
         shared = sum(share * np.exp(-away / length) for length, share in settings.map_kernels)
         self._strengths, directions = np.linalg.eigh(shared / own[:, None] / own)
         self._strengths = np.maximum(self._strengths, 0)
-        # In these directions every covariance of the family is diagonal.
-        design, right = directions.T @ (columns / own[:, None]), directions.T @ (off / own)
-        count = design.shape[1]
-        products = design.real[:, :, None] * design.real[:, None] + design.imag[:, :, None] * design.imag[:, None]
-        self._products = products.reshape(-1, count * count)
-        self._pulls = design.real * right.real[:, None] + design.imag * right.imag[:, None]
-        self._squares = np.abs(right) ** 2
+        # In these directions every covariance of the family is diagonal. What is observed borders the effects.
+        seen_first = np.column_stack([off, columns]) / own[:, None]
+        turned = (directions.T @ seen_first.view(np.float64)).view(np.complex128)
+        products = turned.real[:, :, None] * turned.real[:, None] + turned.imag[:, :, None] * turned.imag[:, None]
+        self._products = products.reshape(len(own), -1)
 
     def _effects(
         self, matched: MatchedPoints, image: np.ndarray, pose: Pose, errors: SharedErrors
@@ -223,18 +253,23 @@ class _System:
         own, shared, prior, views = variances
         inverse = 1 / (own[:, None] ** 2 + shared[:, None] ** 2 * self._strengths)
         precisions = self._precisions(views)
-        count = len(self._stated)
-        normal = (inverse @ self._products).reshape(-1, 1, count, count) + precisions[:, :, None] * np.eye(count)
-        pull = (inverse @ self._pulls)[:, None] + precisions * self._stated
-        covariances, logarithms = inverted(normal)
-        solutions = np.einsum("abij,abj->abi", covariances, pull)
-        squares = (inverse @ self._squares)[:, None] + (precisions * self._stated**2).sum(axis=1)
-        squares = squares - (pull * solutions).sum(axis=2)
-        likely = -logarithms + np.log(precisions[:, FITTED:]).sum(axis=1) - squares
+        # The system of the classes' effects is the same whatever the camera is.
+        classes = np.where(np.arange(precisions.shape[1]) < _FIRST_CLASS, 0, precisions[0])
+        rest, of_classes = eliminated(self._normal(inverse) + bordered(classes, self._stated), len(self._spreads))
+        of_view = bordered(precisions[:, :_FIRST_CLASS], self._stated[:_FIRST_CLASS])
+        rest, of_views = eliminated(rest[:, None] + of_view, _FIRST_CLASS - FITTED)
+        covariances, logarithms = inverted(rest[..., 1:, 1:])
+        solutions = (covariances @ rest[..., 1:, :1])[..., 0]
+        squares = rest[..., 0, 0] - (rest[..., 1:, 0] * solutions).sum(axis=-1)
+        likely = -logarithms - of_views - of_classes[:, None] + np.log(precisions[:, FITTED:]).sum(axis=1) - squares
         likely = 0.5 * likely + np.log(inverse).sum(axis=1)[:, None] + prior[:, None] + np.log(views[:, -1])
         weights = np.exp(likely - likely.max()).ravel()
-        solutions, covariances = solutions[..., :FITTED], covariances[..., :FITTED, :FITTED]
         return weights / weights.sum(), solutions.reshape(-1, FITTED), covariances.reshape(-1, FITTED, FITTED)
+
+    def _normal(self, inverse: np.ndarray) -> np.ndarray:
+        """(A, p + 1, p + 1) normal equations of inverse variances (A, n), bordered by what is observed."""
+        count = len(self._stated) + 1
+        return (inverse @ self._products).reshape(-1, count, count)
 
     def _precisions(self, views: np.ndarray) -> np.ndarray:
         """(B, p) of the effects, 0 for those of the pose itself."""
@@ -277,7 +312,7 @@ class _System:
         """Of the position along an axis, with precisions (p − 4,) of the effects."""
         count = len(self._stated)
         inverse = 1 / (own**2 + shared**2 * self._strengths)
-        normal = (inverse @ self._products).reshape(count, count)
+        normal = self._normal(inverse[None])[0, 1:, 1:]
         normal[range(FITTED, count), range(FITTED, count)] += precisions
         return float(np.trace(np.linalg.inv(normal)[:2, :2]) / 2)
 

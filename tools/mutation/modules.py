@@ -30,9 +30,12 @@ MODULES = (
     *map(_mirrored, ("landmarks/landmarks", "landmarks/regions", "landmarks/joining")),
     *map(_mirrored, ("windows/topology_vector", "windows/matching")),
     *map(_mirrored, ("constellation/verification", "constellation/decision")),
-    Module(
-        "core/constellation/solver.py",
-        ("tests/core/constellation/test_solver_decisions.py", "tests/core/constellation/test_solver.py"),
+    *(
+        Module(
+            f"core/constellation/{name}.py",
+            ("tests/core/constellation/test_search.py", "tests/core/constellation/test_solver.py"),
+        )
+        for name in ("search", "solver")
     ),
     *map(_mirrored, ("correlation/decision", "localizer/combined")),
     *map(_mirrored, ("labels/class_table", "onboard/format")),

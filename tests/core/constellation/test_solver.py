@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from semref.core.constellation import solver
+from semref.core.constellation import search
 from semref.core.constellation.hypotheses import find_seeds, query_triangles
 from semref.core.constellation.index import build_index
 from semref.core.constellation.settings import CONSTELLATION
@@ -156,19 +156,37 @@ def test_a_mirrored_view_gets_no_fix(ground):
         assert solve(ground, mirrored(ground.see(seen_from(*center, 77.0)))).status != Status.FIX
 
 
-def test_a_tilted_camera_is_tried_for_the_mirror_only_where_it_could_change_the_risk(ground, monkeypatch):
+@pytest.fixture
+def tried_tilted(monkeypatch):
+    """Every trial of a tilted camera, one number of landmarks each."""
     tried = []
-    monkeypatch.setattr(solver, "verify_tilted", lambda *args: tried.append(args) or verify_tilted(*args))
+
+    def verify(verifier, query, *args):
+        tried.append(len(query.points))
+        return verify_tilted(verifier, query, *args)
+
+    monkeypatch.setattr(search, "verify_tilted", verify)
+    return tried
+
+
+def test_a_tilted_camera_is_tried_for_the_mirror_only_where_it_could_change_the_risk(ground, tried_tilted):
     counts, found = [], []
-    for least in (CONSTELLATION.mirror_tilted, 1e9):
-        settings = dataclasses.replace(CONSTELLATION, mirror_tilted=least)
+    for slack in (CONSTELLATION.tilted_slack, 1e9):
+        settings = dataclasses.replace(CONSTELLATION, tilted_slack=slack)
         index = dataclasses.replace(ground.index, settings=settings)
         objects = ground.see(seen_from(1400, 1600, 77.0), NOISE)
-        tried.clear()
+        tried_tilted.clear()
         found.append(localize(objects, (SIZE, SIZE), index, PRIOR))
-        counts.append(len(tried))
+        counts.append(len(tried_tilted))
     assert counts[0] <= 1 < counts[1]
     assert found[0].is_fix and found[0].confidence == found[1].confidence and found[0].best == found[1].best
+
+
+@pytest.mark.parametrize(("tilt", "trials"), [(0.0, 0), (3.0, 1), (8.0, 1)])
+def test_a_tilted_camera_is_tried_once_where_a_level_one_does_not_explain_the_image(ground, tried_tilted, tilt, trials):
+    view = dataclasses.replace(seen_from(1400, 1600, 77.0), tilt_deg=tilt, tilt_direction_deg=40.0)
+    found = solve(ground, ground.see(view))
+    assert found.is_fix and error(found, view) < 3 and len(tried_tilted) == trials
 
 
 def test_a_view_of_another_town_gets_no_fix(ground):

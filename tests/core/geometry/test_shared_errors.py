@@ -11,6 +11,8 @@ from semref.core.geometry.shared_errors import (
     MAP,
     PIXELS,
     MatchedPoints,
+    bordered,
+    eliminated,
     inverted,
     phase_deviation,
     refined_pose,
@@ -133,6 +135,23 @@ def test_matrices_are_inverted_together_as_each_by_itself():
     inverses, logarithms = inverted(matrices)
     np.testing.assert_allclose(inverses, np.linalg.inv(matrices), rtol=1e-7)
     np.testing.assert_allclose(logarithms, np.linalg.slogdet(matrices)[1], rtol=1e-10)
+
+
+def test_unknowns_are_eliminated_with_what_is_known_of_them():
+    rng = np.random.default_rng(4)
+    columns, right = rng.normal(size=(5, 20, 6)), rng.normal(size=20)
+    precisions, means = np.array([0, 0, 0.5, 1, 2, 3]), rng.normal(size=6)
+    both = np.concatenate([np.broadcast_to(right[:, None], (5, 20, 1)), columns], axis=2)
+    rest, logarithms = eliminated(both.swapaxes(1, 2) @ both + bordered(precisions, means), 4)
+    for one, left, logarithm in zip(columns, rest, logarithms):
+        normal = one.T @ one + np.diag(precisions)
+        solution = np.linalg.solve(normal, one.T @ right + precisions * means)
+        np.testing.assert_allclose(np.linalg.solve(left[1:, 1:], left[1:, 0]), solution[:2])
+        np.testing.assert_allclose(np.linalg.inv(left[1:, 1:]), np.linalg.inv(normal)[:2, :2])
+        smallest = ((one @ solution - right) ** 2).sum() + (precisions * (solution - means) ** 2).sum()
+        assert left[0, 0] - left[0, 1:] @ solution[:2] == pytest.approx(smallest)
+        wanted = np.linalg.slogdet(normal)[1] - np.linalg.slogdet(left[1:, 1:])[1]
+        assert logarithm == pytest.approx(wanted)
 
 
 def test_of_very_many_landmarks_so_many_are_used_from_first_to_last():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from semref.core.constellation import solver
+from semref.core.constellation import search, solver
 from semref.core.constellation.hypotheses import query_triangles
 from semref.core.constellation.index import build_index
 from semref.core.constellation.settings import CONSTELLATION
@@ -39,7 +39,19 @@ TILTED = Pose(100 + 50j, 1 + 0j, 0.001 + 0j)
     ],
 )
 def test_a_level_camera_explains_an_image_of_high_odds_little_noise_and_most_objects(changes, agrees):
-    assert solver._agrees(evidence_at(LEVEL, **changes), CONSTELLATION) == agrees
+    assert search._agrees(evidence_at(LEVEL, **changes), CONSTELLATION) == agrees
+
+
+@pytest.mark.parametrize(
+    ("log_odds", "considered", "needs_no_other"),
+    [(80, 30, True), (74, 30, False), (106, 30, False), (106, 12, True), (500, 12, True), (500, 30, False)],
+)
+def test_a_tilted_pose_needs_no_other_trial_where_the_camera_is_level_or_it_explains_the_image(
+    log_odds, considered, needs_no_other
+):
+    tilted = evidence_at(TILTED, float(log_odds), considered=considered)
+    assert search._is_as_good(tilted, evidence_at(LEVEL), CONSTELLATION) == needs_no_other
+    assert not search._is_as_good(evidence_at(TILTED, 15.0), evidence_at(LEVEL, 16.0), CONSTELLATION)
 
 
 def test_poses_are_at_one_place_within_their_noise(cut):
@@ -48,10 +60,10 @@ def test_poses_are_at_one_place_within_their_noise(cut):
         one = evidence_at(LEVEL, deviation=deviation)
         for step, same in ((reach - 0.1, True), (reach + 0.1, False)):
             other = evidence_at(Pose(LEVEL.center + step, LEVEL.turn), deviation=deviation)
-            assert solver.same_place(query, one, other, CONSTELLATION) == same
-            assert solver.same_place(query, other, one, CONSTELLATION) == same
+            assert search.same_place(query, one, other, CONSTELLATION) == same
+            assert search.same_place(query, other, one, CONSTELLATION) == same
     beside = evidence_at(Pose(TILTED.center + 30, TILTED.turn, TILTED.stretch))
-    assert solver.same_place(query, evidence_at(LEVEL), beside, CONSTELLATION)
+    assert search.same_place(query, evidence_at(LEVEL), beside, CONSTELLATION)
 
 
 def test_of_poses_at_one_place_the_best_stays_and_a_tilted_one_must_be_clearly_better(cut):
@@ -60,24 +72,24 @@ def test_of_poses_at_one_place_the_best_stays_and_a_tilted_one_must_be_clearly_b
     level, better = evidence_at(LEVEL, 100.0), evidence_at(LEVEL, 101.0)
     found = []
     for one, left in ((level, [level]), (far, [level, far]), (better, [far, better]), (level, [far, better])):
-        solver._add(query, found, one, CONSTELLATION)
+        search._add(query, found, one, CONSTELLATION)
         assert [id(pose) for pose in found] == [id(pose) for pose in left]
     hardly, clearly = (evidence_at(TILTED, 101.0 + CONSTELLATION.tilted_margin + more) for more in (0, 0.1))
-    solver._add(query, found, hardly, CONSTELLATION)
+    search._add(query, found, hardly, CONSTELLATION)
     assert found[-1] is better
-    solver._add(query, found, clearly, CONSTELLATION)
+    search._add(query, found, clearly, CONSTELLATION)
     assert found[-1] is clearly and len(found) == 2
 
 
 def test_the_first_search_takes_triangles_from_all_over_the_image(cut):
     triangles = query_triangles(cut(*SEEN).query, CONSTELLATION)
-    (some, cap), (every, all_cap), (uncapped, no_cap) = solver._rounds(triangles, CONSTELLATION)
+    (some, cap), (every, all_cap), (uncapped, no_cap) = search.rounds(triangles, CONSTELLATION)
     assert every is uncapped is triangles and (cap, all_cap, no_cap) == (*CONSTELLATION.maximum_hits, None)
     step = -(-len(triangles) // CONSTELLATION.first_triangles)
     assert step > 1 and len(some) <= CONSTELLATION.first_triangles
     np.testing.assert_array_equal(some.members, triangles.members[::step])
     few = triangles.every(len(triangles) // 100)
-    assert len(solver._rounds(few, CONSTELLATION)[0][0]) == len(few)
+    assert len(search.rounds(few, CONSTELLATION)[0][0]) == len(few)
 
 
 def test_too_few_objects_are_told_with_how_many_more_the_catalogue_needs(index):
