@@ -344,6 +344,14 @@
    <translation>Versatz der Klassen</translation>
   </message>
   <message>
+   <source>Borders are straightened by about this much, alike on both sides; if left out by 1.5 pixels, 0 keeps the pixels’ edges.</source>
+   <translation>Grenzen werden etwa um so viel begradigt, auf beiden Seiten gleich; ohne Angabe um 1,5 Pixel, 0 behält die Pixelkanten.</translation>
+  </message>
+  <message>
+   <source>Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12.</source>
+   <translation>Die Grenzen behalten die Pixelkanten: Zum Begradigen braucht es shapely 2.1 mit GEOS 3.12.</translation>
+  </message>
+  <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
 
 All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
@@ -1692,6 +1700,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Medianer Fehler</translation>
   </message>
   <message>
+   <source>Merging small regions</source>
+   <translation>Kleine Flächen werden zusammengelegt</translation>
+  </message>
+  <message>
    <source>Message</source>
    <translation>Meldung</translation>
   </message>
@@ -1718,6 +1730,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Minimum area (m²)</source>
    <translation>Mindestfläche (m²)</translation>
+  </message>
+  <message>
+   <source>Minimum area of polygons (square map units)</source>
+   <translation>Mindestfläche der Polygone (Quadrat-Karteneinheiten)</translation>
   </message>
   <message>
    <source>Mirrored images (%)</source>
@@ -2044,6 +2060,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Vom Orthofoto zu den Abweichungen</translation>
   </message>
   <message>
+   <source>Outlining regions</source>
+   <translation>Flächen werden umrissen</translation>
+  </message>
+  <message>
    <source>Outlining the disagreements</source>
    <translation>Abweichungen werden umrissen</translation>
   </message>
@@ -2118,6 +2138,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>Punkte mit Klasse, Fläche und Pixelposition; ohne Georeferenzierung in Pixeln (y nach oben, negativ).</translation>
+  </message>
+  <message>
+   <source>Polygons</source>
+   <translation>Polygone</translation>
   </message>
   <message>
    <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
@@ -2548,6 +2572,10 @@ Bilder der Landmarken der Datenbank werden simuliert, verdorben und vom Lokalisi
    <translation>Signiert die Datei (HMAC-SHA256) mit den Bytes dieser Datei, zum Beispiel 32 zufälligen, sodass „python -m core … --require-signature KEY“ keine Datei nimmt, die andere gemacht oder geändert haben. Halten Sie den Schlüssel geheim: Wer ihn hat, kann signieren.</translation>
   </message>
   <message>
+   <source>Simplifying borders</source>
+   <translation>Grenzen werden vereinfacht</translation>
+  </message>
+  <message>
    <source>Simulated images</source>
    <translation>Simulierte Bilder</translation>
   </message>
@@ -2606,6 +2634,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Smaller regions are no landmarks.</source>
    <translation>Kleinere Flächen sind keine Landmarken.</translation>
+  </message>
+  <message>
+   <source>Smaller regions go to their largest neighbor; square pixels for images without georeference.</source>
+   <translation>Kleinere Flächen fallen dem größten Nachbarn zu; Quadratpixel bei Bildern ohne Georeferenz.</translation>
   </message>
   <message>
    <source>Smallest scale</source>
@@ -2804,10 +2836,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Datenbank wurde ohne ihre Übersicht gelesen, die die Kartenkorrelation durchsucht.</translation>
   </message>
   <message>
-   <source>The disagreements can't be made into polygons: {reason}.</source>
-   <translation>Aus den Abweichungen lassen sich keine Polygone machen: {reason}.</translation>
-  </message>
-  <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
    <translation>Der Datenträger ist beim Schreiben voll geworden ({name}); Platz schaffen oder einen anderen Ort wählen.</translation>
   </message>
@@ -2954,6 +2982,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
    <translation>Klassenkarte und Datenbank haben nicht dieselben Klassen ({value} {name} ist nur in einer von beiden); mit der Klassentabelle der Datenbank rastern oder eine neue Datenbank erstellen.</translation>
+  </message>
+  <message>
+   <source>The label map as polygons with class, name and area, without gaps and overlaps between them.</source>
+   <translation>Die Klassenkarte als Polygone mit Klasse, Name und Fläche, ohne Lücken und Überlappungen dazwischen.</translation>
   </message>
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
@@ -3130,6 +3162,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>Die Pixelgröße, mit der der Layer gerastert werden soll: Landmarken, die solche Pixel verlieren, verschmelzen oder zerteilen würden, werden ebenfalls gemeldet. Ohne Angabe wird nicht danach gesehen.</translation>
+  </message>
+  <message>
+   <source>The polygons can’t be made: {reason}.</source>
+   <translation>Die Polygone lassen sich nicht bilden: {reason}.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
@@ -3318,6 +3354,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
    <translation>Um mit anderen Pixeln als denen des Bildes zu lernen: mit denen der Fotos, die lokalisiert werden sollen.</translation>
+  </message>
+  <message>
+   <source>Tolerance of polygons (map units)</source>
+   <translation>Toleranz der Polygone (Karteneinheiten)</translation>
   </message>
   <message>
    <source>Too few landmarks</source>

@@ -344,6 +344,14 @@
    <translation>Sesgo de las clases</translation>
   </message>
   <message>
+   <source>Borders are straightened by about this much, alike on both sides; if left out by 1.5 pixels, 0 keeps the pixels’ edges.</source>
+   <translation>Los bordes se enderezan más o menos en esta medida, igual a ambos lados; si se omite, en 1,5 píxeles; 0 conserva los bordes de los píxeles.</translation>
+  </message>
+  <message>
+   <source>Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12.</source>
+   <translation>Los bordes conservan los de los píxeles: enderezarlos requiere shapely 2.1 con GEOS 3.12.</translation>
+  </message>
+  <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
 
 All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
@@ -1692,6 +1700,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Error mediano</translation>
   </message>
   <message>
+   <source>Merging small regions</source>
+   <translation>Uniendo regiones pequeñas</translation>
+  </message>
+  <message>
    <source>Message</source>
    <translation>Mensaje</translation>
   </message>
@@ -1718,6 +1730,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Minimum area (m²)</source>
    <translation>Área mínima (m²)</translation>
+  </message>
+  <message>
+   <source>Minimum area of polygons (square map units)</source>
+   <translation>Área mínima de los polígonos (unidades de mapa al cuadrado)</translation>
   </message>
   <message>
    <source>Mirrored images (%)</source>
@@ -2044,6 +2060,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>De la ortofoto a las discrepancias</translation>
   </message>
   <message>
+   <source>Outlining regions</source>
+   <translation>Trazando los contornos</translation>
+  </message>
+  <message>
    <source>Outlining the disagreements</source>
    <translation>Trazando el contorno de las discrepancias</translation>
   </message>
@@ -2118,6 +2138,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>Puntos con clase, área y posición en píxeles; en píxeles (y hacia arriba, negativa) sin georreferencia.</translation>
+  </message>
+  <message>
+   <source>Polygons</source>
+   <translation>Polígonos</translation>
   </message>
   <message>
    <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
@@ -2548,6 +2572,10 @@ Se simulan imágenes de los propios hitos de la base de datos, se degradan y las
    <translation>Firma el archivo (HMAC-SHA256) con los bytes de este archivo, por ejemplo 32 aleatorios, para que «python -m core … --require-signature KEY» no acepte ningún archivo que otros hayan hecho o cambiado. Mantenga la clave en secreto: quien la tiene puede firmar.</translation>
   </message>
   <message>
+   <source>Simplifying borders</source>
+   <translation>Simplificando los bordes</translation>
+  </message>
+  <message>
    <source>Simulated images</source>
    <translation>Imágenes simuladas</translation>
   </message>
@@ -2606,6 +2634,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Smaller regions are no landmarks.</source>
    <translation>Las regiones más pequeñas no son hitos.</translation>
+  </message>
+  <message>
+   <source>Smaller regions go to their largest neighbor; square pixels for images without georeference.</source>
+   <translation>Las regiones menores pasan a su mayor vecina; en píxeles cuadrados para imágenes sin georreferencia.</translation>
   </message>
   <message>
    <source>Smallest scale</source>
@@ -2804,10 +2836,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La base de datos se leyó sin su vista general, en la que busca la correlación de mapas.</translation>
   </message>
   <message>
-   <source>The disagreements can't be made into polygons: {reason}.</source>
-   <translation>No se pueden convertir las discrepancias en polígonos: {reason}.</translation>
-  </message>
-  <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
    <translation>El disco se llenó al escribir {name}; libere espacio o elija otro lugar.</translation>
   </message>
@@ -2954,6 +2982,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
    <translation>El mapa de etiquetas y la base de datos no tienen las mismas clases ({value} {name} solo está en uno de los dos); rasterice con la tabla de clases de la base de datos o cree una nueva.</translation>
+  </message>
+  <message>
+   <source>The label map as polygons with class, name and area, without gaps and overlaps between them.</source>
+   <translation>El mapa de etiquetas como polígonos con clase, nombre y área, sin huecos ni solapes entre ellos.</translation>
   </message>
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
@@ -3130,6 +3162,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>El tamaño de píxel con el que se rasterizará la capa: también se informa de los hitos que esos píxeles perderían, unirían o dividirían. Si se omite, no se examina.</translation>
+  </message>
+  <message>
+   <source>The polygons can’t be made: {reason}.</source>
+   <translation>No se pueden formar los polígonos: {reason}.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
@@ -3318,6 +3354,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
    <translation>Para aprender con otros píxeles que los de la imagen: los de las fotos que se van a localizar.</translation>
+  </message>
+  <message>
+   <source>Tolerance of polygons (map units)</source>
+   <translation>Tolerancia de los polígonos (unidades de mapa)</translation>
   </message>
   <message>
    <source>Too few landmarks</source>

@@ -344,6 +344,14 @@
    <translation>Biais des classes</translation>
   </message>
   <message>
+   <source>Borders are straightened by about this much, alike on both sides; if left out by 1.5 pixels, 0 keeps the pixels’ edges.</source>
+   <translation>Les limites sont redressées d’environ cette valeur, de la même façon des deux côtés ; sans indication de 1,5 pixel, 0 garde les bords des pixels.</translation>
+  </message>
+  <message>
+   <source>Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12.</source>
+   <translation>Les limites gardent les bords des pixels : les redresser demande shapely 2.1 avec GEOS 3.12.</translation>
+  </message>
+  <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
 
 All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
@@ -1692,6 +1700,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Erreur médiane</translation>
   </message>
   <message>
+   <source>Merging small regions</source>
+   <translation>Fusion des petites régions</translation>
+  </message>
+  <message>
    <source>Message</source>
    <translation>Message</translation>
   </message>
@@ -1718,6 +1730,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Minimum area (m²)</source>
    <translation>Surface minimale (m²)</translation>
+  </message>
+  <message>
+   <source>Minimum area of polygons (square map units)</source>
+   <translation>Aire minimale des polygones (unités de carte au carré)</translation>
   </message>
   <message>
    <source>Mirrored images (%)</source>
@@ -2044,6 +2060,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>De l’orthophoto aux divergences</translation>
   </message>
   <message>
+   <source>Outlining regions</source>
+   <translation>Tracé des contours</translation>
+  </message>
+  <message>
    <source>Outlining the disagreements</source>
    <translation>Tracé du contour des divergences</translation>
   </message>
@@ -2118,6 +2138,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>Points avec classe, surface et position en pixels ; en pixels (y vers le haut, négatif) sans géoréférence.</translation>
+  </message>
+  <message>
+   <source>Polygons</source>
+   <translation>Polygones</translation>
   </message>
   <message>
    <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
@@ -2548,6 +2572,10 @@ Des images des repères visuels de la base sont simulées, dégradées et locali
    <translation>Signe le fichier (HMAC-SHA256) avec les octets de ce fichier, par exemple 32 octets aléatoires, pour que « python -m core … --require-signature KEY » n’accepte aucun fichier fait ou modifié par d’autres. Gardez la clé secrète : qui l’a peut signer.</translation>
   </message>
   <message>
+   <source>Simplifying borders</source>
+   <translation>Simplification des limites</translation>
+  </message>
+  <message>
    <source>Simulated images</source>
    <translation>Images simulées</translation>
   </message>
@@ -2606,6 +2634,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Smaller regions are no landmarks.</source>
    <translation>Les surfaces plus petites ne sont pas des repères visuels.</translation>
+  </message>
+  <message>
+   <source>Smaller regions go to their largest neighbor; square pixels for images without georeference.</source>
+   <translation>Les régions plus petites vont à leur plus grande voisine ; en pixels carrés pour les images sans géoréférence.</translation>
   </message>
   <message>
    <source>Smallest scale</source>
@@ -2804,10 +2836,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La base de données a été lue sans sa vue d’ensemble, que parcourt la corrélation de cartes.</translation>
   </message>
   <message>
-   <source>The disagreements can't be made into polygons: {reason}.</source>
-   <translation>Les divergences ne peuvent pas être converties en polygones : {reason}.</translation>
-  </message>
-  <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
    <translation>Le disque est plein pendant l’écriture de {name} ; libérez de l’espace ou choisissez un autre emplacement.</translation>
   </message>
@@ -2954,6 +2982,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
    <translation>La carte d’étiquettes et la base de données n’ont pas les mêmes classes ({value} {name} n’est que dans l’une d’elles) ; rastérisez avec la table des classes de la base ou créez une nouvelle base.</translation>
+  </message>
+  <message>
+   <source>The label map as polygons with class, name and area, without gaps and overlaps between them.</source>
+   <translation>La carte d’étiquettes en polygones avec classe, nom et aire, sans trous ni recouvrements entre eux.</translation>
   </message>
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
@@ -3130,6 +3162,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>La taille de pixel avec laquelle la couche sera rastérisée : les repères visuels que de tels pixels perdraient, fusionneraient ou diviseraient sont aussi signalés. En cas d’omission, ce n’est pas examiné.</translation>
+  </message>
+  <message>
+   <source>The polygons can’t be made: {reason}.</source>
+   <translation>Les polygones ne peuvent pas être formés : {reason}.</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
@@ -3318,6 +3354,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
    <translation>Pour apprendre avec d’autres pixels que ceux de l’image : ceux des photos à localiser.</translation>
+  </message>
+  <message>
+   <source>Tolerance of polygons (map units)</source>
+   <translation>Tolérance des polygones (unités de carte)</translation>
   </message>
   <message>
    <source>Too few landmarks</source>

@@ -344,6 +344,14 @@
    <translation>类别的偏移</translation>
   </message>
   <message>
+   <source>Borders are straightened by about this much, alike on both sides; if left out by 1.5 pixels, 0 keeps the pixels’ edges.</source>
+   <translation>边界大约按此值拉直，两侧一致；不填则为 1.5 像素，0 保留像素边缘。</translation>
+  </message>
+  <message>
+   <source>Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12.</source>
+   <translation>边界保留像素边缘：拉直边界需要 shapely 2.1 和 GEOS 3.12。</translation>
+  </message>
+  <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
 
 All settings come from the database. What did not change keeps its row and its fid; new landmarks are added at the end. The label map must have the pixels, the CRS and the classes of the old one.</source>
@@ -1692,6 +1700,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>误差中值</translation>
   </message>
   <message>
+   <source>Merging small regions</source>
+   <translation>正在合并小区域</translation>
+  </message>
+  <message>
    <source>Message</source>
    <translation>说明</translation>
   </message>
@@ -1718,6 +1730,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Minimum area (m²)</source>
    <translation>最小面积（m²）</translation>
+  </message>
+  <message>
+   <source>Minimum area of polygons (square map units)</source>
+   <translation>多边形的最小面积（平方地图单位）</translation>
   </message>
   <message>
    <source>Mirrored images (%)</source>
@@ -2044,6 +2060,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>从正射影像到不一致之处</translation>
   </message>
   <message>
+   <source>Outlining regions</source>
+   <translation>正在勾画区域</translation>
+  </message>
+  <message>
    <source>Outlining the disagreements</source>
    <translation>正在勾绘不一致之处</translation>
   </message>
@@ -2118,6 +2138,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Points with class, area and pixel position; in pixels (y up, negative) without georeference.</source>
    <translation>带有类别、面积和像元位置的点；没有地理参照时以像元为单位（y 轴向上，为负值）。</translation>
+  </message>
+  <message>
+   <source>Polygons</source>
+   <translation>多边形</translation>
   </message>
   <message>
    <source>Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional.</source>
@@ -2548,6 +2572,10 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
    <translation>用此文件的字节（例如 32 个随机字节）为文件签名（HMAC-SHA256），使“python -m core … --require-signature KEY”不接受他人制作或更改的文件。请妥善保密密钥：持有者即可签名。</translation>
   </message>
   <message>
+   <source>Simplifying borders</source>
+   <translation>正在简化边界</translation>
+  </message>
+  <message>
    <source>Simulated images</source>
    <translation>模拟影像数</translation>
   </message>
@@ -2606,6 +2634,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Smaller regions are no landmarks.</source>
    <translation>更小的区域不作为地标。</translation>
+  </message>
+  <message>
+   <source>Smaller regions go to their largest neighbor; square pixels for images without georeference.</source>
+   <translation>更小的区域并入其最大的相邻区域；无地理参考的影像以平方像素计。</translation>
   </message>
   <message>
    <source>Smallest scale</source>
@@ -2804,10 +2836,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>读取数据库时未包含概览图，而地图相关需要在其中搜索。</translation>
   </message>
   <message>
-   <source>The disagreements can't be made into polygons: {reason}.</source>
-   <translation>无法将不一致之处转换为多边形：{reason}。</translation>
-  </message>
-  <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
    <translation>写入 {name} 时磁盘已满；请释放一些空间或选择其他位置。</translation>
   </message>
@@ -2954,6 +2982,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The label map and the database don't have the same classes ({value} {name} is in one of them only); rasterize with the database's class table or build a new database.</source>
    <translation>标签图与数据库的类别不同（{value} {name} 只存在于其中之一）；请用数据库的类别表栅格化，或构建新的数据库。</translation>
+  </message>
+  <message>
+   <source>The label map as polygons with class, name and area, without gaps and overlaps between them.</source>
+   <translation>以多边形表示的标签图，含类别、名称和面积，彼此之间没有缝隙和重叠。</translation>
   </message>
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
@@ -3130,6 +3162,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, merge or split are reported too. Not looked at if left out.</source>
    <translation>图层将要栅格化的像元大小：在该像元大小下会丢失、合并或分裂的地标也会被报告。若留空则不检查。</translation>
+  </message>
+  <message>
+   <source>The polygons can’t be made: {reason}.</source>
+   <translation>无法生成多边形：{reason}。</translation>
   </message>
   <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
@@ -3318,6 +3354,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
    <translation>用于以不同于影像的像元学习：采用待定位照片的像元。</translation>
+  </message>
+  <message>
+   <source>Tolerance of polygons (map units)</source>
+   <translation>多边形的容差（地图单位）</translation>
   </message>
   <message>
    <source>Too few landmarks</source>

@@ -14,7 +14,7 @@ SENTENCES = {
         "{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead."
     ),
     "storage.unwritable": "{path} can't be written: {reason}.",
-    "storage.no_polygons": "The disagreements can't be made into polygons: {reason}.",
+    "storage.no_polygons": "The polygons can’t be made: {reason}.",
     "storage.database_unwritable": "The database can't be written: {reason}.",
     "storage.layer_unwritable": "The layer {name} can't be written: {reason}.",
     "storage.overview_unwritable": "The overview can't be written: {reason}.",

@@ -6,13 +6,15 @@ from collections.abc import Iterable, Iterator
 from contextlib import closing
 from typing import TYPE_CHECKING
 
+from ...core.errors import ParameterError
 from ..compat import wkt_for_gdal
 from ..framework import offers
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import MapExtent, Number, RasterLayer, RasterOutput
+from ..framework.declarations import MapExtent, Number, PolygonOutput, RasterLayer, RasterOutput
+from ..framework.label_polygons import write_polygons
 from ..framework.photo_labels import describe
 from ..framework.photo_source import PhotoSource
-from ..packages.components import ONNXRUNTIME, OPENCV
+from ..packages.components import ONNXRUNTIME, OPENCV, SHAPELY, how_to_install, missing
 from ..threads import worker_threads
 from ..translation import tr
 
@@ -40,6 +42,9 @@ class SegmentImage(SemRefAlgorithm):
     CLASS_TABLE = "CLASS_TABLE"
     EXTENT = "EXTENT"
     OUTPUT = "OUTPUT"
+    POLYGONS = "POLYGONS"
+    MINIMUM_AREA = "MINIMUM_AREA"
+    TOLERANCE = "TOLERANCE"
 
     def title(self) -> str:
         return tr("Segment image")
@@ -104,7 +109,43 @@ class SegmentImage(SemRefAlgorithm):
                 tr("Label map"),
                 tr("GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0."),
             ),
+            *self._polygon_parameters(),
         )
+
+    def _polygon_parameters(self) -> tuple[Declared, ...]:
+        return (
+            PolygonOutput(
+                self.POLYGONS,
+                tr("Polygons"),
+                tr("The label map as polygons with class, name and area, without gaps and overlaps between them."),
+                optional=True,
+                by_default=False,
+            ),
+            Number(
+                self.MINIMUM_AREA,
+                tr("Minimum area of polygons (square map units)"),
+                tr("Smaller regions go to their largest neighbor; square pixels for images without georeference."),
+                optional=True,
+                advanced=True,
+                minimum=0,
+            ),
+            Number(
+                self.TOLERANCE,
+                tr("Tolerance of polygons (map units)"),
+                tr(
+                    "Borders are straightened by about this much, alike on both sides; if left out by 1.5 pixels, 0 "
+                    "keeps the pixels’ edges."
+                ),
+                optional=True,
+                advanced=True,
+                minimum=0,
+            ),
+        )
+
+    def check(self, values: Values) -> None:
+        lacking = missing([SHAPELY]) if values.has(self.POLYGONS) else []
+        if lacking:
+            raise ParameterError(how_to_install(lacking))
 
     def read_layers(self, values: Values) -> None:
         self._source = PhotoSource(values, self.INPUT, self.EXTENT)
@@ -139,6 +180,7 @@ class SegmentImage(SemRefAlgorithm):
         ):
             for first, labels_hw in whole_tile_rows(_followed(steps, feedback)):
                 label_map.write_rows(first, labels_hw)
+        write_polygons(values, outputs, self.POLYGONS, path, photo.crs, classes.table, feedback)
 
     def _at_resolution(
         self, photo: Photo, resolution_m: float | None, model: SegmentationModel, feedback: QgsProcessingFeedback

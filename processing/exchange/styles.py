@@ -65,15 +65,16 @@ def references_renderer(table: ClassTable) -> QgsCategorizedSymbolRenderer:
     return QgsCategorizedSymbolRenderer("class", categories)
 
 
-def annotation_renderer(table: ClassTable, class_field: str, priority_field: str) -> QgsCategorizedSymbolRenderer:
-    """Polygons in the class colors, without outlines; higher priorities on top."""
+def annotation_renderer(table: ClassTable, class_field: str, priority_field: str = "") -> QgsCategorizedSymbolRenderer:
+    """Polygons in the class colors, without outlines; higher priorities on top where a field tells them."""
     categories = []
     for c in table:
         symbol = QgsFillSymbol.createSimple({"color": c.color, "outline_style": "no"})
         categories.append(QgsRendererCategory(c.name, symbol, c.name))
     renderer = QgsCategorizedSymbolRenderer(class_field, categories)
-    renderer.setOrderBy(QgsFeatureRequest.OrderBy([QgsFeatureRequest.OrderByClause(priority_field)]))
-    renderer.setOrderByEnabled(True)
+    if priority_field:
+        renderer.setOrderBy(QgsFeatureRequest.OrderBy([QgsFeatureRequest.OrderByClause(priority_field)]))
+        renderer.setOrderByEnabled(True)
     return renderer
 
 

@@ -1,0 +1,135 @@
+"""The polygons of semref:segmentimage: every labeled pixel in one of them, borders shared, small regions merged."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+from made_inputs import NORTH, WEST, scattered_objects, write_raster
+from made_models import painted, write_model
+from osgeo import gdal, ogr
+from qgis.core import QgsProcessingException, QgsVectorLayer
+
+from semref.core.annotation.coverage import can_simplify
+from semref.storage import outlining
+from semref.storage.outlining import LabelPolygons
+
+SEGMENT = "semref:segmentimage"
+LABELS = scattered_objects(170, 230, 60, seed=3, background=0)
+SEEN = np.where(LABELS == 0, 1, LABELS)
+simplifies = pytest.mark.skipif(not can_simplify(), reason="this shapely or GEOS can't simplify coverages")
+
+
+def speckled(height: int, width: int, seed: int) -> np.ndarray:
+    """Patches of four classes, 0 among them, with speckles of single pixels, some touching at corners only."""
+    random = np.random.default_rng(seed)
+    patches = np.kron(random.integers(0, 4, (height // 20 + 1, width // 20 + 1)), np.ones((20, 20)))[:height, :width]
+    speckles = random.random((height, width)) < 0.1
+    return np.where(speckles, random.integers(0, 4, (height, width)), patches).astype(np.uint8)
+
+
+def outlined(path, minimum_area=0.0, tolerance=0.0):
+    polygons = LabelPolygons(str(path), minimum_area, tolerance)
+    for _ in polygons.steps():
+        continue
+    return polygons
+
+
+def burnt(polygons: LabelPolygons, like: str) -> np.ndarray:
+    """The polygons as pixels again."""
+    source = gdal.Open(like)
+    layers = (ogr.GetDriverByName("Memory") or ogr.GetDriverByName("MEM")).CreateDataSource("")
+    layer = layers.CreateLayer("p")
+    layer.CreateField(ogr.FieldDefn("value", ogr.OFTInteger))
+    for value, polygon in zip(polygons.classes.tolist(), polygons.polygons):
+        feature = ogr.Feature(layer.GetLayerDefn())
+        feature.SetField(0, value)
+        feature.SetGeometry(ogr.CreateGeometryFromWkb(polygon.wkb))
+        layer.CreateFeature(feature)
+    raster = gdal.GetDriverByName("MEM").Create("", source.RasterXSize, source.RasterYSize, 1, gdal.GDT_Byte)
+    raster.SetGeoTransform(source.GetGeoTransform())
+    gdal.RasterizeLayer(raster, [1], layer, options=["ATTRIBUTE=value"])
+    return raster.ReadAsArray()
+
+
+@pytest.mark.parametrize("rows_at_once", [16, 2048])
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_polygons_cover_what_is_labeled_with_shared_borders(qgis_app, tmp_path, monkeypatch, seed, rows_at_once):
+    monkeypatch.setattr(outlining, "_ROWS_AT_ONCE", rows_at_once)
+    labels = speckled(61, 83, seed)
+    path = str(write_raster(tmp_path / "labels.tif", labels, transform=(WEST, 2, 0, NORTH, 0, -2)))
+    polygons = outlined(path)
+    np.testing.assert_array_equal(burnt(polygons, path), labels)
+    assert shapely.is_valid(polygons.polygons).all()
+    assert shapely.area(polygons.polygons).sum() == 4 * (labels > 0).sum()
+    if can_simplify():
+        # Where borders lack a neighbor's corner this fails.
+        assert shapely.coverage_is_valid(polygons.polygons)
+
+
+@simplifies
+def test_straightened_borders_leave_no_gap_and_stay_near_the_pixels_edges(qgis_app, tmp_path):
+    labels = np.fromfunction(lambda row, column: 1 + (column > 40 + 0.37 * row), (120, 160)).astype(np.uint8)
+    path = str(write_raster(tmp_path / "labels.tif", labels))
+    stairs, straight = outlined(path), outlined(path, tolerance=1.5)
+    assert shapely.coverage_is_valid(straight.polygons)
+    assert shapely.area(straight.polygons).sum() == pytest.approx(120 * 160, rel=1e-3)
+    # A third of the corners of the stairs at most.
+    corners, corners_of_stairs = (shapely.get_num_coordinates(one.polygons).sum() for one in (straight, stairs))
+    assert 3 * corners < corners_of_stairs
+    assert (burnt(straight, path) != labels).mean() < 0.01
+
+
+def test_small_regions_go_to_their_largest_neighbor(qgis_app, tmp_path):
+    labels = np.full((60, 80), 2, np.uint8)
+    labels[20:24, 30:34] = 1
+    labels[40:42, 10:13] = 3
+    path = str(write_raster(tmp_path / "labels.tif", labels, transform=(WEST, 2, 0, NORTH, 0, -2)))
+    polygons = outlined(path, minimum_area=64)
+    # 4 × 4 pixels of 4 m² are 64 m²; 2 × 3 are less.
+    assert sorted(polygons.classes.tolist()) == [1, 2]
+    assert shapely.area(polygons.polygons).sum() == 60 * 80 * 4
+
+
+@pytest.fixture
+def segment(run_algorithm, feedback, tmp_path):
+    def run(image, **parameters):
+        model = write_model(tmp_path / "colors.onnx")
+        outputs = {"OUTPUT": str(tmp_path / "labels.tif"), "POLYGONS": str(tmp_path / "polygons.gpkg")}
+        return run_algorithm(SEGMENT, {"INPUT": str(image), "MODEL": str(model), **outputs, **parameters}, feedback)
+
+    return run
+
+
+def test_the_algorithm_writes_them_named_and_styled_on_the_images_ground(segment, tmp_path):
+    image = write_raster(
+        tmp_path / "a.tif", np.moveaxis(painted(LABELS), 2, 0), transform=(WEST, 0.5, 0, NORTH, 0, -0.5)
+    )
+    layer = QgsVectorLayer(segment(image, TOLERANCE=0)["POLYGONS"], "polygons", "ogr")
+    areas = {"building": 0.0, "water": 0.0, "bare_land": 0.0}
+    for feature in layer.getFeatures():
+        assert feature["area"] == pytest.approx(feature.geometry().area())
+        areas[feature["class_name"]] += feature["area"]
+    assert areas == {name: (n == SEEN).sum() / 4 for n, name in enumerate(areas, start=1)}
+    assert layer.crs().authid() == "EPSG:32632"
+    assert [category.label() for category in layer.renderer().categories()] == list(areas)
+
+
+def test_a_photo_without_a_place_gives_polygons_in_pixels(segment, tmp_path):
+    image = write_raster(tmp_path / "a.png", np.moveaxis(painted(LABELS), 2, 0), transform=None)
+    extent = QgsVectorLayer(segment(image)["POLYGONS"], "polygons", "ogr").extent()
+    assert (extent.xMinimum(), extent.xMaximum(), extent.yMinimum(), extent.yMaximum()) == (0, 230, -170, 0)
+
+
+def test_a_cancel_while_outlining_leaves_nothing(segment, feedback, tmp_path, monkeypatch):
+    real = outlining._outlined
+
+    def canceled(*arguments):
+        feedback.cancel()
+        return real(*arguments)
+
+    monkeypatch.setattr(outlining, "_outlined", canceled)
+    image = write_raster(tmp_path / "a.tif", np.moveaxis(painted(LABELS), 2, 0))
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        segment(image)
+    assert not (tmp_path / "labels.tif").exists() and not (tmp_path / "polygons.gpkg").exists()
