@@ -257,7 +257,8 @@ class TrainModel(AnnotationAlgorithm):
         image = ground.image(run.folder)
         if not run.has_tiles:
             self._cut(values, image, ground, run, feedback)
-        job = replace(job, ground={**ground.told(image), "base_model": os.path.basename(job.base_model)})
+        base = {"base_model": os.path.basename(job.base_model)} if job.base_model else {}
+        job = replace(job, ground={**ground.told(image), **base})
         job.write(run.folder / JOB)
         teller = TrainingTeller(feedback, CUT, TRAINED)
         with closing(training_events(python, [str(run.folder / JOB)], feedback)) as events:

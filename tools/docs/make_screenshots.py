@@ -54,6 +54,7 @@ LIGHT = (
     "prior",
     "toolbox",
     "algorithm_dialog",
+    "train_model",
     "model_designer",
     "options",
     "narrow",

@@ -255,6 +255,17 @@ def algorithm_dialog(session: Session) -> None:
     show_dialog(session, dialog, 1000, 720, "build_database")
 
 
+def train_model(session: Session) -> None:
+    """The dialog that makes a network of the sample's orthophoto and polygons."""
+    import processing
+
+    sample = Path(session.job["sample"])
+    annotation = {"INPUT": str(sample / "landcover.shp"), "CLASS_FIELD": "class"}
+    given = {"IMAGE": str(sample / "orthophoto.tif"), **annotation, "CLASS_TABLE": str(sample / "classes.csv")}
+    dialog = processing.createAlgorithmDialog("semref:trainmodel", {**given, "MINUTES": 10})
+    show_dialog(session, dialog, 1000, 760, "train_model")
+
+
 def model_designer(session: Session) -> None:
     """The model that ships, opened in the model designer."""
     from processing.modeler.ModelerDialog import ModelerDialog
