@@ -117,7 +117,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
     for number, row in enumerate((*LEVEL, *CAMERAS, *SHIFTS, *AREAS, *BOTH)):
         name = f"{row.method.key}: {row.name}"
         if run.wants(name):
-            rows.append(_cells(name, list(_tried(ground, row, count, np.random.default_rng([SEED, number])))))
+            rows.append(_cells(name, list(tried(ground, row, count, np.random.default_rng([SEED, number])))))
             print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
     for name, trials in coverage_sources.every(run, count, PRIOR_SHARE):
         rows.append(_cells(name, trials))
@@ -141,7 +141,7 @@ of LCDB v5.0, 10 m pixels, 6.4 km of ground, any number of landmarks. Photos: as
 “real photos”; Dubai's with `--model`, in pixels."""
 
 
-def _tried(ground: Ground, row: Row, count: int, rng: np.random.Generator) -> Iterator[Trial]:
+def tried(ground: Ground, row: Row, count: int, rng: np.random.Generator) -> Iterator[Trial]:
     for _ in range(count):
         image = ground.draw(row.wanted, rng)
         view = image.view

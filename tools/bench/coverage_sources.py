@@ -76,6 +76,8 @@ def _rendered(run: inputs.Run, count: int) -> Rows:
     ground, area = photos.sample_ground()
     network = photos.Network(photos.SHIPPED, ground)
     shot = list(photos.sample_photos(area, network, ground, count))
+    # The landscape's photo has one sun, the same in every picture that is cut from it.
+    ground.localizer.errors = replace(ground.localizer.errors, sun_deg=photos.sample_sun_deg())
     for method, told in chosen:
         ground.localizer.heed_biases(*(network.biases if told else photos.SILENT))
         yield names[method, told], [ground.try_image(image, method, photos.SAMPLE_RIGHT_M) for image in shot]

@@ -91,6 +91,11 @@ def sample_ground() -> tuple[Ground, np.ndarray]:
     return ground, photo.render(landscape, grid_of(landscape, 1.0), 1.0)
 
 
+def sample_sun_deg(seed: int = SEED) -> float:
+    """Where the sun stands over a made-up area, clockwise from grid north: what ``photo.render`` draws first."""
+    return float(np.random.default_rng([seed, photo.SEED_OFFSET]).uniform(120, 240))
+
+
 def sample_photos(area_photo: np.ndarray, network: Network, ground: Ground, count: int) -> Iterator[Image]:
     """Photos of the sample area as the network labels them."""
     for picture in pictures.plan_photos(ground.labels_hw.shape, SEED, count):

@@ -10,15 +10,18 @@ import cv2
 import numpy as np
 from bench import inputs, page
 from bench.ground import TILE_PIXEL_M, tile_paths
-from bench.photos import SHIPPED
+from bench.photos import SHIPPED, sample_sun_deg
 
+from semref.core.geometry.error_settings import ClassBias
 from semref.core.labels.class_table import ClassTable, class_table_from_csv
 from semref.core.labels.image_source import ArrayImage
-from semref.core.landmarks.class_shifts import PIECE_PX, class_shifts, piece_shifts
+from semref.core.landmarks.class_shifts import PIECE_PX, PieceShift, class_shifts, piece_shifts
 from semref.core.sample import photo
 from semref.core.sample.classes import CLASSES
 from semref.core.sample.landscape import make_landscape
+from semref.core.segmentation.class_bias import KEY, class_bias_text
 from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.onnx_file import with_metadata
 from semref.core.segmentation.photo_labels import PhotoLabels
 from semref.storage.sample_files import grid_of, rasterize
 
@@ -26,6 +29,9 @@ FIRST_SEED = 31
 """Of landscapes that the shipped network was not trained on."""
 
 SOUTH_DEG = 180.0
+LEAST_PIECES = 30
+"""Classes with fewer are left out of what is stated."""
+
 COLUMNS = ("photo", "class", "pairs, pieces", "east, north", "toward the sun", "known to", "spread")
 QUALITY = [cv2.IMWRITE_JPEG_QUALITY, 85]
 
@@ -53,10 +59,23 @@ def biases(run: inputs.Run) -> str:
     """A row a class and photo, and one of all photos of a place's kind."""
     rows: list[list[str]] = []
     table = class_table_from_csv("value,name,color,role\n" + "\n".join(map(_line, CLASSES)))
-    rows += _measured(str(SHIPPED), table, _sample_scenes(run.count))
+    found, turned = _measured(str(SHIPPED), table, _sample_scenes(run.count))
+    rows += found
+    stated = _stated(table, turned)
+    copy = run.work / SHIPPED.name
+    copy.write_bytes(with_metadata(SHIPPED.read_bytes(), KEY, class_bias_text(stated)))
     if run.model and tile_paths(run):
-        rows += _measured(str(run.model), class_table_from_csv(inputs.TILE_CLASSES), _tile_scenes(run))
-    return page.table(COLUMNS, rows)
+        rows += _measured(str(run.model), class_table_from_csv(inputs.TILE_CLASSES), _tile_scenes(run))[0]
+    return f"{page.table(COLUMNS, rows)}\n\n{copy} is the shipped network with {KEY} = {class_bias_text(stated)}"
+
+
+def _stated(table: ClassTable, turned: list[PieceShift]) -> dict[str, ClassBias]:
+    """What a network's metadata state, from pieces of ground of 1 m pixels with the sun in the south."""
+    found = [shift for shift in class_shifts(turned) if shift.pieces >= LEAST_PIECES]
+    return {
+        table.by_value(one.value).name: ClassBias(0, one.shift.real, -one.shift.imag, 0.0, 0.0, one.spread, SOUTH_DEG)
+        for one in found
+    }
 
 
 def _line(one: object) -> str:
@@ -66,12 +85,10 @@ def _line(one: object) -> str:
 def _sample_scenes(count: int) -> Iterator[Scene]:
     for seed in range(FIRST_SEED, FIRST_SEED + count):
         landscape = make_landscape(seed)
-        # Drawn first by photo.render, from the same generator.
-        sun_deg = float(np.random.default_rng([seed, photo.SEED_OFFSET]).uniform(120, 240))
         picture = photo.render(landscape, grid_of(landscape, 1.0), 1.0)
         encoded = cv2.imencode(".jpg", np.ascontiguousarray(picture[:, :, ::-1]), QUALITY)[1]
         seen = np.ascontiguousarray(cv2.imdecode(encoded, cv2.IMREAD_COLOR)[:, :, ::-1])
-        yield Scene(f"made-up area {seed}", seen, rasterize(landscape, 1.0), 1.0, sun_deg)
+        yield Scene(f"made-up area {seed}", seen, rasterize(landscape, 1.0), 1.0, sample_sun_deg(seed))
 
 
 def _tile_scenes(run: inputs.Run) -> Iterator[Scene]:
@@ -80,7 +97,8 @@ def _tile_scenes(run: inputs.Run) -> Iterator[Scene]:
     yield Scene(path.stem, np.ascontiguousarray(np.moveaxis(picture[:3], 0, 2)), inputs.read_labels(path), TILE_PIXEL_M)
 
 
-def _measured(model_path: str, table: ClassTable, scenes: Iterator[Scene]) -> list[list[str]]:
+def _measured(model_path: str, table: ClassTable, scenes: Iterator[Scene]) -> tuple[list[list[str]], list[PieceShift]]:
+    """Rows, and all pieces of ground turned so that the sun is in the south."""
     model = SegmentationModel(model_path, 1)
     values = model.classes.values_in(table, model_path)
     every, turned, rows = [], [], []
@@ -99,7 +117,8 @@ def _measured(model_path: str, table: ClassTable, scenes: Iterator[Scene]) -> li
         print("  " + "\n  ".join(" | ".join(row) for row in rows[-3:]), file=sys.stderr, flush=True)
         pixel_m = scene.pixel_m
     rows += _rows("all", table, every, pixel_m, None)
-    return [*rows, *_rows("all, turned so that the sun is in the south", table, turned, pixel_m, SOUTH_DEG)]
+    rows += _rows("all, turned so that the sun is in the south", table, turned, pixel_m, SOUTH_DEG)
+    return rows, turned
 
 
 def _rows(name: str, table: ClassTable, pieces: list, pixel_m: float, sun_deg: float | None) -> list[list[str]]:
