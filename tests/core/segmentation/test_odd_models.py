@@ -8,6 +8,7 @@ from made_models import brightest_color, metadata, write_model, writer
 from onnx import TensorProto, helper
 
 from semref.core.errors import ModelError
+from semref.core.segmentation.class_bias import read_class_bias
 from semref.core.segmentation.metadata import read_classes, read_settings
 from semref.core.segmentation.model import SegmentationModel
 
@@ -80,13 +81,16 @@ ODD = [
 @pytest.mark.parametrize("text", ODD, ids=range(len(ODD)))
 @pytest.mark.parametrize(
     "key",
-    ["class_names", "class_values", "class_colors", "class_roles", "resolution", "tile_size", "standardization_std"],
+    [
+        *("class_names", "class_values", "class_colors", "class_roles", "resolution", "tile_size"),
+        *("standardization_std", "class_bias"),
+    ],
 )
 def test_odd_metadata_are_refused_in_a_sentence(key, text):
     texts = {**metadata(), key: text}
     with pytest.raises(ModelError) as refused:
         read_settings(texts, "odd.onnx")
-        read_classes(texts, 3, "odd.onnx")
+        read_class_bias(texts, read_classes(texts, 3, "odd.onnx").names, "odd.onnx")
     assert len(str(refused.value)) < 1000
 
 

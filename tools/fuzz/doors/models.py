@@ -38,6 +38,7 @@ def _values() -> dict[str, Any]:
         "class_values": [1, 2, 3],
         "class_colors": ["#ff0000", "#00ff00", "#0000ff"],
         "class_roles": ["reference", "reference", "background"],
+        "class_bias": {"building": {"east": -0.1, "north": 0.6, "spread": 0.4, "sun": 180}},
     }
 
 
@@ -60,6 +61,7 @@ def changed_metadata(random: Random) -> dict[str, str]:
 
 
 def metadata(world: World) -> Tools:
+    from semref.core.segmentation.class_bias import LARGEST_M, read_class_bias
     from semref.core.segmentation.metadata import read_classes, read_settings
 
     def attempt(made: Any) -> None:
@@ -71,6 +73,9 @@ def metadata(world: World) -> Tools:
         classes = read_classes(texts, channels, "x.onnx")
         require(len(classes.names) == len(classes.values) == channels, "classes for other channels")
         require(all(0 <= value <= 255 for value in classes.values), "a class value that is none")
+        for bias in read_class_bias(texts, classes.names, "x.onnx").values():
+            require(bias.length <= 4 * LARGEST_M and 0 <= (bias.spread or 0.0) <= LARGEST_M, "a bias that is none")
+            require(bias.sun_deg is None or 0 <= bias.sun_deg <= 360, "a sun that is nowhere")
 
     return lambda random: (changed_metadata(random), random.choice((3, 3, 3, 3, 2, 4, 1))), attempt
 
