@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, METRIC_CRS, NORTH, WEST, scattered_objects, spatial_reference, write_raster
@@ -9,8 +11,11 @@ from made_models import brightest_color, metadata, painted, write_model
 from osgeo import gdal
 from qgis.core import QgsProcessingFeedback
 
+from semref.core.geometry.error_settings import NETWORK_SPREAD
 from semref.core.labels.class_table import class_table_from_csv
 from semref.core.onboard.command_line import label_reader
+from semref.core.segmentation.class_bias import KnownBiases
+from semref.core.segmentation.onnx_file import with_metadata
 from semref.processing.framework.photo_labels import PhotoLabels
 
 TABLE = class_table_from_csv(CLASSES_CSV)
@@ -66,3 +71,15 @@ def test_a_photo_has_the_same_labels_in_qgis_and_on_board(qgis_app, model, tmp_p
     on_board = label_reader(model, 1, TABLE)[0](path)
     np.testing.assert_array_equal(on_board, in_qgis)
     assert in_qgis.shape == PHOTO.shape[:2] and len(np.unique(in_qgis)) >= (1 if name == "gray" else 3)
+
+
+def test_what_a_model_states_of_its_classes_is_known_in_qgis_as_on_board(qgis_app, model, tmp_path):
+    path = tmp_path / "off.onnx"
+    stated = json.dumps({"building": {"east": 0.5, "spread": 0.2, "sun": 120}})
+    with open(model, "rb") as file:
+        path.write_bytes(with_metadata(file.read(), "class_bias", stated))
+    known = label_reader(str(path), 1, TABLE)[1]
+    assert known == PhotoLabels(str(path), TABLE, QgsProcessingFeedback(False)).biases("any.tif")
+    (bias,) = known.class_biases
+    assert (bias.east, bias.spread, bias.sun_deg) == (0.5, 0.2, 120.0) and known.class_spread == NETWORK_SPREAD
+    assert label_reader(None, 1, TABLE)[1] == KnownBiases()

@@ -132,6 +132,8 @@ def test_a_model_without_class_names_is_refused_without_a_parameter_of_the_plugi
         (["--near", "1e308", "0", "100"], "--near is 1e+308 0 100"),
         (["--threads", "0"], "--threads is 0"),
         (["--threads", "1000000000000"], "from 1 to 256"),
+        (["--sun", "361"], "--sun is 361"),
+        (["--sun", "nan"], "--sun is nan"),
         (["--gga", "udp:http"], "udp:http"),
         (["--fixes", "udp:99999999999999999999"], "no UDP port"),
     ],
