@@ -100,9 +100,14 @@ def _best_first(found: list[PoseEvidence]) -> list[PoseEvidence]:
 
 
 def _is_level(verifier: Verifier, telling: SeenLandmarks, evidence: PoseEvidence) -> bool:
-    """Whether a pose is evident, its noise no more than assumed, and its matches have no use for a tilted camera."""
+    """Whether a pose is evident, its noise no more than assumed, and its matches have no use for a tilted camera.
+
+    A few of an image's landmarks may lie so near each other that no tilt shows.
+    """
     settings = verifier.index.settings
     if evidence.log_odds < settings.minimum_log_odds or evidence.noise_factor > 1:
+        return False
+    if len(evidence.matched) <= settings.few_objects and not _agrees(evidence, settings):
         return False
     return gained_by_tilt(verifier, telling, evidence) < settings.tilted_margin
 
@@ -111,7 +116,8 @@ def _is_as_good(tilted: PoseEvidence, level: PoseEvidence, settings: Constellati
     """Whether a tilted pose needs no other: it is as good as a level one and no better, or explains the image."""
     if tilted.log_odds < max(level.log_odds - settings.tilted_slack, settings.minimum_log_odds):
         return False
-    return tilted.log_odds < level.log_odds + settings.tilted_margin or _agrees(tilted, settings)
+    is_level = len(level.matched) > settings.few_objects and tilted.log_odds < level.log_odds + settings.tilted_margin
+    return is_level or _agrees(tilted, settings)
 
 
 def _agrees(evidence: PoseEvidence, settings: ConstellationSettings) -> bool:

@@ -63,23 +63,7 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
         return _too_few(count, index, False)
     smallest = minimum_area_px if minimum_area_px is not None else float(objects.areas_px.min())
     verifier = Verifier(index, *size_wh, float(full_area(smallest, 1.0)))
-    # A mirrored image has no heading that could be known.
-    blind = None if prior is None else replace(prior, heading_deg=None)
-    searched = _Searched([], [], False, errors or SharedErrors())
-    triangles = query_triangles(query, settings)
-    for some, cap in rounds(triangles, settings):
-        if cap is None and not searched.capped:
-            break
-        found, capped = search(verifier, query, some, prior, cap)
-        searched = replace(searched, found=found, decoys=[], capped=capped)
-        if not found or found[0].log_odds <= 0:
-            continue
-        searched = replace(searched, found=with_repeats(verifier, query, found))
-        is_last = cap is None or some is triangles and not capped
-        if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings):
-            searched = replace(searched, decoys=_decoys(verifier, query, some, blind, cap, searched))
-            if risk_of_best(searched.opponents(index), settings) <= allowed_risk:
-                break
+    searched = _search_for(query, verifier, prior, allowed_risk, errors or SharedErrors())
     decided = _decide(objects, query, verifier, searched, allowed_risk)
     other = _other_place(query, verifier, searched.found[0]) if decided.is_fix else None
     if other is None or decided.best is None:
@@ -124,6 +108,31 @@ def make_query(objects: Landmarks, index: ConstellationIndex, size_wh: tuple[flo
     log_areas = np.log(full_area(np.asarray(objects.areas_px, np.float64), 1.0))
     whole = ~np.asarray(objects.touches_edge, bool)
     return SeenLandmarks(points, index.rank_of(objects.classes), log_areas, whole, float(np.hypot(*size_wh)))
+
+
+def _search_for(
+    query: SeenLandmarks, verifier: Verifier, prior: Prior | None, allowed_risk: float, errors: SharedErrors
+) -> _Searched:
+    """Round by round, until a place is a fix or nothing is left to try."""
+    index, settings = verifier.index, verifier.index.settings
+    # A mirrored image has no heading that could be known.
+    blind = None if prior is None else replace(prior, heading_deg=None)
+    searched = _Searched([], [], False, errors)
+    triangles = query_triangles(query, settings)
+    for some, cap in rounds(triangles, settings):
+        if cap is None and not searched.capped:
+            break
+        found, capped = search(verifier, query, some, prior, cap)
+        searched = replace(searched, found=found, decoys=[], capped=capped)
+        if not found or found[0].log_odds <= 0:
+            continue
+        searched = replace(searched, found=with_repeats(verifier, query, found))
+        is_last = cap is None or some is triangles and not capped
+        if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings):
+            searched = replace(searched, decoys=_decoys(verifier, query, some, blind, cap, searched))
+            if risk_of_best(searched.opponents(index), settings) <= allowed_risk:
+                break
+    return searched
 
 
 def _decoys(  # noqa: PLR0913 - a search as the image's, and what that found

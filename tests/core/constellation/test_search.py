@@ -1,5 +1,7 @@
 """The constellation's choices between poses: which are one place, which of them stays; on a made catalogue."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -43,14 +45,42 @@ def test_a_level_camera_explains_an_image_of_high_odds_little_noise_and_most_obj
 
 
 @pytest.mark.parametrize(
-    ("log_odds", "considered", "needs_no_other"),
-    [(80, 30, True), (74, 30, False), (106, 30, False), (106, 12, True), (500, 12, True), (500, 30, False)],
+    ("changes", "gained", "is_level"),
+    [
+        ({"count": 41, "considered": 200}, 5.9, True),
+        ({"count": 41, "considered": 200}, 6.1, False),
+        ({"count": 40, "considered": 200}, 0.0, False),
+        ({"count": 40, "considered": 60}, 0.0, True),
+        ({"count": 41, "considered": 200, "noise_factor": 1.01}, 0.0, False),
+        ({"count": 41, "considered": 200, "log_odds": 20.0}, 0.0, False),
+    ],
+)
+def test_no_tilt_is_tried_where_many_matches_of_an_evident_place_gain_nothing_by_it(
+    monkeypatch, changes, gained, is_level
+):
+    monkeypatch.setattr(search, "gained_by_tilt", lambda *_: gained)
+    verifier = SimpleNamespace(index=SimpleNamespace(settings=CONSTELLATION))
+    assert search._is_level(verifier, None, evidence_at(LEVEL, **changes)) == is_level
+
+
+@pytest.mark.parametrize(
+    ("log_odds", "count", "considered", "needs_no_other"),
+    [
+        (80.0, 41, 200, True),
+        (74.0, 41, 200, False),
+        (80.0, 40, 200, False),
+        (80.0, 40, 60, True),
+        (106.0, 41, 200, False),
+        (106.0, 41, 60, True),
+        (500.0, 41, 200, False),
+        (500.0, 41, 60, True),
+    ],
 )
 def test_a_tilted_pose_needs_no_other_trial_where_the_camera_is_level_or_it_explains_the_image(
-    log_odds, considered, needs_no_other
+    log_odds, count, considered, needs_no_other
 ):
-    tilted = evidence_at(TILTED, float(log_odds), considered=considered)
-    assert search._is_as_good(tilted, evidence_at(LEVEL), CONSTELLATION) == needs_no_other
+    tilted, level = (evidence_at(pose, odds, count, considered) for pose, odds in ((TILTED, log_odds), (LEVEL, 100.0)))
+    assert search._is_as_good(tilted, level, CONSTELLATION) == needs_no_other
     assert not search._is_as_good(evidence_at(TILTED, 15.0), evidence_at(LEVEL, 16.0), CONSTELLATION)
 
 
