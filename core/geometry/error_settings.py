@@ -40,7 +40,8 @@ class ErrorSettings:
             [photos of made-up areas; biases].
         leaning: Standard deviation of ln pixel size for roofs that lean away from the image's center: they look larger,
             and no residual tells [geometry of houses of 5 m seen from 1,000 m].
-        most_landmarks: Landmarks that a pose is fitted to; of more so many, evenly chosen [by hand].
+        most_landmarks: Landmarks that a pose is fitted to; of more so many, evenly chosen. Of 100 the radius of
+            32 fixes with 150 or more was 1.11 times as large (median; 0.69–1.68) [by hand].
     """
 
     map_kernels: tuple[tuple[float, float], ...] = ((60.0, 0.28), (2000.0, 0.25))
