@@ -141,6 +141,7 @@ def take(variant: Variant, package: Path, sample: Path, home: Path) -> list[Path
     job.write_text(
         json.dumps(
             {
+                "tools": str(SESSION.parent),
                 "sample": str(sample),
                 "pictures": str(pictures),
                 "scenes": variant.scenes,

@@ -1,0 +1,273 @@
+"""What the guide's pictures show: each scene brings the window there as a user would, and takes its picture.
+
+Each may come after any other.
+"""
+
+from __future__ import annotations
+
+import traceback
+from pathlib import Path
+
+import qgis.utils
+from qgis.core import (
+    QgsApplication,
+    QgsFeature,
+    QgsFeatureRequest,
+    QgsGeometry,
+    QgsPointXY,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProject,
+    QgsRectangle,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtCore import Qt, QTimer
+from qgis.PyQt.QtWidgets import QApplication, QTreeView
+from screenshot_window import DOCK_WIDTH, WINDOW, Session, wait_until
+
+LOCALIZE, INSPECT, CORRECT = range(3)
+NARROW = 100
+"""A width less than the dock takes: it gets as narrow as it can be."""
+
+TALL = 1250
+"""Height of the window for pictures of the dock alone, so that nothing in it has to be scrolled."""
+
+SHOWN_PHOTO, INSPECTED_WINDOW = "photo_02.jpg", "1600_800"
+
+
+def localized(session: Session) -> None:
+    """All photos localized, the shown one selected."""
+    session.show_tab(LOCALIZE)
+    dock = session.dock
+    if not session.localized:
+        dock.content.localize.localize_button.click()
+        wait_until(lambda: not dock.content.localize.run.running, "the localization")
+        session.localized = True
+    table = dock.content.localize.results.table
+    for row in range(table.model().rowCount()):
+        index = table.model().index(row, 0)
+        if index.data() == SHOWN_PHOTO:
+            table.selectRow(row)
+    wait_until(lambda: dock.content.localize.results.image.canvas.scene().items(), "the selected image")
+
+
+def first_fix(session: Session) -> None:
+    """The whole window with a hit."""
+    with_results_in_view(session, "first_fix")
+
+
+def with_results_in_view(session: Session, name: str) -> None:
+    """The whole window; what was chosen is folded away, as who looks at results does."""
+    localized(session)
+    boxes = session.dock.content.database, session.dock.content.localize.images
+    for box in boxes:
+        box.setCollapsed(True)
+    session.take(name)
+    for box in boxes:
+        box.setCollapsed(False)
+
+
+def dock_localize(session: Session) -> None:
+    """The dock's first tab alone."""
+    session.resize(WINDOW[0], TALL)
+    localized(session)
+    session.take("dock_localize", session.dock)
+    session.resize(*WINDOW)
+
+
+def narrow(session: Session) -> None:
+    """The dock as narrow as it gets."""
+    session.resize(WINDOW[0], TALL, NARROW)
+    localized(session)
+    session.take("narrow_localize", session.dock)
+    session.resize(*WINDOW)
+
+
+def inspect(session: Session) -> None:
+    """A window of the database, with what looks like it."""
+    session.show_everything()
+    session.dock.inspect_window(INSPECTED_WINDOW)
+    wait_until(lambda: session.dock.content.inspect._window is not None, "the inspected window")
+    session.show_tab(INSPECT)
+    session.take("inspect")
+
+
+def correct(session: Session) -> None:
+    """The findings of a check of an annotation with a few mistakes."""
+    issues = checked_with_mistakes(session)
+    issues.setName("Issues")
+    QgsProject.instance().addMapLayer(issues, False)
+    QgsProject.instance().layerTreeRoot().insertLayer(0, issues)
+    session.show_everything()
+    session.show_tab(CORRECT)
+    tab = session.dock.content.correct
+    tab.layer.setLayer(issues)
+    # What the priority decides is information, and there is much of it.
+    tab.mend.setChecked(True)
+    severities = [feature["severity"] for feature in issues.getFeatures()]
+    to_mend = len(severities) - severities.count("information")
+    wait_until(lambda: tab.places.rowCount() == to_mend, "the list of issues")
+    tab.places.selectRow(0)
+    tab.done.click()
+    tab.done.click()
+    kinds = [tab.places.item(row, 0).text() for row in range(tab.places.rowCount())]
+    tab.places.selectRow(kinds.index("unknown_class"))
+    session.take("correct")
+    QgsProject.instance().removeMapLayer(issues.id())
+
+
+def prior(session: Session) -> None:
+    """A circle drawn on the map."""
+    session.show_tab(LOCALIZE)
+    session.show_everything()
+    extent = session.iface.mapCanvas().extent()
+    middle = QgsPointXY(extent.center().x() + 0.1 * extent.width(), extent.center().y())
+    session.dock.content.localize.prior.set_circle(middle, QgsPointXY(middle.x() + 0.2 * extent.width(), middle.y()))
+    session.take("prior")
+    session.dock.content.localize.prior.forget()
+
+
+def toolbox(session: Session) -> None:
+    """SemRef's algorithms beside the sample project."""
+    session.show_everything()
+    session.dock.setUserVisible(False)
+    session.toolbox.show()
+    session.window.resizeDocks([session.toolbox], [DOCK_WIDTH], Qt.Orientation.Horizontal)
+    tree = next(view for view in session.toolbox.findChildren(QTreeView) if view.isVisible())
+    tree.collapseAll()
+    model = tree.model()
+    for row in range(model.rowCount()):
+        index = model.index(row, 0)
+        if index.data() == "SemRef":
+            expand(tree, index)
+            tree.scrollTo(index, QTreeView.ScrollHint.PositionAtTop)
+    session.take("toolbox")
+    session.toolbox.hide()
+
+
+def expand(tree, index) -> None:
+    tree.expand(index)
+    for row in range(tree.model().rowCount(index)):
+        expand(tree, tree.model().index(row, 0, index))
+
+
+def algorithm_dialog(session: Session) -> None:
+    import processing
+
+    sample = Path(session.job["sample"])
+    dialog = processing.createAlgorithmDialog(
+        "semref:builddatabase", {"LABELS": str(sample / "label_map.tif"), "WINDOW_SIZE": 640, "STRIDE": 160}
+    )
+    show_dialog(session, dialog, 1000, 720, "build_database")
+
+
+def train_model(session: Session) -> None:
+    """The dialog that makes a network of the sample's orthophoto and polygons."""
+    import processing
+
+    sample = Path(session.job["sample"])
+    annotation = {"INPUT": str(sample / "landcover.shp"), "CLASS_FIELD": "class"}
+    given = {"IMAGE": str(sample / "orthophoto.tif"), **annotation, "CLASS_TABLE": str(sample / "classes.csv")}
+    dialog = processing.createAlgorithmDialog("semref:trainmodel", {**given, "MINUTES": 10})
+    show_dialog(session, dialog, 1000, 760, "train_model")
+
+
+def model_designer(session: Session) -> None:
+    """The model that ships, opened in the model designer."""
+    from processing.modeler.ModelerDialog import ModelerDialog
+
+    designer = ModelerDialog()
+    designer.loadModel(str(Path(qgis.utils.pluginDirectory("semref")) / "models" / "annotation_to_database.model3"))
+    show_dialog(session, designer, 1420, 640, "model_designer")
+
+
+def show_dialog(session: Session, dialog, width: int, height: int, name: str) -> None:
+    dialog.show()
+    dialog.setGeometry(0, 0, width, height)
+    dialog.raise_()
+    session.take(name, dialog)
+    dialog.close()
+    dialog.deleteLater()
+
+
+def options(session: Session) -> None:
+    """SemRef's page of the options; the dialog waits for its user, so the picture is taken by a timer."""
+    failed = []
+
+    def take() -> None:
+        dialog = QApplication.activeModalWidget()
+        try:
+            dialog.setGeometry(0, 0, 980, 520)
+            session.take("options", dialog)
+        except Exception:
+            failed.append(traceback.format_exc())
+        dialog.close()
+
+    QTimer.singleShot(1500, take)
+    session.iface.showOptionsDialog(session.window, "SemRefOptions")
+    if failed:
+        raise RuntimeError(failed[0])
+
+
+def whole_window(session: Session) -> None:
+    """For the variants: theme, language."""
+    with_results_in_view(session, "window")
+
+
+def all_tabs(session: Session) -> None:
+    """For looking at the dock in a language: each tab alone, as wide as usual and as narrow as it gets."""
+    for width, kind in ((DOCK_WIDTH, "tab"), (NARROW, "narrow")):
+        session.resize(WINDOW[0], TALL, width)
+        localized(session)
+        session.take(f"{kind}_localize", session.dock)
+        session.dock.inspect_window(INSPECTED_WINDOW)
+        wait_until(lambda: session.dock.content.inspect._window is not None, "the inspected window")
+        session.take(f"{kind}_inspect", session.dock)
+        session.show_tab(CORRECT)
+        session.take(f"{kind}_correct", session.dock)
+    toolbox(session)
+
+
+def checked_with_mistakes(session: Session) -> QgsVectorLayer:
+    """Issues of a copy of the land cover into which typical mistakes were put."""
+    sample = Path(session.job["sample"])
+    cover = QgsVectorLayer(str(sample / "landcover.shp"), "landcover", "ogr")
+    layer = cover.materialize(QgsFeatureRequest())
+    layer.startEditing()
+    features = [feature for feature in layer.getFeatures() if feature["class"] == "building"][:40]
+    layer.changeAttributeValue(features[3].id(), layer.fields().indexOf("class"), "buildng")
+    layer.changeGeometry(features[8].id(), crossed(features[8]))
+    double = QgsFeature(features[12])
+    double["class"] = "water"
+    layer.addFeature(double)
+    layer.commitChanges()
+    registry = QgsApplication.processingRegistry()
+    context = QgsProcessingContext()
+    issues = str(sample / "issues.gpkg")
+    _, ok = registry.createAlgorithmById("semref:checkannotation").run(
+        {
+            "INPUT": layer,
+            "CLASS_FIELD": "class",
+            "PRIORITY_FIELD": "zorder",
+            "CLASS_TABLE": str(sample / "classes.csv"),
+            "MINIMUM_AREA": 50,
+            "ISSUES": issues,
+        },
+        context,
+        QgsProcessingFeedback(),
+    )
+    if not ok:
+        raise RuntimeError("the annotation could not be checked")
+    return QgsVectorLayer(issues, "issues", "ogr")
+
+
+def crossed(feature) -> QgsGeometry:
+    """A bow tie where the feature is."""
+    box: QgsRectangle = feature.geometry().boundingBox()
+    corners = (
+        (box.xMinimum(), box.yMinimum()),
+        (box.xMaximum(), box.yMaximum()),
+        (box.xMaximum(), box.yMinimum()),
+        (box.xMinimum(), box.yMaximum()),
+    )
+    return QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in (*corners, corners[0])]])

@@ -1,0 +1,121 @@
+"""QGIS's window with the dock, ready on the sample project: what the scenes of pictures are made of."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import qgis.utils
+from qgis.core import QgsProject
+from qgis.PyQt.QtCore import QCoreApplication, QPoint, QRect, Qt
+from qgis.PyQt.QtGui import QGuiApplication
+from qgis.PyQt.QtWidgets import QDockWidget, QToolBar
+
+WINDOW = 1280, 900
+"""Size of QGIS's window, in device-independent pixels."""
+
+DOCK_WIDTH = 400
+LIMIT_S = 300
+# Toolbars that SemRef's users do not need; they would fill the window with rows of icons.
+KEPT_TOOLBARS = ("mFileToolBar", "mMapNavToolBar", "mAttributesToolBar", "mPluginToolBar")
+
+
+class Session:
+    """The window and the dock, ready on the sample project."""
+
+    def __init__(self, job: dict) -> None:
+        self.job = job
+        self.iface = qgis.utils.iface
+        self.window = self.iface.mainWindow()
+        self.plugin = qgis.utils.plugins["semref"]
+        self.dock = self.window.findChild(QDockWidget, "SemRefDock")
+        self.toolbox = self.window.findChild(QDockWidget, "ProcessingToolbox")
+        self.suffix = ""
+        self.localized = False
+        self.taken = []
+
+    def open(self) -> None:
+        for bar in self.window.findChildren(QToolBar):
+            if bar.parent() is self.window:
+                bar.setVisible(bar.objectName() in KEPT_TOOLBARS)
+        for name in ("Browser", "LayerOrder", "ProcessingToolbox"):
+            dock = self.window.findChild(QDockWidget, name)
+            if dock is not None:
+                dock.hide()
+        self.window.showNormal()
+        self.resize(*WINDOW)
+        self.plugin._entry._sample_project().make(Path(self.job["sample"]))
+        wait_until(lambda: self.is_open() or failures(), "the sample project")
+        if failures():
+            raise RuntimeError(f"the sample project could not be made: {failures()}")
+        self.iface.messageBar().clearWidgets()
+        self.resize(*WINDOW)
+        self.show_everything()
+
+    def is_open(self) -> bool:
+        """As the sample project leaves it: with the images in the dock."""
+        return bool(QgsProject.instance().fileName()) and bool(self.dock.content.localize.images.paths())
+
+    def resize(self, width: int, height: int, dock_width: int = DOCK_WIDTH) -> None:
+        self.window.setGeometry(0, 0, width, height)
+        settle(0.2)
+        self.window.resizeDocks([self.dock], [dock_width], Qt.Orientation.Horizontal)
+        layers = self.window.findChild(QDockWidget, "Layers")
+        self.window.resizeDocks([layers], [190], Qt.Orientation.Horizontal)
+        settle(0.3)
+
+    def show_tab(self, tab: int) -> None:
+        self.toolbox.hide()
+        self.dock.setUserVisible(True)
+        self.dock.content.tabs.setCurrentIndex(tab)
+        settle(0.2)
+
+    def show_everything(self) -> None:
+        """The whole sample, nothing marked on it."""
+        self.dock.content.localize.results.table.clearSelection()
+        self.dock.content.inspect.use(None)
+        self.iface.mapCanvas().setReferencedExtent(QgsProject.instance().viewSettings().defaultViewExtent())
+        self.iface.mapCanvas().refresh()
+
+    def layer(self, position_from_top: int):
+        return QgsProject.instance().layerTreeRoot().findLayers()[position_from_top]
+
+    # --- pictures ---
+
+    def take(self, name: str, *widgets) -> None:
+        """A picture of the screen where these widgets are; of the whole window without any."""
+        self.iface.mapCanvas().waitWhileRendering()
+        settle(1.0)
+        # QGIS tells of every task that took a while.
+        self.iface.messageBar().clearWidgets()
+        settle(0.5)
+        area = QRect()
+        for widget in widgets or (self.window,):
+            area = area.united(QRect(widget.mapToGlobal(QPoint(0, 0)), widget.size()))
+        screen = QGuiApplication.primaryScreen()
+        picture = screen.grabWindow(0, area.x(), area.y(), area.width(), area.height())
+        file = Path(self.job["pictures"]) / f"{name}{self.suffix}.png"
+        if picture.isNull() or not picture.save(str(file)):
+            raise RuntimeError(f"{file} could not be written")
+        self.taken.append(file.name)
+
+
+def settle(seconds: float) -> None:
+    """Lets the window do what it has to for a while."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QCoreApplication.processEvents()
+        time.sleep(0.01)
+
+
+def wait_until(condition, what: str) -> None:
+    end = time.monotonic() + LIMIT_S
+    while not condition():
+        if time.monotonic() > end:
+            raise RuntimeError(f"{what} did not come within {LIMIT_S} s")
+        settle(0.1)
+
+
+def failures() -> list:
+    """What the message bar says at its reddest."""
+    return [item.text() for item in qgis.utils.iface.messageBar().items() if int(item.level()) == 2]
