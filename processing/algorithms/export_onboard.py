@@ -71,6 +71,18 @@ class ExportOnboard(SemRefAlgorithm):
                 ),
                 default=True,
             ),
+            *self._file_parameters(),
+            FileOutput(
+                self.OUTPUT,
+                tr("Onboard file"),
+                tr("Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages."),
+                filter=tr("Onboard files (*.npz)"),
+            ),
+            NumberResult(self.BYTES, tr("Size in bytes")),
+        )
+
+    def _file_parameters(self) -> tuple[Declared, ...]:
+        return (
             Number(
                 self.PRECISION,
                 tr("Precision (map units)"),
@@ -94,13 +106,6 @@ class ExportOnboard(SemRefAlgorithm):
                 advanced=True,
                 filter=tr("All files (*)"),
             ),
-            FileOutput(
-                self.OUTPUT,
-                tr("Onboard file"),
-                tr("Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages."),
-                filter=tr("Onboard files (*.npz)"),
-            ),
-            NumberResult(self.BYTES, tr("Size in bytes")),
         )
 
     def read_layers(self, values: Values) -> None:

@@ -83,6 +83,35 @@ class LocalizeImages(SemRefAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             offers.database(),
+            *self._image_parameters(),
+            *priors.parameters(),
+            *self._flight_parameters(),
+            *self._output_parameters(),
+            Number(
+                self.RISK,
+                tr("Allowed risk of a wrong fix"),
+                tr(
+                    "A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 "
+                    "fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such "
+                    "probability."
+                ),
+                advanced=True,
+                default=RISK,
+                minimum=LEAST_RISK,
+                maximum=0.5,
+                decimals=12,
+            ),
+            *self._layer_parameters(),
+            offers.sun_direction(
+                tr(
+                    "Where the sun stood when the images were taken, in degrees clockwise from grid north: what the "
+                    "model states that shadows shift turns with it. Without it such a shift is only added to the error."
+                )
+            ),
+        )
+
+    def _image_parameters(self) -> tuple[Declared, ...]:
+        return (
             Files(
                 self.IMAGES,
                 tr("Images"),
@@ -111,30 +140,6 @@ class LocalizeImages(SemRefAlgorithm):
                 ),
                 default=Method.AUTOMATIC.number,
                 options=[worded(method.title) for method in Method],
-            ),
-            *priors.parameters(),
-            *self._flight_parameters(),
-            *self._output_parameters(),
-            Number(
-                self.RISK,
-                tr("Allowed risk of a wrong fix"),
-                tr(
-                    "A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 "
-                    "fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such "
-                    "probability."
-                ),
-                advanced=True,
-                default=RISK,
-                minimum=LEAST_RISK,
-                maximum=0.5,
-                decimals=12,
-            ),
-            *self._layer_parameters(),
-            offers.sun_direction(
-                tr(
-                    "Where the sun stood when the images were taken, in degrees clockwise from grid north: what the "
-                    "model states that shadows shift turns with it. Without it such a shift is only added to the error."
-                )
             ),
         )
 

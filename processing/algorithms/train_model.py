@@ -141,32 +141,7 @@ class TrainModel(AnnotationAlgorithm):
 
     def _details(self) -> tuple[Declared, ...]:
         return (
-            Number(
-                self.EPOCHS,
-                tr("Epochs"),
-                tr("Rounds over the ground, at most; the time limit may end it earlier."),
-                advanced=True,
-                default=200,
-                minimum=1,
-                is_integer=True,
-            ),
-            Number(
-                self.PATIENCE,
-                tr("Patience (epochs)"),
-                tr("Training stops when ground set aside has not been told better for so many epochs. 0: never."),
-                advanced=True,
-                default=30,
-                minimum=0,
-                is_integer=True,
-            ),
-            Choice(
-                self.NETWORK,
-                tr("Network"),
-                tr("What is trained where there is no base model. The small one is quicker and knows nothing yet."),
-                advanced=True,
-                default=LITE0_NETWORK,
-                options=(tr("EfficientNet-Lite0, which knows photos"), tr("Small, from scratch")),
-            ),
+            *self._learning_parameters(),
             Number(
                 self.RESOLUTION,
                 tr("Resolution (cm per pixel)"),
@@ -200,6 +175,36 @@ class TrainModel(AnnotationAlgorithm):
                 filter=tr("Programs (*)"),
             ),
             offers.seed(default=1671),
+        )
+
+    def _learning_parameters(self) -> tuple[Declared, ...]:
+        return (
+            Number(
+                self.EPOCHS,
+                tr("Epochs"),
+                tr("Rounds over the ground, at most; the time limit may end it earlier."),
+                advanced=True,
+                default=200,
+                minimum=1,
+                is_integer=True,
+            ),
+            Number(
+                self.PATIENCE,
+                tr("Patience (epochs)"),
+                tr("Training stops when ground set aside has not been told better for so many epochs. 0: never."),
+                advanced=True,
+                default=30,
+                minimum=0,
+                is_integer=True,
+            ),
+            Choice(
+                self.NETWORK,
+                tr("Network"),
+                tr("What is trained where there is no base model. The small one is quicker and knows nothing yet."),
+                advanced=True,
+                default=LITE0_NETWORK,
+                options=(tr("EfficientNet-Lite0, which knows photos"), tr("Small, from scratch")),
+            ),
         )
 
     # --- before any work ---

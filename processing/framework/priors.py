@@ -21,11 +21,6 @@ SCALE_MINIMUM, SCALE_MAXIMUM = "SCALE_MINIMUM", "SCALE_MAXIMUM"
 
 def parameters() -> tuple[Parameter, ...]:
     """Position, heading and scale; none is ever needed."""
-    scale = tr(
-        "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are "
-        "left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 "
-        "to 2.5. A narrow range is searched faster."
-    )
     return (
         MapPoint(
             PRIOR_POINT,
@@ -63,13 +58,20 @@ def parameters() -> tuple[Parameter, ...]:
             minimum=1,
             maximum=180,
         ),
-        *(
-            Number(key, title, scale, optional=True, advanced=True, minimum=0.01, maximum=100)
-            for key, title in (
-                (SCALE_MINIMUM, tr("Smallest scale")),
-                (SCALE_MAXIMUM, tr("Largest scale")),
-            )
-        ),
+        *_scale_parameters(),
+    )
+
+
+def _scale_parameters() -> tuple[Parameter, ...]:
+    scale = tr(
+        "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are "
+        "left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 "
+        "to 2.5. A narrow range is searched faster."
+    )
+    titles = {SCALE_MINIMUM: tr("Smallest scale"), SCALE_MAXIMUM: tr("Largest scale")}
+    return tuple(
+        Number(key, title, scale, optional=True, advanced=True, minimum=0.01, maximum=100)
+        for key, title in titles.items()
     )
 
 
