@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
@@ -29,6 +30,8 @@ from .destinations import Destination, destination_of, with_destination
 if TYPE_CHECKING:
     from ...core.labels.class_table import ClassTable
     from ..exchange.layers import RasterLayer
+
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.IGNORECASE | re.ASCII)
 
 
 class Values:
@@ -69,7 +72,14 @@ class Values:
     # --- plain values ---
 
     def number(self, key: str) -> float:
-        """A number, its default if it was left out. Raises ParameterError for NaN and infinity, which QGIS takes."""
+        """A number, its default if it was left out.
+
+        Raises:
+            ParameterError: It is NaN or infinity, which QGIS takes, or a text for which QGIS takes the default, or 0.
+        """
+        given = self.raw(key)
+        if isinstance(given, str) and given and not _NUMBER.fullmatch(given.strip()):
+            raise ParameterError("algorithms.no_number", key=key, number=given)
         return _finite(self._read("Double", key), key)
 
     def optional_number(self, key: str, default: float | None = None) -> float | None:

@@ -183,3 +183,19 @@ def test_a_list_of_images_with_a_character_0_is_refused(run_algorithm, tmp_path,
     parameters = {"DATABASE": str(tmp_path / "area.gpkg"), "IMAGES": ["a.png", "b\0.png"], "OUTPUT": "memory:"}
     possible, reason = algorithm.checkParameterValues(parameters, QgsProcessingContext())
     assert not possible and reason.startswith("IMAGES is “b\\x00.png”")
+
+
+@pytest.mark.parametrize("text", ["/folder/area.gpkg", "1,5", "x", "0x10", "1_000"])
+def test_a_text_that_is_no_number_is_refused_also_where_none_is_needed(qgis_app, tmp_path, text):
+    """QGIS takes 0 for it, which no scale is."""
+    from qgis.core import QgsApplication, QgsProcessingContext
+
+    algorithm = QgsApplication.processingRegistry().algorithmById("semref:localizeimages").create()
+    parameters = {"DATABASE": str(tmp_path / "a.gpkg"), "IMAGES": ["a.png"], "OUTPUT": "memory:", "SCALE_MINIMUM": text}
+    possible, reason = algorithm.checkParameterValues(parameters, QgsProcessingContext())
+    assert not possible and reason == f"SCALE_MINIMUM is {text}, which is no number; give one."
+    for number in ("1.5", " 2", "1e-1", ".5", "2."):
+        possible, reason = algorithm.checkParameterValues(
+            {**parameters, "SCALE_MINIMUM": number}, QgsProcessingContext()
+        )
+        assert possible, reason
