@@ -116,8 +116,10 @@ class GeoreferenceImages(SemRefAlgorithm):
                         cancelable(writer, file, image, target, points.get(image.path, []), feedback=feedback)
                         written += 1
                     except SemRefError as error:
-                        # One bad image must not stop the others.
                         check_canceled(feedback)
+                        # One bad image must not stop the others; a full disk does.
+                        if error.sentence.code in _NO_ROOM:
+                            raise
                         refusal = self.worded(error)
                 if refusal:
                     feedback.pushWarning(tr("{image}: left out. {reason}").format(image=name, reason=refusal))
@@ -145,6 +147,10 @@ def _why_not(image: FoundImage) -> str:
     if image.was_leveled and image.ground is None:
         return tr("Its camera was tilted; give FOOTPRINTS of the same run, which tell how it lies.")
     return ""
+
+
+_NO_ROOM = ("storage.unwritable", "storage.not_whole")
+"""Errors of the place that is written to, and not of an image."""
 
 
 class _Writer:

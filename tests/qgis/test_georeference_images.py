@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from full_disks import files_of_at_most
 from made_inputs import NORTH, WEST, scattered_objects, write_layer, write_raster
 from osgeo import gdal
 from qgis.core import QgsProcessingException
@@ -168,3 +170,12 @@ def test_layers_of_something_else_are_refused(georeference, tmp_path):
     degrees = made_positions(tmp_path / "d.gpkg", "one.png", crs=4326)
     with pytest.raises(QgsProcessingException, match="EPSG:4326, which does not measure in meters"):
         georeference(POSITIONS=degrees, FOOTPRINTS=None)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
+@pytest.mark.parametrize("size", [0, 500, 3000])
+def test_a_full_disk_is_an_error_and_leaves_no_folder(georeference, tmp_path, size):
+    """Cut GeoTIFFs were left in the folder, and the run said that it was done."""
+    with pytest.raises(QgsProcessingException), files_of_at_most(size):
+        georeference()
+    assert list(tmp_path.iterdir()) == []
