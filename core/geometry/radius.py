@@ -60,4 +60,4 @@ def circle_radius(covariance: np.ndarray, held: float = HELD) -> float:
         if abs(following - radius) < SMALLEST_STEP:
             break
         radius = following if low < following < high else (low + high) / 2
-    return radius * float(major)
+    return float(radius * major)
