@@ -184,8 +184,8 @@
    <translation>Fügt dem Projekt die Positionen als temporären Punktlayer hinzu</translation>
   </message>
   <message>
-   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned.</source>
-   <translation>Luftbild mit 8 oder 16 Bit und seiner Lage auf dem Boden. Gelernt werden Rot, Grün und Blau.</translation>
+   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map tiles and web maps are drawn by QGIS; they need extent and resolution.</source>
+   <translation>Luftbild mit 8 oder 16 Bit und seiner Lage auf dem Boden. Gelernt werden Rot, Grün und Blau. Kartenkacheln und Webkarten zeichnet QGIS; sie brauchen Ausdehnung und Auflösung.</translation>
   </message>
   <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
@@ -5218,6 +5218,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
    <translation>„{layer}“ lässt sich in jeder Auflösung zeichnen, und {model} nennt seine nicht; wählen Sie ein Modell, das sie nennt.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution; give RESOLUTION.</source>
+   <translation>„{layer}“ kann in jeder Auflösung gezeichnet werden; RESOLUTION angeben.</translation>
   </message>
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>

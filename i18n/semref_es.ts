@@ -184,8 +184,8 @@
    <translation>Añade las posiciones al proyecto como capa de puntos temporal</translation>
   </message>
   <message>
-   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned.</source>
-   <translation>Imagen aérea de 8 o 16 bits con su lugar en el terreno. Se aprenden rojo, verde y azul.</translation>
+   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map tiles and web maps are drawn by QGIS; they need extent and resolution.</source>
+   <translation>Imagen aérea de 8 o 16 bits con su lugar en el terreno. Se aprenden rojo, verde y azul. Las teselas de mapas y los mapas web los dibuja QGIS; necesitan extensión y resolución.</translation>
   </message>
   <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
@@ -5218,6 +5218,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
    <translation>«{layer}» puede dibujarse con cualquier resolución y {model} no indica la suya; elija un modelo que la indique.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution; give RESOLUTION.</source>
+   <translation>«{layer}» se puede dibujar a cualquier resolución; indique RESOLUTION.</translation>
   </message>
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>

@@ -184,8 +184,8 @@
    <translation>Ajoute les positions au projet comme couche temporaire de points</translation>
   </message>
   <message>
-   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned.</source>
-   <translation>Image aérienne de 8 ou 16 bits avec sa place au sol. Le rouge, le vert et le bleu sont appris.</translation>
+   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map tiles and web maps are drawn by QGIS; they need extent and resolution.</source>
+   <translation>Image aérienne de 8 ou 16 bits avec sa place au sol. Le rouge, le vert et le bleu sont appris. Les tuiles de cartes et les cartes web sont dessinées par QGIS ; il leur faut une emprise et une résolution.</translation>
   </message>
   <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
@@ -5218,6 +5218,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
    <translation>« {layer} » peut être dessinée à toute résolution, et {model} ne dit pas la sienne ; choisissez un modèle qui la dit.</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution; give RESOLUTION.</source>
+   <translation>« {layer} » peut être dessinée à n’importe quelle résolution ; donnez RESOLUTION.</translation>
   </message>
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>

@@ -184,8 +184,8 @@
    <translation>将位置作为临时点图层添加到工程中</translation>
   </message>
   <message>
-   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned.</source>
-   <translation>带有地面位置的 8 位或 16 位航空影像。学习红、绿、蓝波段。</translation>
+   <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map tiles and web maps are drawn by QGIS; they need extent and resolution.</source>
+   <translation>带有地面位置的 8 位或 16 位航空影像。学习红、绿、蓝波段。地图瓦片和网络地图由 QGIS 绘制；它们需要范围和分辨率。</translation>
   </message>
   <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
@@ -5218,6 +5218,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
    <translation>“{layer}”可按任意分辨率绘制，而 {model} 没有说明自己的分辨率；请选择说明了分辨率的模型。</translation>
+  </message>
+  <message>
+   <source>“{layer}” can be drawn at any resolution; give RESOLUTION.</source>
+   <translation>“{layer}”可以按任意分辨率绘制；请给出 RESOLUTION。</translation>
   </message>
   <message>
    <source>“{layer}” can’t be drawn: {reason}.</source>

@@ -8,13 +8,14 @@ from contextlib import closing
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ...core.errors import ParameterError
+from ...core.errors import ImageError, ParameterError
 from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
 from ...training.job import EXAMPLES, JOB, LITE0, PACKAGED, RESULT, SMALL, Job
 from ..framework import offers
 from ..framework.annotation import AnnotationAlgorithm
 from ..framework.base import Canceled, Declared, follow
 from ..framework.declarations import Choice, File, FileOutput, MapExtent, Number, NumberResult, RasterLayer, Switch
+from ..framework.photo_source import PhotoSource
 from ..framework.training_process import TrainingTeller, require_training, training_events
 from ..framework.training_run import CanceledKeeping, TrainingRun, stamp
 from ..packages.training_environment import training_python
@@ -79,7 +80,10 @@ class TrainModel(AnnotationAlgorithm):
             RasterLayer(
                 self.IMAGE,
                 tr("Orthophoto"),
-                tr("Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned."),
+                tr(
+                    "Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map "
+                    "tiles and web maps are drawn by QGIS; they need extent and resolution."
+                ),
             ),
             *(
                 replace(parameter, optional=True)
@@ -217,9 +221,14 @@ class TrainModel(AnnotationAlgorithm):
         training_python(values.file(self.PYTHON))
 
     def read_layers(self, values: Values) -> None:
-        from ..exchange.training_ground import require_common_ground
+        from ..exchange.rendering import needs_drawing
+        from ..exchange.training_ground import named_layer, require_common_ground
 
-        self._image, image = values.image(self.IMAGE), values.raster(self.IMAGE)
+        image = values.raster(self.IMAGE)
+        self._photo = PhotoSource(values, self.IMAGE, self.EXTENT) if needs_drawing(image) else None
+        if self._photo is not None and not values.has(self.RESOLUTION):
+            raise ImageError("exchange.resolution_needed", layer=image.name())
+        self._image = values.image(self.IMAGE) if self._photo is None else named_layer(image)
         self._image_extent, self._labels = image.extent(), None
         if values.has(self.INPUT):
             super().read_layers(values)
@@ -257,14 +266,14 @@ class TrainModel(AnnotationAlgorithm):
     ) -> TrainingReport:
         """Cuts the ground, trains on it, writes the model; what there is to say of it."""
         job = self._job(values, target, run)
-        run.begin(job, values.switch(self.RESUME))
-        ground = self._ground(values)
-        image = ground.image(run.folder)
+        job = run.begin(job, values.switch(self.RESUME))
         if not run.has_tiles:
+            ground = self._ground(values, feedback)
+            image = ground.image(run.folder)
             self._cut(values, image, ground, run, feedback)
-        base = {"base_model": os.path.basename(job.base_model)} if job.base_model else {}
-        job = replace(job, ground={**ground.told(image), **base})
-        job.write(run.folder / JOB)
+            base = {"base_model": os.path.basename(job.base_model)} if job.base_model else {}
+            job = replace(job, ground={**ground.told(image), **base})
+            job.write(run.folder / JOB)
         teller = TrainingTeller(feedback, CUT, TRAINED)
         with closing(training_events(python, [str(run.folder / JOB)], feedback)) as events:
             for event in events:
@@ -310,22 +319,28 @@ class TrainModel(AnnotationAlgorithm):
             "labels": [source.name, source.count, source.extent.toString(3), values.text(self.CLASS_FIELD)],
         }
 
-    def _ground(self, values: Values) -> TrainingGround:
-        """What is to be seen of the image."""
-        from ..exchange.training_ground import TrainingGround
+    def _ground(self, values: Values, feedback: QgsProcessingFeedback) -> TrainingGround:
+        """What is to be seen of the image, which is drawn first where it is no file."""
+        from ..exchange.training_ground import TrainingGround, opened
 
+        layer, extent = self._image, self._image_extent
+        resolution_cm = values.optional_number(self.RESOLUTION)
+        resolution_m = None if resolution_cm is None else resolution_cm / 100
+        if self._photo is not None:
+            layer, extent = opened(self._photo.file(resolution_m, feedback), self.IMAGE)
+            resolution_m = None
         drawn = None
         if self._labels is None and values.choice(self.UNLABELED) == SOMETHING_ELSE:
             # Beyond what was annotated, nothing tells that there is something else.
             drawn = self._source.extent, self._source.crs
         labels = self._source.name if self._labels is None else os.path.basename(self._labels.path)
-        resolution_cm = values.optional_number(self.RESOLUTION)
         return TrainingGround(
-            self._image,
-            self._image_extent,
+            layer,
+            extent,
+            os.path.basename(self._image.path),
             labels,
-            None if resolution_cm is None else resolution_cm / 100,
-            values.extent(self.EXTENT, self._image.crs),
+            resolution_m,
+            values.extent(self.EXTENT, layer.crs),
             drawn,
             values.transform_context,
         )

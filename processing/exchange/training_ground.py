@@ -19,7 +19,7 @@ from ...core.errors import ParameterError
 from ...storage.rasters import RasterFile
 from ...storage.training_ground import WantedGround, frame_of, is_placed, seen_ground
 from ..compat import is_metric, wkt_for_gdal
-from .layers import RasterLayer
+from .layers import RasterLayer, image_layer
 from .reference_systems import describe_crs, metric_crs
 
 Placed = tuple[QgsRectangle, QgsCoordinateReferenceSystem]
@@ -46,6 +46,17 @@ def require_common_ground(
         raise ParameterError("exchange.no_common_ground", image=image.name(), labels=name)
 
 
+def named_layer(layer: QgsRasterLayer) -> RasterLayer:
+    """A layer that is no file yet: it stands for the drawing that will be made of it."""
+    return RasterLayer(layer.name(), layer.crs(), ())
+
+
+def opened(path: str, key: str) -> tuple[RasterLayer, QgsRectangle]:
+    """A file that was just drawn, and its extent; for the thread that drew it."""
+    layer = QgsRasterLayer(path)
+    return image_layer(layer, key), layer.extent()
+
+
 @dataclass(frozen=True)
 class TrainingGround:
     """What is to be seen of an image.
@@ -53,6 +64,7 @@ class TrainingGround:
     Attributes:
         layer: The image.
         extent: Of the image, in its CRS.
+        name: What the image is called.
         labels: What annotation or label map is called.
         pixel_size: Meters; None for the image's own.
         wanted: What the user wants of it, in the image's CRS; an empty one for all.
@@ -62,6 +74,7 @@ class TrainingGround:
 
     layer: RasterLayer
     extent: QgsRectangle
+    name: str
     labels: str
     pixel_size: float | None
     wanted: QgsRectangle
@@ -90,7 +103,7 @@ class TrainingGround:
         for part in parts:
             shared = shared.intersect(part)
         if shared.isEmpty():
-            raise ParameterError("exchange.no_common_ground", image=self.layer.path, labels=self.labels)
+            raise ParameterError("exchange.no_common_ground", image=self.name, labels=self.labels)
         return shared.xMinimum(), shared.yMinimum(), shared.xMaximum(), shared.yMaximum()
 
     def _parts(self) -> list[Placed]:
@@ -107,7 +120,7 @@ class TrainingGround:
 
     def told(self, image: RasterFile) -> dict:
         """What the model's metadata tell of the ground it was trained on."""
-        found = {"image": Path(self.layer.path).name, "labels": self.labels, "date": date.today().isoformat()}
+        found = {"image": self.name, "labels": self.labels, "date": date.today().isoformat()}
         if not is_placed(image):
             return found
         frame = frame_of(image)

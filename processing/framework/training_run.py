@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 from ...core.errors import ParameterError
@@ -72,12 +73,15 @@ class TrainingRun:
         """Says that all tiles are cut."""
         self.new_tiles.replace(self.tiles)
 
-    def begin(self, job: Job, resume: bool) -> None:
+    def begin(self, job: Job, resume: bool) -> Job:
         """Makes the folder, or finds an earlier run in it.
 
         Args:
             job: What is to be trained.
             resume: Whether an earlier run is gone on with; otherwise it is removed.
+
+        Returns:
+            The job; of an earlier run it has what is told of its ground.
 
         Raises:
             ParameterError: The folder is not one of a training, or its run has other settings.
@@ -87,18 +91,22 @@ class TrainingRun:
         if self.folder.is_dir() and not (resume and self.can_go_on):
             self.clear()
         if self.can_go_on:
-            self._require_same(job)
+            job = replace(job, ground=self._same(job).ground)
         self.folder.mkdir(exist_ok=True)
         job.write(self.folder / JOB)
+        return job
 
-    def _require_same(self, job: Job) -> None:
+    def _same(self, job: Job) -> Job:
+        """The earlier run, which must have the same settings."""
         try:
-            differing = job.differences(read_job(self.folder / JOB))
+            earlier = read_job(self.folder / JOB)
+            differing = job.differences(earlier)
         except ValueError:
             raise ParameterError("storage.folder_not_empty", path=self.folder) from None
         if differing:
             settings = tuple(_KEYS.get(name, name) for name in differing)
             raise ParameterError("algorithms.other_training", folder=self.folder, settings=settings)
+        return earlier
 
     def clear(self) -> None:
         """Removes the folder."""

@@ -15,7 +15,8 @@ import numpy as np
 import pytest
 from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
 from made_models import write_model
-from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsSettings
+from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsSettings
+from tile_server import tile_server
 
 TRAIN = "semref:trainmodel"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -147,6 +148,39 @@ def test_a_coarser_resolution_is_learned_from_fewer_pixels(train, tmp_path):
     job = json.loads((kept / "job.json").read_text())
     assert job["ground"]["pixel_size"] == 1.5
     assert json.loads((kept / "tiles" / "manifest.json").read_text())["pixel_size"] == 1.5
+
+
+def test_an_image_in_degrees_is_learned_from_in_meters(train, tmp_path):
+    from osgeo import gdal
+
+    kept, turned = tmp_path / "kept", str(tmp_path / "degrees.tif")
+    gdal.Warp(turned, str(tmp_path / "image.tif"), dstSRS="EPSG:4326", resampleAlg="nearest")
+    layer = write_layer(
+        tmp_path / "drawn.gpkg", [(square(100, 300, 200), "building"), (square(400, 300, 200), "water")]
+    )
+    annotation = {"LABELS": None, "INPUT": str(layer), "CLASS_FIELD": "class"}
+    train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, IMAGE=turned, RESOLUTION=100, **annotation)
+    job = json.loads((kept / "job.json").read_text())
+    assert job["ground"]["crs"] == "EPSG:32632" and job["ground"]["pixel_size"] == 1.0
+    np.testing.assert_allclose(np.bincount(read_pixels(kept / "labels.tif").ravel())[1:], 40_000, rtol=0.01)
+
+
+def test_map_tiles_are_drawn_in_the_extent_before_they_are_learned_from(train, tmp_path):
+    kept = tmp_path / "kept"
+    layer = write_layer(
+        tmp_path / "drawn.gpkg", [(square(100, 300, 200), "building"), (square(400, 300, 200), "water")]
+    )
+    annotation = {"LABELS": None, "INPUT": str(layer), "CLASS_FIELD": "class"}
+    with tile_server() as source:
+        tiles = QgsRasterLayer(source, "tiles", "wms")
+        given = {"IMAGE": tiles, "EXTENT": f"{WEST},{WEST + 700},{NORTH - 600},{NORTH} [EPSG:32632]", **annotation}
+        with pytest.raises(QgsProcessingException, match="RESOLUTION"):
+            train(**given)
+        train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, RESOLUTION=100, **given)
+    job = json.loads((kept / "job.json").read_text())
+    assert job["ground"]["image"] == "tiles" and job["ground"]["crs"] == "EPSG:32632"
+    np.testing.assert_allclose(job["ground"]["extent"], [WEST, NORTH - 600, WEST + 700, NORTH], atol=1)
+    assert np.bincount(read_pixels(kept / "labels.tif").ravel())[1:].tolist() == [40_000, 40_000]
 
 
 def test_a_cancel_ends_the_process_at_once_and_keeps_what_was_trained(train, tmp_path):
