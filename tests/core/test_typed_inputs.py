@@ -48,6 +48,7 @@ def require_one_sentence(error: SemRefError) -> None:
     assert text and len(text) < 3000 and text.isprintable() and text.encode("utf-8")
 
 
+@pytest.mark.slow
 @seeded
 @hypothesis.given(strategies.lists(strategies.lists(CELLS, min_size=1, max_size=5), max_size=4))
 def test_a_table_of_any_cells_is_a_class_table_or_one_sentence(rows):

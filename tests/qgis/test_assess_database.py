@@ -86,6 +86,7 @@ def test_the_layer_brings_its_style(assessed):
     assert not [path for path in Path(assessed[0]["OUTPUT"]).parent.iterdir() if path.suffix in (".gpkg-wal", "-shm")]
 
 
+@pytest.mark.slow
 def test_a_layer_that_is_loaded_gets_the_style(database, qgis_app):
     context, project = QgsProcessingContext(), QgsProject()
     context.setProject(project)
@@ -121,6 +122,7 @@ def test_the_same_seed_gives_the_same_map(run_algorithm, database, tmp_path):
     assert one == two
 
 
+@pytest.mark.slow
 def test_map_correlation_is_tried_where_landmarks_fail(run_algorithm, database, tmp_path, feedback):
     parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": str(tmp_path / "map.gpkg")}
     results = run_algorithm(ASSESS, {**parameters, "MAP_CORRELATION": True}, feedback)

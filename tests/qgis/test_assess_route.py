@@ -208,6 +208,7 @@ def test_the_layer_brings_its_style(assessed):
     assert QgsVectorLayer(assessed[0]["OUTPUT"], "points", "ogr").renderer().type() == "graduatedSymbol"
 
 
+@pytest.mark.slow
 def test_a_stretch_beside_landmarks_is_hinted_there(run_algorithm, database, tmp_path, feedback):
     # Northwards along the empty east: the landmarks lie to the left.
     layer = write_layer(tmp_path / "route.gpkg", [(line([(640, 400), (640, 100)]), "a")])

@@ -154,6 +154,7 @@ def test_cancel_leaves_nothing_where_nothing_was(jobs, small_steps, tmp_path, na
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="open files can't be listed here")
 @pytest.mark.parametrize("name", ["rasterize", "decode", "build", "segment"])
 @pytest.mark.parametrize("percent", [50, pytest.param(90, marks=pytest.mark.slow)])
@@ -178,6 +179,7 @@ def test_files_are_closed_before_they_are_removed(jobs, small_steps, tmp_path, m
     assert looked
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", JOBS)
 def test_after_a_cancel_the_next_run_succeeds_and_its_progress_goes_up_smoothly(jobs, small_steps, tmp_path, name):
     with pytest.raises(QgsProcessingException):

@@ -193,6 +193,7 @@ def test_a_photo_is_no_prediction(compare, tmp_path):
         compare(write_raster(tmp_path / "a.tif", LABELS), photo)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
 def test_where_there_is_no_room_for_its_polygons_it_says_so(tmp_path):
     """GDAL takes back all rows where a commit finds the disk full; that was read as maps that agree everywhere."""

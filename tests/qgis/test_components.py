@@ -129,6 +129,7 @@ def test_what_cannot_be_imported_is_removed_and_explained_and_what_came_before_s
     assert [path.name for path in components.components_folder().iterdir()] == [GOOD.module]
 
 
+@pytest.mark.slow
 @needs_pip
 def test_a_folder_without_the_wheel_is_explained(root, tmp_path, installer):
     (tmp_path / "empty").mkdir()
@@ -236,6 +237,7 @@ def pinned(wheels, monkeypatch):
     return pin
 
 
+@pytest.mark.slow
 @needs_pip
 def test_a_wheel_with_the_pinned_hash_is_installed(root, wheels, installer, pinned):
     (wheel,) = wheels.glob("semref_made*.whl")
@@ -245,6 +247,7 @@ def test_a_wheel_with_the_pinned_hash_is_installed(root, wheels, installer, pinn
     assert importlib.import_module(GOOD.module).VALUE == 7
 
 
+@pytest.mark.slow
 @needs_pip
 def test_another_wheel_under_the_same_name_is_refused(root, installer, pinned):
     pinned("0" * 64)

@@ -110,6 +110,7 @@ def test_ranges_come_back_in_the_points(evaluate):
         assert 10 <= row["missed"] <= 15 and 0.2 <= row["offset"] <= 0.3 and row["invented"] == 20
 
 
+@pytest.mark.slow
 def test_a_map_with_other_pixels_will_do(evaluate, tmp_path):
     fine = np.kron(LABELS, np.ones((2, 2), np.uint8))
     path = write_raster(tmp_path / "fine.tif", fine, names=NAMES, transform=(WEST, 0.5, 0.0, NORTH, 0.0, -0.5))
@@ -227,6 +228,7 @@ class CancelAt(QgsProcessingFeedback):
         self.cancel()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("percent", [1, 50, 95])
 def test_cancel_stops_at_once_and_leaves_nothing(inputs, tmp_path, percent):
     feedback = CancelAt(percent)

@@ -196,6 +196,7 @@ def plugin_rows(results) -> list:
     return [feature.items() for feature in source.GetLayer(0)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", [(1, "topology-vector"), (0, "automatic")])
 def test_images_have_the_same_fixes_with_and_without_qgis(
     export, run_algorithm, without_qgis, database, tmp_path, method

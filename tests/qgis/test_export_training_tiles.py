@@ -95,6 +95,7 @@ def test_tiles_without_labels_are_left_out(export):
     assert [t["column"] for t in manifest["tiles"] if t["row"] == TILE][0] == TILE
 
 
+@pytest.mark.slow
 def test_statistics_are_those_of_the_written_tiles(export):
     result, manifest = export(STRIDE=20)
     pixels = {"train": np.zeros(256, int), "validation": np.zeros(256, int)}
@@ -123,6 +124,7 @@ def test_a_class_table_may_be_given(export, tmp_path):
     assert "1,building,#d62728,reference" in (Path(result["OUTPUT"]) / "classes.csv").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_labels_on_another_grid_are_brought_onto_the_image(export, tmp_path):
     coarse = scattered_objects(HEIGHT // 4, WIDTH // 4, 40, seed=8)
     half_off = (WEST - 8.0, 4.0, 0.0, NORTH + 4.0, 0.0, -4.0)
@@ -137,6 +139,7 @@ def test_labels_on_another_grid_are_brought_onto_the_image(export, tmp_path):
         np.testing.assert_array_equal(found, expected[part])
 
 
+@pytest.mark.slow
 def test_labels_in_another_crs_are_brought_onto_the_image(export, tmp_path):
     source = gdal.Open(str(write_raster(tmp_path / "utm.tif", LABELS, names=NAMES)))
     gdal.Warp(str(tmp_path / "other.tif"), source, dstSRS="EPSG:25833", xRes=0.5, yRes=0.5).FlushCache()
@@ -173,6 +176,7 @@ def test_sixteen_bits_and_four_bands_become_geotiffs_with_all_values(export, tmp
         np.testing.assert_array_equal(found, image[(..., *part)])
 
 
+@pytest.mark.slow
 def test_the_manifest_tells_what_a_network_will_see_of_deep_images(export, tmp_path):
     from semref.storage.images import GdalImage
 
@@ -198,6 +202,7 @@ def test_where_the_image_has_no_data_the_labels_are_cleared(export, tmp_path):
     np.testing.assert_array_equal(names["64_96"][:4], LABELS[96:100, 64:96])
 
 
+@pytest.mark.slow
 def test_an_earlier_export_is_replaced_whole(export):
     first, _ = export(STRIDE=20)
     second, manifest = export(STRIDE=64)

@@ -56,6 +56,7 @@ def test_a_writer_without_inputs_is_an_error(faults, provider, tmp_path, monkeyp
         cases.all_parameters(provider, tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
 def test_faults_lose_nothing_and_readers_see_one_state(faults, provider, tmp_path, monkeypatch):
     _, readers, trials, writers = faults

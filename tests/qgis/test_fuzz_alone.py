@@ -7,10 +7,13 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 REPOSITORY = Path(__file__).resolve().parents[2]
 LONGEST_S = 600
 
 
+@pytest.mark.slow
 def test_every_door_keeps_its_contract():
     environment = {**os.environ, "SEMREF_FUZZ": "yes", "QT_QPA_PLATFORM": "offscreen"}
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/qgis/test_fuzz.py"]

@@ -158,6 +158,7 @@ def schema_of(path) -> set:
         return set(connection.execute("SELECT type, name, sql FROM sqlite_master").fetchall())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["harmless", "rtree_windows_geom_delete", "trigger_insert_feature_count_references"])
 def test_a_foreign_trigger_is_neither_run_nor_carried_into_an_update(read, update, built, database, name):
     whole = read(update(built))

@@ -81,6 +81,7 @@ def test_an_image_of_another_place_gets_a_reason(localize):
     assert found["status"] in ("no_match", "ambiguous") and found["reason"] and found["x"] is None
 
 
+@pytest.mark.slow
 def test_automatic_finds_it_where_landmarks_are_too_poor(localize):
     labels = view(700, 600, 20)
     # All landmarks in pieces.
@@ -91,6 +92,7 @@ def test_automatic_finds_it_where_landmarks_are_too_poor(localize):
     assert (found["x"], found["y"]) == pytest.approx((WEST + 700, NORTH - 600), abs=8)
 
 
+@pytest.mark.slow
 def test_automatic_tells_the_reasons_of_both_methods(localize):
     found = localize(np.ascontiguousarray(landscape(4)[:SIZE, :SIZE]), METHOD=0)
     assert found["status"] != "fix" and "Map correlation has no fix either: " in found["reason"]

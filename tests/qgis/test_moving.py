@@ -88,6 +88,7 @@ def states(tmp_path):
     return before, after
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
 def test_a_run_killed_at_any_moment_is_taken_back_or_complete(tmp_path, states):
     before, after = states
@@ -108,6 +109,7 @@ def test_a_run_killed_at_any_moment_is_taken_back_or_complete(tmp_path, states):
     assert seen == sorted(seen) and 40 < seen.index(True) < len(seen) - 10 and found == after
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
 def test_who_takes_back_may_be_killed_at_any_moment(tmp_path, states):
     before, _ = states

@@ -129,6 +129,7 @@ def test_what_did_not_change_keeps_its_fid(update, folder, old):
     assert len(set(before.values()) & set(after.values())) == len(set(before) & set(after))
 
 
+@pytest.mark.slow
 def test_updates_of_updates_lead_back(update, folder, old, tmp_path):
     there = update(CHANGED=str(folder / "changed.gpkg"))
     back = update(DATABASE=there, LABELS=str(folder / "old.tif"), OUTPUT=str(tmp_path / "back.gpkg"))

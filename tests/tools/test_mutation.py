@@ -64,6 +64,7 @@ def test_methods_are_named_by_their_class_and_what_stands_outside_functions_is_l
     }
 
 
+@pytest.mark.slow
 def test_a_noticed_fault_and_one_that_never_ends_fail_and_an_unnoticed_one_passes(mutation, tmp_path):
     module = tmp_path / "counted.py"
     module.write_text("def count(n):\n    k = 0\n    while k < n:\n        k += 1\n    return k\n")

@@ -34,6 +34,7 @@ def test_success_is_expected_where_landmarks_are_and_nowhere_else(assessed):
     assert all(estimates.reasons[n] == "too_few_references" for n in np.flatnonzero(outside))
 
 
+@pytest.mark.slow
 def test_success_lies_in_its_interval_and_trials_are_spread_evenly(assessed):
     cells, trials, estimates, _ = assessed
     assert ((estimates.low <= estimates.success) & (estimates.success <= estimates.high)).all()
@@ -41,6 +42,7 @@ def test_success_lies_in_its_interval_and_trials_are_spread_evenly(assessed):
     assert set(estimates.reasons) <= {*REASONS, ""}
 
 
+@pytest.mark.slow
 def test_an_error_is_expected_only_where_there_are_fixes(assessed):
     cells, _, estimates, _ = assessed
     assert np.isfinite(estimates.error[(cells.columns == 2) & (cells.rows == 2)]).all()
@@ -48,11 +50,13 @@ def test_an_error_is_expected_only_where_there_are_fixes(assessed):
     assert np.nanmax(estimates.error) < 0.02 * FOOTPRINT
 
 
+@pytest.mark.slow
 def test_predictions_from_the_other_trials_come_true(assessed):
     model = assessed[3].model
     assert brier_score(model.left_out, model.successes > 0) < 0.06
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_assessment_and_another_one_another(assessed_database, localizer, assessed):
     cells, trials, _, _ = assessed
     again, other = (Assessment(assessed_database, localizer, FOOTPRINT, Conditions(USUAL), seed) for seed in (1, 2))
@@ -63,6 +67,7 @@ def test_the_same_seed_gives_the_same_assessment_and_another_one_another(assesse
     assert other.plan(cells.centers, cells.size, 100) != queries
 
 
+@pytest.mark.slow
 def test_map_correlation_adds_where_landmarks_fail(assessed):
     cells, trials, alone, assessment = assessed
     chosen = assessment.to_correlate(trials, 30)
@@ -73,6 +78,7 @@ def test_map_correlation_adds_where_landmarks_fail(assessed):
     assert both.success.min() > 0.7
 
 
+@pytest.mark.slow
 def test_a_square_with_landmarks_on_one_side_has_the_mean_of_its_parts(assessed):
     _, trials, _, assessment = assessed
     # The landmarks end in the middle of this square.

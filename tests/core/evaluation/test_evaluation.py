@@ -230,6 +230,7 @@ def test_the_topology_vector_is_right_with_the_nearest_window(evaluate, database
         assert told(evaluation, query, position=position, **known).is_right is right
 
 
+@pytest.mark.slow
 def test_methods_on_a_made_map_behave_as_they_must(evaluate):
     on_windows = evaluate(**CLEAN, offset=(0, 0), scale=(1, 1), rotation=(0, 0))
     both = [Method.TOPOLOGY_VECTOR, Method.CONSTELLATION]

@@ -62,6 +62,7 @@ def test_it_holds_where_every_landmark_errs_by_itself(count):
     assert 0.9 <= held([tried(rng, count, errors=EXACT_MAP) for _ in range(150)]) <= 1.0
 
 
+@pytest.mark.slow
 def test_it_holds_where_neighbors_are_displaced_alike():
     rng = np.random.default_rng(1)
     results = [tried(rng, 60, displaced=1.13) for _ in range(150)]
@@ -112,6 +113,7 @@ def test_parts_make_the_radius():
     assert -1 <= known.correlation <= 1
 
 
+@pytest.mark.slow
 def test_heading_and_pixel_size_are_within_their_deviations():
     rng = np.random.default_rng(7)
     headings, sizes = [], []

@@ -123,6 +123,7 @@ MAPS = {
 each_map = pytest.mark.parametrize("make_map", MAPS.values(), ids=MAPS)
 
 
+@pytest.mark.slow
 @each_map
 @pytest.mark.parametrize("patch_pixels", [10**9, 0, 400], ids=["patched", "traced", "both"])
 def test_bands_of_any_height_give_the_objects_of_the_whole_map(make_map, patch_pixels):

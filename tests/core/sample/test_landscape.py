@@ -10,6 +10,10 @@ from semref.core.sample import classes, landscape
 SEED = 1671
 
 
+pytestmark = pytest.mark.slow
+"""Each makes a landscape; parts of it have tests of their own."""
+
+
 @pytest.fixture(scope="module")
 def land():
     """In small."""
@@ -23,7 +27,6 @@ def whole_land():
     return landscape.make_landscape(SEED)
 
 
-@pytest.mark.slow
 def test_the_same_seed_gives_the_same_landscape(land, monkeypatch):
     make_small(monkeypatch)
     again = landscape.make_landscape(SEED)
@@ -52,7 +55,6 @@ def test_no_house_stands_in_water(land):
     assert tree.query(houses, predicate="intersects").size == 0
 
 
-@pytest.mark.slow
 def test_the_whole_landscape_has_its_houses_and_nearly_every_window_ten_landmarks(whole_land):
     assert 1000 <= sum(f.class_value == classes.BUILDING for f in whole_land.features) <= 1600
     x0, y0, x1, y1 = whole_land.extent

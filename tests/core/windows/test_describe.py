@@ -201,6 +201,7 @@ def test_column_blocks_change_nothing(strip_pixels, stride):
     assert_same(in_blocks, whole)
 
 
+@pytest.mark.slow
 @each_map
 def test_threads_change_neither_the_windows_nor_their_order(make_map):
     labels = make_map(3, 120, 110)

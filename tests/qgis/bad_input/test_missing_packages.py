@@ -43,6 +43,7 @@ def test_a_missing_or_old_shapely_is_told_where_it_is_needed(qgis_app, monkeypat
     assert rasterize.canExecute()[0]
 
 
+@pytest.mark.slow
 def test_provider_and_dock_can_be_made_without_opencv_shapely_and_onnxruntime(repository):
     code = (
         "import sys, importlib.util\n"

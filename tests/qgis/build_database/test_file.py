@@ -131,6 +131,7 @@ def _rows(path) -> dict[str, int]:
         return {name: connection.execute(f'SELECT count(*) FROM "{name}"').fetchone()[0] for (name,) in tables}
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
 def test_a_disk_that_is_full_at_the_last_pages_is_told(build, label_map, database, tmp_path):
     """GDAL writes its last tables when it lets go of a file; what fails then was told to nobody."""
