@@ -46,6 +46,7 @@ NAMES = (
     "footprints",
     "attitude",
     "photos",
+    "own_ground",
     "assessment",
     "onboard",
     "segment",
@@ -111,7 +112,9 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--half", default="south", choices=("north", "south"), help="of Liechtenstein, for images")
     parser.add_argument("--model", type=Path, help="photos: a network that was not trained on --tile of dubai_aerial")
     parser.add_argument("--tile", type=int, default=6, help="photos: default %(default)s")
-    parser.add_argument("--python", default=sys.executable, help="onboard: one without QGIS makes the proof")
+    parser.add_argument(
+        "--python", default=sys.executable, help="onboard: one without QGIS makes the proof; own_ground: one with torch"
+    )
     parser.add_argument("--pictures", type=Path, help="assessment: folder for the documentation's pictures")
     parser.add_argument("--sample", action="store_true", help="measure the sample area though the real data is here")
     parser.add_argument("--quick", action="store_true", help="smaller cases, to try the benchmark itself")
