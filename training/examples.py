@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import torch
 
-from .tiles import ClassRow, TileReader
+from .tiles import ClassRow, TileReader, spread
 
 EDGE_PX, GAP_PX, MOST = 256, 8, 4
 UNKNOWN = (200, 200, 200)
@@ -33,8 +33,3 @@ def write_examples(
         small = [cv2.resize(one, (EDGE_PX, EDGE_PX), interpolation=cv2.INTER_AREA) for one in shown]
         picture = np.hstack([small[0], gap, small[1], gap, small[2]])
         cv2.imwrite(str(folder / f"example_{number}.png"), np.ascontiguousarray(picture[:, :, ::-1]))
-
-
-def spread(count: int, most: int) -> list[int]:
-    """At most so many numbers below ``count``, evenly apart."""
-    return sorted({int(n) for n in np.linspace(0, count - 1, min(count, most))}) if count else []

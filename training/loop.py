@@ -116,7 +116,7 @@ class Trainer:
             started = time.monotonic()
             loss = self._train_epoch(reader)
             self.epoch += 1
-            confusion = self._confusion(validation)
+            confusion = self.confusion(self.average, validation)
             row = {"epoch": self.epoch, "training_loss": round(loss, 4), **self._shown(confusion)}
             row |= {"learning_rate": f"{learning_rate_at(self.share, self.settings.learning_rate):.2e}"}
             row |= {"seconds": round(time.monotonic() - started, 1)}
@@ -183,16 +183,16 @@ class Trainer:
     def _standardized(self, images: torch.Tensor) -> torch.Tensor:
         return ((images - self.mean) / self.deviation).contiguous(memory_format=self.layout)
 
-    def _confusion(self, reader: TileReader) -> np.ndarray:
-        """(K, K) pixels of each true and predicted class, by the averaged weights on whole tiles."""
-        self.average.eval()
+    def confusion(self, network: torch.nn.Module, reader: TileReader) -> np.ndarray:
+        """(K, K) pixels of each true and predicted class, on whole tiles."""
+        network.eval()
         count = len(self.class_names)
         confusion = np.zeros((count, count), np.int64)
         with torch.inference_mode():
             for index in range(len(reader)):
                 image, labels = reader(index)
                 batch = torch.from_numpy(image.transpose(2, 0, 1)[None].copy()).to(self.device)
-                predicted = self.average(self._standardized(batch)).argmax(1)[0].cpu().numpy()
+                predicted = network(self._standardized(batch)).argmax(1)[0].cpu().numpy()
                 confusion += confusion_matrix(labels, predicted, count)
         return confusion
 

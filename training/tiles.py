@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import csv
 import json
 from dataclasses import dataclass
@@ -116,6 +117,13 @@ class TileReader:
     def __len__(self) -> int:
         return len(self.pairs)
 
+    def spread(self, most: int) -> TileReader:
+        """At most so many of the tiles, evenly apart."""
+        chosen = copy.copy(self)
+        chosen.pairs = [self.pairs[n] for n in spread(len(self.pairs), most)]
+        chosen._kept = {}
+        return chosen
+
     def __call__(self, index: int) -> tuple[np.ndarray, np.ndarray]:
         if index not in self._kept:
             pair = self.pairs[index]
@@ -128,6 +136,11 @@ class TileReader:
             self._kept[index] = image, self._channel[labels]
         image, labels = self._kept[index]
         return image / np.float32(255), labels
+
+
+def spread(count: int, most: int) -> list[int]:
+    """At most so many numbers below ``count``, evenly apart."""
+    return sorted({int(n) for n in np.linspace(0, count - 1, min(count, most))}) if count else []
 
 
 def read_image(pair: TilePair) -> np.ndarray:

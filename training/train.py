@@ -21,6 +21,10 @@ FROM_SCRATCH, FROM_WEIGHTS, FROM_BASE = 3e-3, 1e-3, 5e-4
 MOST_PIECES, FEWEST_PIECES = 320, 64
 """An epoch, where minutes are limited: so that curves and checkpoints come often enough; and at least."""
 
+WATCHED_TILES, JUDGED_TILES, TURNED_TILES = 16, 100, 25
+"""Validation tiles where minutes are limited: each epoch; in the end; for how far off classes are shown (four looks at
+each)."""
+
 SMALLEST_IMAGE = 128
 """Edge in pixels of which the network's pyramid leaves something."""
 
@@ -86,7 +90,10 @@ def run(job: Job, tell: loop.Tell) -> loop.Trainer:
     if job.resume and (folder / CHECKPOINT).exists():
         trainer.resume()
         tell("resumed", epoch=trainer.epoch, share=trainer.share)
-    trainer.run(ground.training, ground.validation)
+    watched = ground.validation.spread(WATCHED_TILES) if job.minutes else ground.validation
+    trainer.run(ground.training, watched)
+    if len(watched) < len(ground.validation):
+        trainer.best_confusion = trainer.confusion(trainer.network, ground.validation.spread(JUDGED_TILES))
     finish(job, trainer, ground, start, tell)
     return trainer
 
@@ -185,7 +192,8 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: 
         trainer.best_confusion,
         job.ground,
     )
-    entries |= _biases(export.answering(temporary, start.mean, start.deviation), ground)
+    turned = ground.validation.spread(TURNED_TILES) if job.minutes else ground.validation
+    entries |= _biases(export.answering(temporary, start.mean, start.deviation), ground, turned)
     export.add_metadata(temporary, entries)
     image = (ground.training(0)[0].transpose(2, 0, 1) - start.mean[:, None, None]) / start.deviation[:, None, None]
     half = max(ground.tile_size // 32 * 16, SMALLEST_IMAGE)
@@ -198,6 +206,7 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: 
         "classes": [c.__dict__ for c in ground.classes],
         "history": trainer.history,
         "best_epoch": trainer.best_epoch,
+        "mean_iou": mean_iou(trainer.best_confusion),
         "confusion": trainer.best_confusion.tolist(),
         "stopped_by": trainer.stopped_by,
         "seconds": round(trainer.seconds, 1),
@@ -212,11 +221,17 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: 
     tell("done", **{key: result[key] for key in ("best_epoch", "stopped_by", "seconds", "bytes", "difference")})
 
 
-def _biases(answer: Callable[[np.ndarray], np.ndarray], ground: Ground) -> dict[str, str]:
+def _biases(answer: Callable[[np.ndarray], np.ndarray], ground: Ground, reader: tiles.TileReader) -> dict[str, str]:
     """The entry of the metadata that says how far off classes are shown; none without meters or enough landmarks."""
-    rows = class_bias.measured(answer, ground.validation, len(ground.classes)) if ground.pixel_size else []
+    rows = class_bias.measured(answer, reader, len(ground.classes)) if ground.pixel_size else []
     biases = {ground.class_names[row.ground.value]: row.bias(ground.pixel_size) for row in rows}
     return {KEY: class_bias_text(biases)} if biases else {}
+
+
+def mean_iou(confusion: np.ndarray) -> float:
+    """Of the classes that have a true pixel; 0 without any."""
+    found = metrics.intersection_over_union(confusion)
+    return round(float(np.nanmean(found)), 4) if np.isfinite(found).any() else 0.0
 
 
 def _device_name(device: torch.device) -> str:

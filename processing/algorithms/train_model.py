@@ -259,7 +259,7 @@ class TrainModel(AnnotationAlgorithm):
         if outputs.wants(self.REPORT):
             outputs.text(self.REPORT, report.html())
         outputs.require(run.clear)
-        return {self.MEAN_IOU: report.best["mean_iou"]}
+        return {self.MEAN_IOU: report.result["mean_iou"]}
 
     def _trained(
         self, values: Values, python: str, target: str, run: TrainingRun, feedback: QgsProcessingFeedback

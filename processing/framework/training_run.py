@@ -90,6 +90,8 @@ class TrainingRun:
             raise ParameterError("storage.folder_not_empty", path=self.folder)
         if self.folder.is_dir() and not (resume and self.can_go_on):
             self.clear()
+            if self.folder.is_dir():
+                raise ParameterError("storage.folder_not_empty", path=self.folder)
         if self.can_go_on:
             job = replace(job, ground=self._same(job).ground)
         self.folder.mkdir(exist_ok=True)
@@ -111,7 +113,8 @@ class TrainingRun:
     def clear(self) -> None:
         """Removes the folder."""
         if (self.folder / JOB).is_file():
-            shutil.rmtree(self.folder)
+            # What is in use stays: a model that is done is not lost for it.
+            shutil.rmtree(self.folder, ignore_errors=True)
 
     def close(self) -> None:
         """Removes the folder unless there is something to go on with."""

@@ -36,11 +36,6 @@ class TrainingReport:
         """Of the classes, a channel each."""
         return [entry["name"] for entry in self.result["classes"]]
 
-    @property
-    def best(self) -> dict:
-        """The row of the curves whose weights the model has."""
-        return self.result["history"][self.result["best_epoch"] - 1]
-
     def html(self) -> str:
         """The whole page."""
         return page.page(
@@ -60,7 +55,7 @@ class TrainingReport:
         minutes = page.number(result["seconds"] / 60, "min")
         return page.key_figures(
             [
-                (page.percent(self.best["mean_iou"]), tr("mean IoU"), tr("on ground that was set aside")),
+                (page.percent(self.result["mean_iou"]), tr("mean IoU"), tr("on ground that was set aside")),
                 (epochs, tr("best epoch"), stopped_by(result["stopped_by"])),
                 (minutes, tr("training time"), result["device"]),
                 (

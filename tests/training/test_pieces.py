@@ -156,3 +156,17 @@ def test_what_a_network_shifts_is_told_apart_by_what_the_ground_shifts():
     bias = row.bias(0.5)
     assert (bias.east, bias.north, bias.right, bias.down) == pytest.approx((0.0, 1.0, 0.5, 0.0), abs=0.02)
     assert bias.spread < 0.1
+
+
+@pytest.mark.parametrize(("count", "most", "expected"), [(0, 4, []), (3, 4, [0, 1, 2]), (9, 3, [0, 4, 8])])
+def test_some_of_many_tiles_are_evenly_apart(count, most, expected):
+    assert tiles.spread(count, most) == expected
+    pairs = [tiles.TilePair(f"{n}.png", "labels", (1, 2, 3), None) for n in range(count)]
+    reader = tiles.TileReader(pairs, [0, 1], learn_unlabeled=True)
+    assert [pair.image for pair in reader.spread(most).pairs] == [f"{n}.png" for n in expected]
+    assert len(reader) == count
+
+
+def test_tiles_that_overlap_count_once():
+    pairs = [tiles.TilePair(tiles.Path(f"{c}_{r}.png"), "labels", (1, 2, 3), None) for c in (0, 4, 8) for r in (0, 4)]
+    assert [pair.image.stem for pair in tiles.apart(pairs, 8)] == ["0_0", "8_0"]
