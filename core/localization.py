@@ -173,13 +173,18 @@ class CorrelationPeaks:
 
     Attributes:
         score: At the best place.
-        runner_up: At the best other place.
+        runner_up: Highest at any other place.
         mirror: At the best place of the mirrored image, which can't be right.
+        detail: How much better what is finer than the pixels of the search agrees at the best place than at all others,
+            the mirrored image's too: −ln of a density, 0 where it is as usual.
+        runner_up_detail: Highest at any other place.
     """
 
     score: float
     runner_up: float
     mirror: float
+    detail: float = 0.0
+    runner_up_detail: float = 0.0
 
 
 @dataclass(frozen=True)

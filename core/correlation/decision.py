@@ -1,12 +1,16 @@
 """Map correlation's verdict: is the best place *the* place (docs/method.md#map-correlation)?
 
-Two opponents: the best other place of the map, and the best place of the mirrored image. The first tells whether the
-map has two places alike; the second what chance gives for an image with these classes on this map. The thresholds and
-curves were fitted on trials in the northern half of Liechtenstein and frozen before the southern half was tried
+Two opponents: chance, and the best other place of the map. What chance reaches for an image with these classes on this
+map the best place of the mirrored image tells; whether the map has two places alike, the best other place. Both are
+weighed by how well class areas agree as a whole, of which the place was chosen, and in detail, which nobody searched
+for. The curve was fitted on the northern half of Liechtenstein and frozen before the southern half was tried
 (docs/calibration.md).
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,24 +19,85 @@ from ..sentences import Sentence
 from .settings import CORRELATION, CorrelationSettings
 
 
-def over_runner_up(peaks: CorrelationPeaks) -> float:
-    """Lead over the best other place in Fisher's z."""
-    return fisher_z(peaks.score) - fisher_z(peaks.runner_up)
-
-
-def over_mirror(peaks: CorrelationPeaks) -> float:
-    """Lead over the mirrored image in Fisher's z."""
-    return fisher_z(peaks.score) - fisher_z(peaks.mirror)
-
-
-def smaller_lead(peaks: CorrelationPeaks) -> float:
-    """Lead over the stronger of both opponents in Fisher's z."""
-    return min(over_runner_up(peaks), over_mirror(peaks))
-
-
 def fisher_z(correlation: float) -> float:
     """artanh, bounded: makes the spread of correlations by chance alike whatever their size (Fisher 1915)."""
     return float(np.arctanh(np.clip(correlation, 0.0, 0.999)))
+
+
+def surprises(
+    details: Sequence[float], others: Sequence[float], settings: CorrelationSettings = CORRELATION
+) -> list[float]:
+    """Of each place, how little its detail is like that of all the others: −ln of Student's density, signed.
+
+    The others are few, so that their mean and their spread are averaged with what is usual: the posterior predictive
+    distribution of a normal one (Gelman et al., Bayesian Data Analysis, 3.3), 0 at its mean. One outlier among them
+    makes the spread large, so that of two places that stand out neither surprises.
+
+    Args:
+        details: Of ``detail_at``, of the image's places.
+        others: Of the mirrored image's, which can't be right.
+        settings: What is usual.
+    """
+    usual, spread, weight = settings.usual_detail
+    found = []
+    for number, detail in enumerate(details):
+        rest = np.array([*details[:number], *details[number + 1 :], *others])
+        count = len(rest) + weight
+        mean = (rest.sum() + weight * usual) / count
+        freedom = count - 1
+        squares = ((rest - mean) ** 2).sum() + weight * (spread**2 + (usual - mean) ** 2)
+        units = (detail - mean) / np.sqrt(squares / freedom * (1 + 1 / count))
+        found.append(float(np.sign(units) * (freedom + 1) / 2 * np.log1p(units**2 / freedom)))
+    return found
+
+
+def ranked(
+    places: Sequence[tuple[float, float]],
+    mirrored: Sequence[tuple[float, float]],
+    settings: CorrelationSettings = CORRELATION,
+) -> tuple[list[int], CorrelationPeaks]:
+    """Numbers of the places, most likely first, and what is decided about the first by.
+
+    Args:
+        places: Score and detail of each, highest score first, at least one.
+        mirrored: The same of the mirrored image's places.
+        settings: What they are worth.
+    """
+    scores = [score for score, _ in places]
+    details = surprises([detail for _, detail in places], [detail for _, detail in mirrored], settings)
+    mirror = mirrored[0][0] if mirrored else 0.0
+    chance = max(fisher_z(score) for score in (*scores[1:2], mirror, np.tanh(settings.least_chance)))
+    _, by_lead, by_detail = settings.confidence_curve
+    worth = [by_lead * fisher_z(score) / chance + by_detail * detail for score, detail in zip(scores, details)]
+    best, *others = order = [int(n) for n in np.argsort([-value for value in worth], kind="stable")]
+    other_score, other_detail = (max((kind[n] for n in others), default=0.0) for kind in (scores, details))
+    return order, CorrelationPeaks(scores[best], other_score, mirror, details[best], other_detail)
+
+
+def lead(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
+    """Lead over the stronger opponent in Fisher's z, in units of that one's: of what chance reaches here."""
+    chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), settings.least_chance)
+    return fisher_z(peaks.score) / chance - 1
+
+
+def log_odds_over_chance(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
+    """Ln of the odds that the best place is right, against that it is one by chance."""
+    offset, by_lead, by_detail = settings.confidence_curve
+    return offset + by_lead * lead(peaks, settings) + by_detail * peaks.detail
+
+
+def log_odds_over_runner_up(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
+    """The same against that another place is right, which is as good as the best others in score and in detail."""
+    _, by_lead, by_detail = settings.confidence_curve
+    chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), settings.least_chance)
+    lead_here = (fisher_z(peaks.score) - fisher_z(peaks.runner_up)) / chance
+    return by_lead * lead_here + by_detail * (peaks.detail - peaks.runner_up_detail)
+
+
+def risk_of_peaks(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
+    """Probability that the best place is wrong: one by chance, or another that is like it."""
+    over_chance, over_runner_up = log_odds_over_chance(peaks, settings), log_odds_over_runner_up(peaks, settings)
+    return risk_of(-float(np.logaddexp(-over_chance, -over_runner_up)))
 
 
 def decide(
@@ -49,8 +114,8 @@ def decide(
     risk = risk_of_peaks(peaks, settings)
     if risk <= allowed_risk:
         return Status.FIX, None
-    alone = CorrelationPeaks(score, 0.0, 0.0)
-    if risk_of_peaks(alone, settings) > allowed_risk:
+    alone = replace(peaks, runner_up=0.0, mirror=0.0)
+    if risk_of(log_odds_over_chance(alone, settings)) > allowed_risk:
         reason = Sentence("localization.agreement_too_low", score=score, risk=risk, allowed=allowed_risk)
         return Status.NO_MATCH, reason
     if peaks.mirror >= peaks.runner_up:
@@ -71,12 +136,6 @@ def exact_enough(
     if not np.isfinite(error_95_m):
         return Status.AMBIGUOUS, Sentence("localization.direction_unknown")
     return Status.AMBIGUOUS, Sentence("localization.error_too_large", error_95_m=error_95_m, needed_m=needed_m)
-
-
-def risk_of_peaks(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
-    """Probability that the best place is wrong, from its lead and from how well it agrees at all."""
-    offset, slope, own = settings.confidence_curve
-    return risk_of(offset + slope * smaller_lead(peaks) + own * fisher_z(peaks.score))
 
 
 def position_error_95(

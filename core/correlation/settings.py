@@ -59,8 +59,13 @@ class CorrelationSettings:
         blocks: Blocks along each edge of the image that are taken to err independently (covariance) [Liechtenstein,
             north; aerial; radius].
         confidence_curve: ln of the odds that the best place is right: offset, slope a unit of its lead over the
-            stronger opponent in Fisher's z = artanh(correlation), slope a unit of its own z [Liechtenstein, north;
-            probability].
+            stronger opponent, which is that one's own Fisher's z = artanh(correlation), slope a unit of the surprise of
+            its detail. Leads and surprises of wrong places have exponential tails of mean 0.055 and 1.05; the slopes
+            are two thirds of their inverses, as some hundred wrong places tell them [Liechtenstein, north; areas].
+        least_chance: Least Fisher's z that a lead is measured in: where nothing else fits at all, chance would be
+            nothing [reasoning].
+        usual_detail: Mean and standard deviation of the detail at wrong places, and how many of an image's other places
+            that counts as [Liechtenstein, north; areas].
         alternative_band: Other places are told when their score is at most this much below the best one's [reasoning].
         error_factor: 95 % radius in units of the larger axis' standard deviation, as the refinement gives it, times the
             ratio of noise to signal that a correlation s tells, 1/s² − 1: the worse the labels, the farther their
@@ -102,7 +107,9 @@ class CorrelationSettings:
     converged: float = 0.02
     damping: float = 1e-4
     blocks: int = 10
-    confidence_curve: tuple[float, float, float] = (-4.3, 46.0, 0.0)
+    confidence_curve: tuple[float, float, float] = (-4.8, 12.0, 0.6)
+    least_chance: float = 0.1
+    usual_detail: tuple[float, float, float] = (1.2, 1.4, 4.0)
     alternative_band: float = 0.1
     error_factor: float = 4.0
     least_noise: float = 0.4

@@ -3,9 +3,10 @@
 Told in docs/method.md#map-correlation.
 
 All places, turns and scales at coarse pixels (``search``), the best of them moved to their optimum at finer
-and finer pixels (``refine``), then a decision on the evidence: how well image and map agree, how much worse
-the next best other place does, and how well the *mirrored* image does, which can never be right and has the same
-classes, density and regularity, so that its best peak shows what chance gives on this map. A place that is the only one
+and finer pixels (``refine``), then a decision on the evidence: how well image and map agree, also in the detail
+that the search did not look at (``detail``), how much worse the next best other place does, and how well the *mirrored*
+image does, which can never be right and has the same classes, density and regularity, so that its best peak shows what
+chance gives on this map. A place that is the only one
 but not known closely (a straight shore) is told as a possible place, not as a fix.
 """
 
@@ -20,7 +21,8 @@ from ..geometry.error_settings import SharedErrors
 from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .class_pyramid import MapPyramid, evidence_level, mirrored_level
-from .decision import decide, exact_enough, position_error_95, risk_of_peaks
+from .decision import decide, exact_enough, position_error_95, ranked, risk_of_peaks
+from .detail import details_at
 from .exactness import covariance_on_map, known_pose, noise_factor
 from .places import (
     best_places,
@@ -77,9 +79,15 @@ def localize(
     best_size = poses[0].pixel_size_m
     # What chance gives depends on the ground that an image shows: a decoy of the same size, a rival as if it were.
     mirrored, _ = best_places(mirrored_level(image), pyramid, near_size(space, best_size, settings), settings.decoys)
-    mirror = mirrored[0].score if mirrored else 0.0
-    runner_up = chance.moved(poses[1].score, poses[1].pixel_size_m, best_size) if poses[1:] else 0.0
-    peaks = CorrelationPeaks(poses[0].score, runner_up, mirror)
+    scores = [chance.moved(pose.score, pose.pixel_size_m, best_size) for pose in poses]
+    decoys = [pose.score for pose in mirrored]
+    level = reduced_image(image, settings.decision_edge)
+    order, peaks = ranked(
+        list(zip(scores, details_at(level, pyramid, poses))),
+        list(zip(decoys, details_at(mirrored_level(level), pyramid, mirrored))),
+        settings,
+    )
+    poses = [poses[n] for n in order]
     pose, covariance = finest_pose(image, pyramid, poses[0])
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m

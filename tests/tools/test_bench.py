@@ -215,7 +215,7 @@ def told(bench, risk, is_right, kind="of the map", is_sound=True):
 def test_the_told_probability_is_compared_with_how_often_it_was_right(bench):
     reliability = bench("reliability")
     trials = [told(bench, 0.04, True)] * 19 + [told(bench, 0.04, False)] + [told(bench, 0.96, False)] * 4
-    text = reliability._curve(trials)
+    text = reliability.curve(trials)
     assert "0.9–1.0 | 0.960 | 19/20" in text.replace("  ", " ") and "0.0–0.1 | 0.040 | 0/4" in text
     error = (20 * abs(0.96 - 0.95) + 4 * 0.04) / 24
     assert f"Expected calibration error: {error:.3f}" in text
@@ -228,7 +228,18 @@ def test_a_smaller_risk_costs_right_fixes_and_wrong_ones_are_counted(bench):
         told(bench, 0.3, False),
         told(bench, 1e-9, True, is_sound=False),
     ]
-    table = bench("reliability")._costs([*trials, told(bench, 1e-5, False, "mirrored")])
+    table = bench("reliability").costs([*trials, told(bench, 1e-5, False, "mirrored")])
     (row,) = [line for line in table.splitlines() if line.startswith("| all")]
     assert [cell.split(",")[0].strip() for cell in row.split("|")[2:-1]] == ["2/4", "2/4", "1/4", "1/4"]
     assert "; 1 wrong" in row and "1/1" in table.splitlines()[-1]
+
+
+def test_an_image_without_its_place_and_the_mirrored_one_are_judged_as_wrong_ones(bench):
+    area = bench("area_reliability")
+    own, decoys = [(0.8, 20.0, 0.001, True), (0.3, 1.0, 5.0, True)], [(0.25, 1.0, np.inf, True)]
+    told = list(area.judged(area.Places("of the map", "clean", own, decoys)))
+    assert [one.kind for one in told] == ["of the map", "without its place", "mirrored"]
+    assert [one.is_right for one in told] == [True, False, False]
+    assert told[0].risk < 1e-4 and min(one.risk for one in told[1:]) > 0.9
+    strange = list(area.judged(area.Places("landscape", "", own[1:], decoys)))
+    assert [one.kind for one in strange] == ["landscape", "mirrored"] and not any(one.is_right for one in strange)

@@ -39,6 +39,7 @@ NAMES = (
     "two_dates",
     "elsewhere",
     "reliability",
+    "area_reliability",
     "catalogue_sizes",
     "astroalign",
     "correlation",

@@ -6,6 +6,7 @@ lens tell them.
 
 from __future__ import annotations
 
+import functools
 import math
 import sys
 from collections import Counter
@@ -92,34 +93,42 @@ def _name(area: str, ground: Ground, share: float, noise: Noise, told: bool) -> 
 def _trial(ground: Ground, share: float, noise: Noise, told: bool, number: int) -> Trial:
     """One image; the same one whether its pixel size is told or not."""
     rng = np.random.default_rng([SEED, round(100 * share), NOISES.index(noise), number])
-    image = _drawn(ground, share, rng)
+    image = drawn(ground, share, rng)
     view = image.view
     window = ground.database.parameters.window_size
     # What networks do is stated for a map of 1 m whose windows show 1,280 m.
     spoiled = noise.noise.in_pixels(view.pixel_size * 1280.0 / window) if noise.in_meters else noise.noise
     smallest = max(ground.database.parameters.minimum_area / view.pixel_size**2, 1.0)
-    donor = _drawn(ground, share, rng).labels_hw if spoiled.spurious else None
+    donor = drawn(ground, share, rng).labels_hw if spoiled.spurious else None
     labels = spoil_labels(image.labels_hw, spoiled, rng, ground.spoiled_values, donor, smallest)
     off = 1 + CAMERA_SPREAD
     ground.prior = Prior(pixel_size_range=(view.pixel_size / off, view.pixel_size * off)) if told else None
     return ground.try_image(replace(image, labels_hw=labels), Method.AUTOMATIC)
 
 
-def _drawn(ground: Ground, share: float, rng: np.random.Generator) -> Image:
+def drawn(ground: Ground, share: float, rng: np.random.Generator) -> Image:
     """An image anywhere on the ground that is labeled enough."""
     parameters = ground.database.parameters
     spacing = parameters.window_size / CELLS_A_WINDOW
-    cells = ground_cells(ground.database, spacing)
+    centers = _centers(ground, spacing)
     left, bottom, right, top = ground.extent
     while True:
-        x, y = cells.centers[rng.integers(len(cells))] + rng.uniform(-spacing / 2, spacing / 2, 2)
+        x, y = centers[rng.integers(len(centers))] + rng.uniform(-spacing / 2, spacing / 2, 2)
         edge = share * parameters.window_size * math.exp(rng.uniform(-SPREAD, SPREAD))
         size = round(share * parameters.window_size / parameters.pixel_size)
         view = View(float(x), float(y), float(rng.uniform(0, 360)), edge / size, size, size)
+        if not (left <= x <= right and bottom <= y <= top):
+            continue
         labels = ground.cut(view)
-        if left <= x <= right and bottom <= y <= top and (labels > 0).mean() >= LEAST_LABELED:
+        if (labels > 0).mean() >= LEAST_LABELED:
             found = ground.landmarks_in(labels, view.pixel_size)
             return Image(Query(view), labels, int((~found.touches_edge).sum()))
+
+
+@functools.lru_cache(maxsize=8)
+def _centers(ground: Ground, spacing: float) -> np.ndarray:
+    """(N, 2) middles of the squares of ground that the map has."""
+    return ground_cells(ground.database, spacing).centers
 
 
 def _rows(case: str, trials: Sequence[Trial]) -> list[list[str]]:

@@ -85,10 +85,10 @@ def measure(run: inputs.Run) -> dict[str, str]:
     ground = Ground.of(run)
     told = list(_kept(run, ground, "country", count))
     halves = list(_kept(run, ground, TWO_PLACES, max(count // 10, 4)))
-    text = [_ABOUT.format(half=run.half, count=len(told)), _curve(told), _by_decade(told), _costs(told), _two(halves)]
+    text = [_ABOUT.format(half=run.half, count=len(told)), curve(told), by_decade(told), costs(told), _two(halves)]
     if (run.data / two_dates.SOURCE).exists():
         other = list(_kept(run, None, "christchurch", max(count // 4, 4)))
-        text += [_CHRISTCHURCH.format(count=len(other)), _curve(other), _by_decade(other), _costs(other)]
+        text += [_CHRISTCHURCH.format(count=len(other)), curve(other), by_decade(other), costs(other)]
     return {"reliability": "\n\n".join(text)}
 
 
@@ -253,7 +253,7 @@ def judged(ground: Ground, view: View, seen: Landmarks, kind: str, noise: str, c
 # --- tables ---
 
 
-def _curve(told: Sequence[Told]) -> str:
+def curve(told: Sequence[Told]) -> str:
     """Tenths of the told probability, and the expected calibration error."""
     rows, error = [], 0.0
     for tenth in range(10):
@@ -267,7 +267,7 @@ def _curve(told: Sequence[Told]) -> str:
     return f"{table}\n\nExpected calibration error: {error:.3f} (goal: ≤ 0.02)."
 
 
-def _by_decade(told: Sequence[Told]) -> str:
+def by_decade(told: Sequence[Told]) -> str:
     """Wrong places by told risk."""
     rows = []
     for high, low in zip(DECADES, DECADES[1:]):
@@ -279,7 +279,7 @@ def _by_decade(told: Sequence[Told]) -> str:
     return page.table(["told risk", "wrong expected", "wrong"], rows)
 
 
-def _costs(told: Sequence[Told]) -> str:
+def costs(told: Sequence[Told]) -> str:
     """Right and wrong fixes by the risk that is allowed, by noise."""
     rows = []
     for noise in (*dict.fromkeys(t.noise for t in told if t.noise), ""):

@@ -5,6 +5,7 @@
 NAME is one of
     constellation  the rows of tools/bench localization, and the margins of right and of wrong places
     correlation    map correlation with poor labels: margins, the confidence curve that fits them, radius
+    areas          leads and details of map correlation's right and wrong places, and the curve of its risk
     radius         poses refined from beside the right place, also on aerial label maps: error over deviation
     agreement      what each road says of the other's best place, right and wrong
     covariance     coverage and likelihood of true errors under other settings of the errors that landmarks share
@@ -33,6 +34,7 @@ sys.path[0] = str(TOOLS)
 MODULES = {
     "constellation": "trials",
     "correlation": "trials",
+    "areas": "areas",
     "radius": "trials",
     "agreement": "trials",
     "covariance": "covariance",
@@ -42,6 +44,7 @@ MODULES = {
 COUNTS = {
     "constellation": 300,
     "correlation": 100,
+    "areas": 200,
     "radius": 50,
     "agreement": 100,
     "covariance": 60,

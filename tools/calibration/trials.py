@@ -13,7 +13,7 @@ from bench.correlation import AERIAL, COUNTRY, ELSEWHERE, SEED, country, place_i
 from bench.ground import Case, Ground, Image, tile_ground, tile_paths, tried
 
 from semref.core.constellation.settings import CONSTELLATION
-from semref.core.correlation.decision import position_error_95, smaller_lead
+from semref.core.correlation.decision import lead, position_error_95
 from semref.core.correlation.places import finest_pose, image_evidence, reduced_image
 from semref.core.correlation.refine import ScoredPose, axes, refine
 from semref.core.correlation.settings import CORRELATION
@@ -53,7 +53,7 @@ def correlation(run: inputs.Run) -> str:
     found += tried_on_tiles(run, tile_paths(run), -(-run.count // 6))
     every = [t for _, trials in found for t in trials]
     right = [t for t in every if t.query.can_be_right and place_is_right(t)]
-    return f"{margins(every, lambda t: smaller_lead(t.result.peaks))}\n\n{radius_table(map(_of_trial, right))}"
+    return f"{margins(every, lambda t: lead(t.result.peaks))}\n\n{radius_table(map(_of_trial, right))}"
 
 
 def constellation_margin(trial: Trial) -> float:
@@ -80,12 +80,12 @@ def margins(trials: Sequence[Trial], margin_of: Callable[[Trial], float]) -> str
 
 
 def logistic_fit(x: np.ndarray, y: np.ndarray, steps: int = 50) -> np.ndarray:
-    """Offset and slope of the logistic curve, lightly damped so that separable data give a finite slope."""
-    design = np.column_stack([np.ones_like(x), x])
-    weights = np.zeros(2)
+    """Offset and slopes of the logistic curve of (N,) or (N, K), lightly damped: separable data give finite slopes."""
+    design = np.column_stack([np.ones(len(x)), x])
+    weights = np.zeros(design.shape[1])
     for _ in range(steps):
         chance = 1 / (1 + np.exp(-np.clip(design @ weights, -30, 30)))
-        normal = (design * (chance * (1 - chance))[:, None]).T @ design + np.diag([1e-3, 1e-3])
+        normal = (design * (chance * (1 - chance))[:, None]).T @ design + 1e-3 * np.eye(len(weights))
         weights += np.linalg.solve(normal, design.T @ (y - chance) - 1e-3 * weights)
     return weights
 

@@ -1,5 +1,7 @@
 """The verdict on known peaks and covariances."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -7,42 +9,84 @@ from semref.core.correlation.decision import (
     decide,
     exact_enough,
     fisher_z,
-    over_mirror,
-    over_runner_up,
+    lead,
     position_error_95,
+    ranked,
     risk_of_peaks,
-    smaller_lead,
+    surprises,
 )
 from semref.core.correlation.settings import CORRELATION
 from semref.core.localization import CorrelationPeaks, Status
 
 
 @pytest.mark.parametrize(
-    "score, runner_up, mirror, status, code",
+    "peaks, status, code",
     [
-        (0.7, 0.3, 0.3, Status.FIX, None),
-        (0.1, 0.0, 0.0, Status.NO_MATCH, "localization.agreement_too_low"),
-        (0.7, 0.3, 0.65, Status.NO_MATCH, "localization.mirror_agrees"),
-        (0.7, 0.65, 0.3, Status.AMBIGUOUS, "localization.two_places_agree"),
+        (CorrelationPeaks(0.7, 0.3, 0.3, 30.0, 2.0), Status.FIX, None),
+        (CorrelationPeaks(0.1, 0.0, 0.0), Status.NO_MATCH, "localization.agreement_too_low"),
+        (CorrelationPeaks(0.7, 0.3, 0.65), Status.NO_MATCH, "localization.mirror_agrees"),
+        (CorrelationPeaks(0.7, 0.69, 0.3, 30.0, 29.0), Status.AMBIGUOUS, "localization.two_places_agree"),
     ],
 )
-def test_a_fix_needs_a_score_and_a_lead_over_both_opponents(score, runner_up, mirror, status, code):
-    found, reason = decide(CorrelationPeaks(score, runner_up, mirror))
+def test_a_fix_needs_a_score_and_a_lead_over_both_opponents(peaks, status, code):
+    found, reason = decide(peaks)
     assert (found, reason and reason.code) == (status, code)
 
 
 def test_a_larger_risk_that_is_allowed_makes_a_fix_of_a_smaller_lead():
-    peaks = CorrelationPeaks(0.45, 0.3, 0.3)
+    peaks = CorrelationPeaks(0.45, 0.3, 0.3, 8.0)
     risk = risk_of_peaks(peaks)
     assert 1e-9 < risk < 0.5
     assert decide(peaks, 1.01 * risk)[0] == Status.FIX != decide(peaks, 0.99 * risk)[0]
 
 
-def test_the_risk_falls_with_the_lead_over_the_stronger_opponent():
-    peaks = [CorrelationPeaks(0.7, 0.1, mirror) for mirror in (0.69, 0.6, 0.3)]
+def test_the_risk_falls_with_the_lead_over_the_stronger_opponent_and_with_the_detail():
+    peaks = [CorrelationPeaks(0.7, 0.1, mirror, detail) for mirror, detail in ((0.69, 0), (0.6, 0), (0.3, 0), (0.3, 9))]
     risks = [risk_of_peaks(one) for one in peaks]
     assert risks == sorted(risks, reverse=True) and risks[0] > 0.9 and risks[-1] < 1e-4
-    assert smaller_lead(peaks[2]) == pytest.approx(np.arctanh(0.7) - np.arctanh(0.3))
+    assert lead(peaks[2]) == pytest.approx(np.arctanh(0.7) / np.arctanh(0.3) - 1)
+    assert lead(CorrelationPeaks(0.7, 0.0, 0.0)) == pytest.approx(np.arctanh(0.7) / CORRELATION.least_chance - 1)
+
+
+def test_another_place_that_is_as_good_makes_the_best_one_a_guess():
+    assert risk_of_peaks(CorrelationPeaks(0.7, 0.7, 0.1, 60.0, 60.0)) == pytest.approx(0.5, abs=0.01)
+
+
+def test_detail_surprises_where_it_is_unlike_all_others():
+    usual, spread, weight = CORRELATION.usual_detail
+    assert surprises([usual], [usual] * 9)[0] == pytest.approx(0)
+    others = list(np.random.default_rng(3).normal(usual, spread, 14))
+    found = [surprises([usual + units * spread], others)[0] for units in (-6, 2, 4, 8, 16)]
+    assert found == sorted(found) and found[0] < 0 < found[1] < 5 and found[3] > 8
+    wild = [usual + 5 * (one - usual) for one in others]
+    assert surprises([usual + 8 * spread], wild)[0] < 4 < found[3]
+
+
+def test_a_surprise_is_what_students_density_falls_short_of_its_highest():
+    settings = replace(CORRELATION, usual_detail=(0.0, 0.0, 0.0))
+    others = [-1.0, 1.0, -1.0, 1.0, 0.0]
+    # Mean 0, spread 1 with 4 degrees of freedom: t = x / √(1 + 1/5), density ∝ (1 + t² / 4)^(−5/2).
+    assert surprises([3.0], others, settings)[0] == pytest.approx(2.5 * np.log(1 + 9 / 1.2 / 4))
+
+
+def test_of_two_places_that_stand_out_neither_surprises():
+    alone, *_ = surprises([20.0, 1.0, 1.2], [1.0] * 8)
+    twice = surprises([20.0, 20.0, 1.2], [1.0] * 8)
+    assert alone > 25 and max(twice) < alone / 3
+
+
+def test_detail_puts_a_place_first_that_scores_a_little_less():
+    places, mirrored = [(0.42, 1.0), (0.41, 18.0), (0.3, 0.5)], [(0.4, 2.0), (0.35, 0.8)]
+    order, peaks = ranked(places, mirrored)
+    assert order == [1, 0, 2] and (peaks.score, peaks.runner_up, peaks.mirror) == (0.41, 0.42, 0.4)
+    assert peaks.detail > 10 > peaks.runner_up_detail
+    assert ranked([(0.6, 1.0), *places[1:]], mirrored)[0][0] == 1
+    assert ranked([(0.9, 1.0), *places[1:]], mirrored)[0][0] == 0
+
+
+def test_one_place_without_any_other_can_be_ranked():
+    order, peaks = ranked([(0.5, 3.0)], [])
+    assert order == [0] and (peaks.runner_up, peaks.mirror, peaks.runner_up_detail) == (0, 0, 0)
 
 
 def test_the_error_radius_grows_with_the_covariance():
@@ -65,21 +109,17 @@ def test_a_fix_has_to_be_exact_for_the_ground_its_image_shows():
     assert "in all directions" in str(exact_enough(float("inf"), 800.0)[1])
 
 
-def test_leads_are_differences_of_fishers_z_which_has_bounds():
-    peaks = CorrelationPeaks(0.6, 0.2, -0.4)
-    assert over_runner_up(peaks) == pytest.approx(np.arctanh(0.6) - np.arctanh(0.2))
-    assert over_mirror(peaks) == pytest.approx(np.arctanh(0.6))
-    assert smaller_lead(peaks) == over_runner_up(peaks)
+def test_fishers_z_has_bounds():
     assert fisher_z(1.0) == fisher_z(0.999) == pytest.approx(np.arctanh(0.999)) and fisher_z(-0.3) == 0
 
 
-def test_the_risk_is_a_logistic_curve_of_the_lead_and_of_the_agreement():
-    offset, slope, own = CORRELATION.confidence_curve
-    for risk in (0.01, 0.3):
-        lead = (np.log(1 / risk - 1) - offset - own * np.arctanh(0.6)) / slope
-        peaks = CorrelationPeaks(0.6, np.tanh(np.arctanh(0.6) - lead), -1.0)
-        assert risk_of_peaks(peaks) == pytest.approx(risk)
-        assert decide(peaks, risk * 1.001)[0] == Status.FIX and decide(peaks, risk * 0.999)[0] != Status.FIX
+def test_the_risk_is_a_logistic_curve_of_the_lead_and_of_the_detail():
+    offset, by_lead, by_detail = CORRELATION.confidence_curve
+    for risk, detail in ((0.01, 0.0), (0.3, 2.0)):
+        share = (np.log(1 / risk - 1) - offset - by_detail * detail) / by_lead
+        peaks = CorrelationPeaks(np.tanh((1 + share) * np.arctanh(0.2)), 0.0, 0.2, detail, -100.0)
+        assert risk_of_peaks(peaks) == pytest.approx(risk, rel=1e-3)
+        assert decide(peaks, risk * 1.01)[0] == Status.FIX and decide(peaks, risk * 0.99)[0] != Status.FIX
 
 
 @pytest.mark.parametrize(("score", "noise"), [(0.5, 3.0), (0.95, CORRELATION.least_noise), (0.05, 99.0), (0.1, 99.0)])
