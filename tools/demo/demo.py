@@ -123,18 +123,18 @@ def read_truth(path: Path) -> list[dict]:
 
 def print_fixes(found: dict[str, dict[str, dict]], truth: list[dict], methods) -> None:
     """One line a picture, then how many of each kind were found where they are."""
-    print(f"\n   {'picture':32s}" + "".join(f" | {title:38s}" for _, _, title in methods))
+    print(f"\n   {'picture':32s}" + "".join(f" | {title:44s}" for _, _, title in methods))
     right: dict[str, list[list[bool]]] = defaultdict(list)
     for row in truth:
         name = Path(row["image"]).name
         errors = [_error(found[method][name], row) for method, _, _ in methods]
         right[row["kind"]].append([error is not None and error <= RIGHT_WITHIN_M for error in errors])
         cells = (_cell(found[method][name], error) for (method, _, _), error in zip(methods, errors))
-        print(f"   {name:32s}" + "".join(f" | {cell:38s}" for cell in cells))
-    print(f"\n   {'right within 10 m':32s}" + "".join(f" | {title:38s}" for _, _, title in methods))
+        print(f"   {name:32s}" + "".join(f" | {cell:44s}" for cell in cells))
+    print(f"\n   {'right within 10 m':32s}" + "".join(f" | {title:44s}" for _, _, title in methods))
     for kind, rows in right.items():
         cells = (f"{sum(column)} of {len(rows)}" for column in zip(*rows))
-        print(f"   {kind:32s}" + "".join(f" | {cell:38s}" for cell in cells))
+        print(f"   {kind:32s}" + "".join(f" | {cell:44s}" for cell in cells))
 
 
 def _error(fix: dict, truth: dict) -> float | None:
@@ -145,10 +145,15 @@ def _error(fix: dict, truth: dict) -> float | None:
 
 
 def _cell(fix: dict, error: float | None) -> str:
+    from semref.core.localizer.record import fixes_per_error
+
     if error is None:
         return fix["status"]
     wrong = "" if error <= RIGHT_WITHIN_M else "  WRONG PLACE"
-    return f"{error:7.2f} m off, confidence {fix['confidence']:.2f}{wrong}"
+    if fix["method"] == "topology vector":
+        # It has a confidence of its own making, which is no probability.
+        return f"{error:7.2f} m off, confidence {fix['confidence']:.2f}{wrong}"
+    return f"{error:7.2f} m off, wrong once in {fixes_per_error(fix['confidence']):,.0f}{wrong}"
 
 
 if __name__ == "__main__":
