@@ -5212,10 +5212,6 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>„{image}“ hat keine oder eine gedrehte Georeferenz, sodass EXTENT darauf nicht zu finden ist; lassen Sie EXTENT weg.</translation>
   </message>
   <message>
-   <source>“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION.</source>
-   <translation>„{layer}“ lässt sich in jeder Auflösung zeichnen, und das Modell nennt seine nicht; geben Sie RESOLUTION an.</translation>
-  </message>
-  <message>
    <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
    <translation>„{layer}“ lässt sich in jeder Auflösung zeichnen, und {model} nennt seine nicht; wählen Sie ein Modell, das sie nennt.</translation>
   </message>

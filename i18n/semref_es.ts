@@ -5212,10 +5212,6 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>«{image}» no tiene georreferencia, o está girada, así que EXTENT no puede hallarse en ella; omita EXTENT.</translation>
   </message>
   <message>
-   <source>“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION.</source>
-   <translation>«{layer}» puede dibujarse con cualquier resolución y el modelo no indica la suya; dé RESOLUTION.</translation>
-  </message>
-  <message>
    <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
    <translation>«{layer}» puede dibujarse con cualquier resolución y {model} no indica la suya; elija un modelo que la indique.</translation>
   </message>

@@ -5212,10 +5212,6 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>« {image} » n’a pas de géoréférence, ou elle est tournée, si bien qu’EXTENT ne peut y être trouvé ; omettez EXTENT.</translation>
   </message>
   <message>
-   <source>“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION.</source>
-   <translation>« {layer} » peut être dessinée à toute résolution, et le modèle ne dit pas la sienne ; donnez RESOLUTION.</translation>
-  </message>
-  <message>
    <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
    <translation>« {layer} » peut être dessinée à toute résolution, et {model} ne dit pas la sienne ; choisissez un modèle qui la dit.</translation>
   </message>

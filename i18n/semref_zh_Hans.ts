@@ -5212,10 +5212,6 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>“{image}”没有地理参考，或其参考是旋转的，因此无法在其上找到 EXTENT；请不要给出 EXTENT。</translation>
   </message>
   <message>
-   <source>“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION.</source>
-   <translation>“{layer}”可按任意分辨率绘制，而模型没有说明自己的分辨率；请给出 RESOLUTION。</translation>
-  </message>
-  <message>
    <source>“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.</source>
    <translation>“{layer}”可按任意分辨率绘制，而 {model} 没有说明自己的分辨率；请选择说明了分辨率的模型。</translation>
   </message>

@@ -60,9 +60,7 @@ SENTENCES = {
     "exchange.extent_needed": (
         "“{layer}” has no edges of its own to go by; give EXTENT, the ground that is wanted of it."
     ),
-    "exchange.resolution_needed": (
-        "“{layer}” can be drawn at any resolution, and the model does not say its own; give RESOLUTION."
-    ),
+    "exchange.resolution_needed": "“{layer}” can be drawn at any resolution; give RESOLUTION.",
     "exchange.resolution_unknown": (
         "“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does."
     ),

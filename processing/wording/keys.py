@@ -102,13 +102,12 @@ SENTENCES_BY_KEY: dict[str, tuple[str, str]] = {
         "{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.",
     ),
     "storage.no_subset_tiles": (
-        "MINUTES",
+        "RESOLUTION",
         "The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label "
         "more ground, or give a smaller RESOLUTION or another VALIDATION_FRACTION.",
     ),
-    "exchange.resolution_needed": ("MINUTES", "“{layer}” can be drawn at any resolution; give RESOLUTION."),
     "labels.smaller_than_tile": (
-        "MINUTES",
+        "RESOLUTION",
         "The ground has {width} × {height} pixels, less than a tile of {tile_size}; label more ground, or give a "
         "smaller RESOLUTION.",
     ),

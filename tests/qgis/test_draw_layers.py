@@ -97,7 +97,7 @@ def test_tiles_without_an_extent_or_a_resolution_are_refused(segment, tiles, tmp
     with pytest.raises(QgsProcessingException, match="“tiles” has no edges of its own to go by; give EXTENT"):
         segment(tiles(), EXTENT=None)
     nameless = str(write_model(tmp_path / "any.onnx"))
-    with pytest.raises(QgsProcessingException, match="the model does not say its own; give RESOLUTION"):
+    with pytest.raises(QgsProcessingException, match="can be drawn at any resolution; give RESOLUTION"):
         segment(tiles(), MODEL=nameless)
 
 
