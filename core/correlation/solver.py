@@ -12,6 +12,7 @@ but not known closely (a straight shore) is told as a possible place, not as a f
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -20,11 +21,12 @@ from ..errors import LabelMapError
 from ..geometry.error_settings import SharedErrors
 from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
-from .class_pyramid import MapPyramid, evidence_level, mirrored_level
+from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirrored_level
 from .decision import decide, exact_enough, position_error_95, ranked, risk_of_peaks
 from .detail import details_at
 from .exactness import covariance_on_map, known_pose, noise_factor
 from .places import (
+    ChanceLevels,
     best_places,
     comparisons,
     finest_pose,
@@ -36,6 +38,7 @@ from .places import (
     size_for,
 )
 from .refine import NOT_COMPARABLE, ScoredPose, score_at
+from .search import SearchSpace
 
 
 def localize(
@@ -76,6 +79,22 @@ def localize(
     poses, chance = best_places(image, pyramid, space, settings.candidates)
     if not poses:
         return _no_match(Sentence("localization.nothing_under_image"))
+    poses, peaks = _weighed(image, pyramid, space, poses, chance)
+    pose, covariance = finest_pose(image, pyramid, poses[0])
+    height, width = labels_hw.shape
+    diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
+    found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk))
+    edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
+    spread = noise_factor(peaks.score, settings) ** 2 * covariance
+    known = known_pose(pose, spread, edge_m, pyramid.frame.pixel_size, errors or SharedErrors())
+    return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
+
+
+def _weighed(
+    image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace, poses: Sequence[ScoredPose], chance: ChanceLevels
+) -> tuple[list[ScoredPose], CorrelationPeaks]:
+    """The places by score and detail, the best first, and what the verdict needs to know of them."""
+    settings = pyramid.settings
     best_size = poses[0].pixel_size_m
     # What chance gives depends on the ground that an image shows: a decoy of the same size, a rival as if it were.
     mirrored, _ = best_places(mirrored_level(image), pyramid, near_size(space, best_size, settings), settings.decoys)
@@ -87,15 +106,7 @@ def localize(
         list(zip(decoys, details_at(mirrored_level(level), pyramid, mirrored))),
         settings,
     )
-    poses = [poses[n] for n in order]
-    pose, covariance = finest_pose(image, pyramid, poses[0])
-    height, width = labels_hw.shape
-    diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
-    found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk))
-    edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
-    spread = noise_factor(peaks.score, settings) ** 2 * covariance
-    known = known_pose(pose, spread, edge_m, pyramid.frame.pixel_size, errors or SharedErrors())
-    return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
+    return [poses[n] for n in order], peaks
 
 
 def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> float | None:

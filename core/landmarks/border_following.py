@@ -68,8 +68,7 @@ def follow_outer_border(
         return None
     start_neighbor = (x0 + _STEPS[direction][0], y0 + _STEPS[direction][1])
     twice_area = six_x = six_y = 0
-    left = right = x0
-    top = bottom = y0
+    left, top, right, bottom = x0, y0, x0, y0
     x, y, back = x0, y0, direction
     while True:
         if not around.holds_neighbors(x, y):

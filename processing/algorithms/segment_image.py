@@ -71,6 +71,30 @@ class SegmentImage(SemRefAlgorithm):
             offers.model(
                 tr("A segmentation network with its classes in its metadata; models made for Deepness will do.")
             ),
+            *self._tile_parameters(),
+            offers.class_table(
+                tr(
+                    "Values and colors for the model’s classes, found by name; for a model that does not name its "
+                    "classes: one line an output of the network, in order of value."
+                ),
+                advanced=True,
+            ),
+            MapExtent(
+                self.EXTENT,
+                tr("Extent"),
+                tr("The part of the image that is wanted; needed for maps of tiles, else all of the image."),
+                optional=True,
+            ),
+            RasterOutput(
+                self.OUTPUT,
+                tr("Label map"),
+                tr("GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0."),
+            ),
+            *self._polygon_parameters(),
+        )
+
+    def _tile_parameters(self) -> tuple[Declared, ...]:
+        return (
             Number(
                 self.OVERLAP,
                 tr("Overlap of tiles (%)"),
@@ -91,25 +115,6 @@ class SegmentImage(SemRefAlgorithm):
                 advanced=True,
                 minimum=0.1,
             ),
-            offers.class_table(
-                tr(
-                    "Values and colors for the model’s classes, found by name; for a model that does not name its "
-                    "classes: one line an output of the network, in order of value."
-                ),
-                advanced=True,
-            ),
-            MapExtent(
-                self.EXTENT,
-                tr("Extent"),
-                tr("The part of the image that is wanted; needed for maps of tiles, else all of the image."),
-                optional=True,
-            ),
-            RasterOutput(
-                self.OUTPUT,
-                tr("Label map"),
-                tr("GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0."),
-            ),
-            *self._polygon_parameters(),
         )
 
     def _polygon_parameters(self) -> tuple[Declared, ...]:
