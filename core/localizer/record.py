@@ -45,9 +45,17 @@ def record(result: Localization, wording: Callable[[Sentence], str] = english) -
     }
 
 
+MOST_TOLD = 1e6
+"""Nobody is told that a fix is wrong more rarely than once in so many: what was tried tells of thousands, the rest is
+the tail that follows from it (docs/method.md#probability). ``confidence`` keeps its digits, to rank fixes by."""
+
+
 def fixes_per_error(confidence: float) -> float:
-    """In how many fixes with this probability of being right one is wrong, to two digits: 12,000 for 0.999917."""
-    times = 1 / max(1 - confidence, LEAST_RISK)
+    """In how many fixes with this probability of being right one is wrong, to two digits: 12,000 for 0.999917.
+
+    ``MOST_TOLD`` for those that are wrong still more rarely.
+    """
+    times = min(1 / max(1 - confidence, LEAST_RISK), MOST_TOLD)
     return float(f"{times:.1e}")
 
 

@@ -53,8 +53,8 @@ def test_without_a_fix_the_evidence_stays_and_no_place_nor_accuracy_is_told():
 
 
 def test_a_probability_is_told_as_one_wrong_fix_in_so_many():
-    assert [fixes_per_error(value) for value in (0.5, 0.9, 1 - 8.3e-5, 1 - 1e-9)] == [2, 10, 12_000, 1e9]
-    assert fixes_per_error(1.0) == 1e12
+    assert [fixes_per_error(value) for value in (0.5, 0.9, 1 - 8.3e-5, 1 - 1e-9)] == [2, 10, 12_000, 1e6]
+    assert fixes_per_error(1.0) == 1e6
 
 
 def test_a_fix_tells_what_its_radius_is_made_of():
