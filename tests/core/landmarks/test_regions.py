@@ -32,6 +32,21 @@ def test_the_region_at_each_pixel_has_its_bounds_and_its_first_pixel(tile):
             assert finder.touching((x, y, x + 1, y + 1)) == {expected}
 
 
+@pytest.mark.parametrize("tile", [7, 30, 1000])
+@pytest.mark.parametrize("left", [0, 33])
+def test_each_run_of_a_row_gives_the_region_that_it_belongs_to(tile, left):
+    labels = winding()
+    finder = RegionFinder(ArrayLabels(labels), 5, tile)
+    _, parts, _, _ = cv2.connectedComponentsWithStats((labels == 5).astype(np.uint8), connectivity=8)
+    firsts = {n: tuple(np.argwhere(parts == n)[0][::-1].tolist()) for n in range(1, parts.max() + 1)}
+    for row in (17, 60, 90):
+        here = parts[row, left:140]
+        runs = [n for n, before in zip(here.tolist(), [0, *here[:-1].tolist()]) if n and not before]
+        found = [region.first_pixel for region in finder.starting_in_row(row, left, 140)]
+        assert found == [firsts[n] for n in runs]
+        assert len(found) >= 1
+
+
 def test_pieces_make_the_region_around_all_that_begins_where_the_first_does():
     pieces = [Region((5, 8, 9, 9), (6, 8)), Region((2, 4, 6, 8), (4, 4)), Region((1, 4, 3, 6), (2, 4))]
     assert whole_region(pieces) == Region((1, 4, 9, 9), (2, 4))

@@ -40,6 +40,12 @@ def test_the_polynomial_comes_back_from_the_file(written, lon_lat):
     assert found == lon_lat
 
 
+def test_a_polynomial_of_degree_0_is_one(written, tmp_path, lon_lat):
+    values = {**asdict(lon_lat), "degree": 0, "longitude": [9.5], "latitude": [47.1]}
+    found = read_onboard(str(with_header(tmp_path / "area.npz", written, lon_lat=values))).lon_lat
+    assert (found.degree, found.longitude, found.latitude) == (0, (9.5,), (47.1,))
+
+
 def refusal(path) -> str:
     with pytest.raises(DatabaseError) as refused:
         read_onboard(str(path))
