@@ -14,10 +14,12 @@ def winding():
     cv2.polylines(labels, [np.array([(0, 5), (140, 20), (10, 60), (149, 110)], np.int32)], False, 5, 2)
     cv2.circle(labels, (40, 95), 12, 5, 2)
     labels[60, 120] = 5
+    # To the last row as well: with tiles of 12 and 16 the map ends where a tile does.
+    labels[100:, 149] = 5
     return labels
 
 
-@pytest.mark.parametrize("tile", [7, 30, 1000])
+@pytest.mark.parametrize("tile", [7, 12, 16, 30, 1000])
 def test_the_region_at_each_pixel_has_its_bounds_and_its_first_pixel(tile):
     labels = winding()
     finder = RegionFinder(ArrayLabels(labels), 5, tile)
