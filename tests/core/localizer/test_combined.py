@@ -230,7 +230,9 @@ AREAS = replace(
     [(None, Status.FIX), (0.9, Status.FIX), (0.6, Status.FIX), (-0.1, Status.AMBIGUOUS)],
 )
 def test_a_fix_stands_where_class_areas_agree_or_cannot_tell(agreement, status):
-    assert checked_by_areas(STARS, agreement).status == status
+    found = checked_by_areas(STARS, agreement)
+    # What is refused for its risk alone stays open to what map correlation finds.
+    assert (found.status, found.is_doubted) == (status, status == Status.AMBIGUOUS)
 
 
 def test_class_areas_that_agree_make_a_fix_of_a_place_that_was_doubted_for_its_risk_alone():
@@ -257,6 +259,9 @@ def test_two_roads_that_searched_alone_and_found_one_place_are_surer_than_each()
     assert agreed(stars, replace(areas, risk=0.1), 1000) is None
     assert agreed(replace(stars, best=replace(PLACE, position=(900.0, 200.0))), areas, 1000) is None
     assert agreed(replace(stars, best=replace(PLACE, heading_deg=60.0)), areas, 1000) is None
+    # Across north: 359.5° and 0.2° are 0.7° apart.
+    north, beside = (replace(PLACE, heading_deg=heading) for heading in (0.2, 359.5))
+    assert agreed(replace(stars, best=north), replace(areas, best=beside), 1000).is_fix
 
 
 def test_the_constellation_looks_again_where_map_correlation_found_the_image():
