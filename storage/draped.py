@@ -9,7 +9,7 @@ from osgeo import gdal
 
 from ..core.errors import LabelMapError
 from ..core.geometry.footprint import is_parallelogram, on_ground
-from .gdal_errors import gdal_failure, gdal_failures
+from .gdal_errors import close, gdal_failure, gdal_failures
 from .rasters import open_raster
 
 GRID = 16
@@ -95,6 +95,7 @@ def _turn(
     if turned is None:
         raise LabelMapError("storage.unwritable", path=target, reason=gdal_failure())
     turned.FlushCache()
+    close(turned)
 
 
 def geotransform(corners_xy: np.ndarray, source: gdal.Dataset) -> tuple:

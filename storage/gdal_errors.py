@@ -39,3 +39,13 @@ def gdal_failures() -> Iterator[list[str]]:
         failures.append(str(error))
     finally:
         gdal.PopErrorHandler()
+
+
+def close(dataset: gdal.Dataset | None) -> None:
+    """Closes a dataset, which may still write, so that ``gdal_failures`` around it hears of what fails then.
+
+    GDAL before 3.8 does so when the last reference goes: drop it within that block, too. Where GDAL raises, what fails
+    in a destructor is lost.
+    """
+    if dataset is not None and hasattr(dataset, "Close"):
+        dataset.Close()

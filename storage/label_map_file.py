@@ -9,7 +9,7 @@ from osgeo import gdal
 
 from ..core.errors import LabelMapError
 from ..core.labels.class_table import ClassTable
-from .gdal_errors import gdal_failure, gdal_failures
+from .gdal_errors import close, gdal_failure, gdal_failures
 
 CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
 """Metadata item of a label map that holds its class table as CSV."""
@@ -77,6 +77,7 @@ class LabelMapFile:
         # The last reference closes the file, which may still write: before its folder is removed, and heeding errors.
         dataset, self._dataset = self._dataset, None
         with gdal_failures() as failures:
+            close(dataset)
             del dataset
         if failures and error is None:
             raise self._failure(failures[0])

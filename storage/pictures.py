@@ -9,7 +9,7 @@ from osgeo import gdal
 
 from ..core.errors import LabelMapError
 from ..core.geometry.frame import MapFrame
-from .gdal_errors import gdal_failures
+from .gdal_errors import close, gdal_failures
 from .rasters import open_raster
 
 JPEG_QUALITY = 85
@@ -34,7 +34,7 @@ def copy_part(source: str, target: str, window: tuple[int, int, int, int]) -> No
     """Copies a piece of a raster, (first column, first row, width, height), to a GeoTIFF. Raises LabelMapError."""
     options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER"]
     with gdal_failures() as failures:
-        gdal.Translate(target, open_raster(source), format="GTiff", srcWin=list(window), creationOptions=options)
+        close(gdal.Translate(target, open_raster(source), format="GTiff", srcWin=list(window), creationOptions=options))
     if failures:
         raise LabelMapError("storage.unwritable", path=target, reason=failures[0])
 
@@ -63,6 +63,7 @@ class ColorPicture:
     def __exit__(self, kind: object, error: object, traceback: object) -> None:
         dataset, self._dataset = self._dataset, None
         with gdal_failures() as failures:
+            close(dataset)
             del dataset
         if error is None:
             self._raise(failures)
@@ -84,7 +85,7 @@ def _write(path: Path, bands: np.ndarray, kind: int, driver: str, options: list[
     for number, band in enumerate(bands, start=1):
         memory.GetRasterBand(number).WriteArray(band)
     with gdal_failures() as failures:
-        # Dropping the last reference closes the file, which may still write.
-        gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=options)
+        # It may still write when it is closed.
+        close(gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=options))
     if failures:
         raise LabelMapError("storage.unwritable", path=path, reason=failures[0])

@@ -16,7 +16,7 @@ from ..core.geometry.well_known_binary import to_wkb
 from ..core.sample import photo, pictures
 from ..core.sample.classes import CLASSES
 from ..core.sample.landscape import Feature, Landscape
-from .gdal_errors import gdal_failure, gdal_failures
+from .gdal_errors import close, gdal_failure, gdal_failures
 from .pictures import JPEG_QUALITY, write_jpeg
 
 ANNOTATION_FILE, CLASSES_FILE, ORTHOPHOTO_FILE = "landcover.shp", "classes.csv", "orthophoto.tif"
@@ -112,7 +112,8 @@ def write_shapefile(landscape: Landscape, folder: Path) -> None:
         dataset = ogr.GetDriverByName("ESRI Shapefile").CreateDataSource(str(path))
         if dataset is not None:
             fill_layer(dataset, landscape, landscape.features)
-        dataset = None  # closes the file
+        close(dataset)
+        dataset = None
     _check(failures, path)
 
 
@@ -175,7 +176,8 @@ def write_orthophoto(landscape: Landscape, pixel_size: float, photo_hw3: np.ndar
             dataset.SetProjection(reference.ExportToWkt())
             dataset.SetGeoTransform((west, pixel_size, 0, north, 0, -pixel_size))
             dataset.WriteRaster(0, 0, width, height, rows.tobytes(), band_list=[1, 2, 3])
-        dataset = None  # closes the file, which may still write
+        close(dataset)
+        dataset = None
     _check(failures, path)
 
 

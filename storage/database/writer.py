@@ -11,7 +11,7 @@ from osgeo import gdal, gdal_array, ogr, osr
 
 from ...core.database.model import ReferenceDatabase
 from ...core.errors import DatabaseError
-from ..gdal_errors import gdal_failure, gdal_failures
+from ..gdal_errors import close, gdal_failure, gdal_failures
 from ..label_map_file import set_class_colors
 from . import schema
 from .reader import leave_wal, store_checksums
@@ -148,8 +148,11 @@ class DatabaseWriter:
         options = ["APPEND_SUBDATASET=YES", f"RASTER_TABLE={schema.OVERVIEW}", "TILE_FORMAT=PNG"]
         is_made = False
         with gdal_failures() as failures:
-            # Not kept: GDAL writes its last tables when it lets go of the file.
-            is_made = gdal.GetDriverByName("GPKG").CreateCopy(self._path, memory, options=options) is not None
+            # GDAL writes its last tables when it lets go of the file.
+            made = gdal.GetDriverByName("GPKG").CreateCopy(self._path, memory, options=options)
+            is_made = made is not None
+            close(made)
+            del made
         if failures or not is_made:
             raise DatabaseError("storage.overview_unwritable", reason=failures[0] if failures else gdal_failure())
 
