@@ -11,6 +11,7 @@ from ..core.errors import LabelMapError
 from ..core.geometry.footprint import is_parallelogram, on_ground
 from .gdal_errors import close, gdal_failure, gdal_failures
 from .rasters import open_raster
+from .written_raster import TILED
 
 GRID = 16
 """Points a side that tell GDAL how a tilted image lies; between them it bends a thin plate. Closer together at the
@@ -64,7 +65,7 @@ def write_geotiff(
             corners_xy,
             format="GTiff",
             resampleAlg="near" if source.RasterCount == 1 else "bilinear",
-            creationOptions=["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER"],
+            creationOptions=list(TILED),
             callback=lambda *_: int(going_on()),
         )
     if failures:

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import LabelMapError
 from ..core.labels.class_table import ClassTable
-from .gdal_errors import close, gdal_failure, gdal_failures
+from .gdal_errors import gdal_failures
+from .written_raster import WrittenRaster
 
 CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
 """Metadata item of a label map that holds its class table as CSV."""
@@ -20,16 +20,11 @@ CLASS_BIAS_ITEM = "SEMREF_CLASS_BIAS"
 TILE_ROWS = 256
 """Rows of a GeoTIFF tile: writing whole tiles compresses none twice."""
 
-LABEL_MAP_OPTIONS = ("TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER")
 
+class LabelMapFile(WrittenRaster):
+    """A label map being written: GeoTIFF, uint8, tiled, DEFLATE, with classes and colors inside."""
 
-class LabelMapFile:
-    """A label map being written: GeoTIFF, uint8, tiled, DEFLATE, with classes and colors inside.
-
-    A context manager: leaving it closes the file, and raises LabelMapError when GDAL could not write (disk full).
-    """
-
-    def __init__(  # noqa: PLR0913 - what a GeoTIFF is made of; not every one has a MapFrame
+    def __init__(  # noqa: PLR0913 - what a label map is made of; not every one has a MapFrame
         self,
         path: str,
         width: int,
@@ -53,45 +48,18 @@ class LabelMapFile:
         Raises:
             LabelMapError: GDAL can't write there.
         """
-        self._path = path
-        options = list(LABEL_MAP_OPTIONS)
-        try:
-            self._dataset = gdal.GetDriverByName("GTiff").Create(path, width, height, 1, gdal.GDT_Byte, options)
-        except RuntimeError as error:
-            raise self._failure(error) from None
-        if self._dataset is None:
-            raise self._failure()
-        if geotransform is not None:
-            self._dataset.SetGeoTransform(geotransform)
-        if crs_wkt:
-            self._dataset.SetProjection(crs_wkt)
+        super().__init__(path, (height, width), 1, geotransform, crs_wkt)
         self._dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
         if class_bias:
             self._dataset.SetMetadataItem(CLASS_BIAS_ITEM, class_bias)
         set_class_colors(self._dataset.GetRasterBand(1), table)
 
-    def __enter__(self) -> LabelMapFile:
-        return self
-
-    def __exit__(self, kind: object, error: object, traceback: object) -> None:
-        # The last reference closes the file, which may still write: before its folder is removed, and heeding errors.
-        dataset, self._dataset = self._dataset, None
-        with gdal_failures() as failures:
-            close(dataset)
-            del dataset
-        if failures and error is None:
-            raise self._failure(failures[0])
-
     def write_rows(self, first_row: int, labels_hw: np.ndarray) -> None:
         """Writes whole rows through to the file; may run in another thread, one call at a time."""
         with gdal_failures() as failures:
-            self._dataset.GetRasterBand(1).WriteArray(labels_hw, 0, first_row)
+            self._write(1, 0, first_row, labels_hw)
             self._dataset.FlushCache()
-        if failures:
-            raise self._failure(failures[0])
-
-    def _failure(self, error: object = None) -> LabelMapError:
-        return LabelMapError("storage.unwritable", path=self._path, reason=gdal_failure(error))
+        self._raise(failures)
 
 
 def whole_tile_rows(pieces: Iterable[tuple[int, np.ndarray]]) -> Iterator[tuple[int, np.ndarray]]:

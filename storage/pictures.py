@@ -11,6 +11,7 @@ from ..core.errors import LabelMapError
 from ..core.geometry.frame import MapFrame
 from .gdal_errors import close, gdal_failures
 from .rasters import open_raster
+from .written_raster import TILED, WrittenRaster
 
 JPEG_QUALITY = 85
 
@@ -32,52 +33,27 @@ def write_jpeg(path: Path, bands: np.ndarray) -> None:
 
 def copy_part(source: str, target: str, window: tuple[int, int, int, int]) -> None:
     """Copies a piece of a raster, (first column, first row, width, height), to a GeoTIFF. Raises LabelMapError."""
-    options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER"]
+    options = {"format": "GTiff", "srcWin": list(window), "creationOptions": list(TILED)}
     with gdal_failures() as failures:
-        close(gdal.Translate(target, open_raster(source), format="GTiff", srcWin=list(window), creationOptions=options))
+        close(gdal.Translate(target, open_raster(source), **options))
     if failures:
         raise LabelMapError("storage.unwritable", path=target, reason=failures[0])
 
 
-class ColorPicture:
-    """A georeferenced GeoTIFF with red, green, blue and opacity, written tile by tile.
-
-    A context manager: leaving it closes the file, and raises LabelMapError when GDAL could not write (disk full).
-    """
+class ColorPicture(WrittenRaster):
+    """A georeferenced GeoTIFF with red, green, blue and opacity, being written tile by tile."""
 
     def __init__(self, path: str, frame: MapFrame) -> None:
         """Creates the file where ``frame`` lies, all of it transparent. Raises LabelMapError."""
-        self._path = path
-        height, width = frame.shape_hw
-        options = ["TILED=YES", "COMPRESS=DEFLATE", "PHOTOMETRIC=RGB", "ALPHA=YES", "BIGTIFF=IF_SAFER"]
-        with gdal_failures() as failures:
-            self._dataset = gdal.GetDriverByName("GTiff").Create(path, width, height, 4, gdal.GDT_Byte, options)
-            if self._dataset is not None:
-                self._dataset.SetGeoTransform(frame.geotransform)
-                self._dataset.SetProjection(frame.crs)
-        self._raise(failures)
-
-    def __enter__(self) -> ColorPicture:
-        return self
-
-    def __exit__(self, kind: object, error: object, traceback: object) -> None:
-        dataset, self._dataset = self._dataset, None
-        with gdal_failures() as failures:
-            close(dataset)
-            del dataset
-        if error is None:
-            self._raise(failures)
+        options = (*TILED, "PHOTOMETRIC=RGB", "ALPHA=YES")
+        super().__init__(path, frame.shape_hw, 4, frame.geotransform, frame.crs, options)
 
     def write(self, column: int, row: int, pixels_hw4: np.ndarray) -> None:
         """Writes (height, width, 4) uint8, red first, whose first pixel comes to ``column``, ``row``."""
         with gdal_failures() as failures:
-            for number in range(4):
-                self._dataset.GetRasterBand(number + 1).WriteArray(pixels_hw4[:, :, number], column, row)
+            for band in range(4):
+                self._write(band + 1, column, row, pixels_hw4[:, :, band])
         self._raise(failures)
-
-    def _raise(self, failures: list[str]) -> None:
-        if failures:
-            raise LabelMapError("storage.unwritable", path=self._path, reason=failures[0])
 
 
 def _write(path: Path, bands: np.ndarray, kind: int, driver: str, options: list[str]) -> None:

@@ -27,7 +27,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
     LABELS = "LABELS"
     TILE_SIZE = "TILE_SIZE"
     STRIDE = "STRIDE"
-    VALIDATION_FRACTION = "VALIDATION_FRACTION"
+    VALIDATION_FRACTION = offers.VALIDATION_FRACTION
     CLASS_TABLE = "CLASS_TABLE"
     OUTPUT = "OUTPUT"
     TILE_COUNT = "TILE_COUNT"
@@ -70,15 +70,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
                 minimum=1,
                 is_integer=True,
             ),
-            Number(
-                self.VALIDATION_FRACTION,
-                tr("Validation fraction"),
-                tr("Share of the labeled ground that is set aside for validation; 0 for none."),
-                optional=True,
-                default=0.2,
-                minimum=0.0,
-                maximum=0.9,
-            ),
+            offers.validation_fraction(optional=True),
             offers.class_table(
                 tr("CSV with the columns value, name, color, role, for a label map that brings no classes of its own."),
                 advanced=True,

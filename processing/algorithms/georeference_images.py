@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...core.errors import ImageError, SemRefError
+from ...core.sentences import legible
+from ..compat import SOURCE_POINT, SOURCE_POLYGON
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..framework.declarations import Choice, Files, FolderOutput, NumberResult, VectorSource
 from ..framework.localized_image import unique_names
@@ -52,7 +54,12 @@ class GeoreferenceImages(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            VectorSource(self.POSITIONS, tr("Positions"), tr("What “Localize images” wrote, with all its columns.")),
+            VectorSource(
+                self.POSITIONS,
+                tr("Positions"),
+                tr("What “Localize images” wrote, with all its columns."),
+                kinds=(SOURCE_POINT,),
+            ),
             Choice(
                 self.FORMAT,
                 tr("Format"),
@@ -69,6 +76,7 @@ class GeoreferenceImages(SemRefAlgorithm):
                 tr("Footprints"),
                 tr("Those of the same run: how images lie that were taken with a tilted camera."),
                 optional=True,
+                kinds=(SOURCE_POLYGON,),
             ),
             VectorSource(
                 self.MATCHES,
@@ -79,6 +87,7 @@ class GeoreferenceImages(SemRefAlgorithm):
                     "puts them do."
                 ),
                 optional=True,
+                kinds=(SOURCE_POINT,),
             ),
             Files(
                 self.IMAGES,
@@ -105,11 +114,11 @@ class GeoreferenceImages(SemRefAlgorithm):
         with outputs.folder(self.OUTPUT) as folder:
             for n, image in enumerate(found):
                 check_canceled(feedback)
-                name = os.path.basename(image.path)
+                name = legible(os.path.basename(image.path))
                 feedback.setProgressText(name)
                 refusal = _why_not(image)
                 if not refusal:
-                    file = moved.get(name, image.path)
+                    file = moved.get(os.path.basename(image.path), image.path)
                     writer = _Writer(self._format(values), wkt_for_gdal(positions.sourceCrs()), feedback)
                     target = str(Path(folder) / names[image.path])
                     try:

@@ -55,7 +55,7 @@ class TrainModel(AnnotationAlgorithm):
     PATIENCE = "PATIENCE"
     NETWORK = "NETWORK"
     RESOLUTION = "RESOLUTION"
-    VALIDATION_FRACTION = "VALIDATION_FRACTION"
+    VALIDATION_FRACTION = offers.VALIDATION_FRACTION
     RESUME = "RESUME"
     PYTHON = "PYTHON"
     SEED = "SEED"
@@ -154,15 +154,7 @@ class TrainModel(AnnotationAlgorithm):
                 advanced=True,
                 minimum=0.1,
             ),
-            Number(
-                self.VALIDATION_FRACTION,
-                tr("Validation fraction"),
-                tr("Share of the labeled ground that is set aside for validation; 0 for none."),
-                advanced=True,
-                default=0.2,
-                minimum=0.0,
-                maximum=0.9,
-            ),
+            offers.validation_fraction(advanced=True),
             Switch(
                 self.RESUME,
                 tr("Go on with a canceled run"),

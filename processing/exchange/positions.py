@@ -11,6 +11,7 @@ import numpy as np
 from ...core.errors import ParameterError
 from ...core.geometry.footprint import image_corners
 from ...storage.georeferences import ControlPoint
+from ..compat import is_null
 
 if TYPE_CHECKING:
     from qgis.core import QgsFeature, QgsPointXY, QgsProcessingFeatureSource
@@ -117,9 +118,9 @@ def read_matches(
         image = by_path.get(feature["image"])
         names = "image_column", "image_row", "seen_x", "seen_y"
         column, row, seen_x, seen_y = (_number(feature, name) for name in names)
-        if image is None or not feature.hasGeometry() or None in (column, row, seen_x, seen_y):
+        place = _point(feature)
+        if image is None or place is None or None in (column, row, seen_x, seen_y):
             continue
-        place = feature.geometry().asPoint()
         off_px = image.in_pixels(seen_x - place.x(), seen_y - place.y())
         points.setdefault(image.path, []).append(ControlPoint(column, row, place.x(), place.y(), off_px))
     return points
@@ -139,18 +140,28 @@ def _require_same_crs(source: QgsProcessingFeatureSource, other: QgsProcessingFe
 
 
 def _found(feature: QgsFeature, grounds: dict[str, np.ndarray]) -> FoundImage:
-    has_point = feature.hasGeometry() and not feature.geometry().isEmpty()
-    point: QgsPointXY | None = feature.geometry().asPoint() if has_point else None
-    path = str(feature["image"] or "")
+    point = _point(feature)
+    path = _text(feature, "image")
     return FoundImage(
         path,
-        str(feature["status"] or ""),
+        _text(feature, "status"),
         None if point is None else (point.x(), point.y()),
         _number(feature, "heading"),
         _number(feature, "pixel_size"),
         feature.fieldNameIndex("camera_x") >= 0 and _number(feature, "camera_x") is not None,
         grounds.get(path),
     )
+
+
+def _point(feature: QgsFeature) -> QgsPointXY | None:
+    """The place of a point, also of one that was made a multipoint; None without one."""
+    if not feature.hasGeometry() or feature.geometry().isEmpty():
+        return None
+    return feature.geometry().boundingBox().center()
+
+
+def _text(feature: QgsFeature, name: str) -> str:
+    return "" if is_null(feature[name]) else str(feature[name])
 
 
 def _number(feature: QgsFeature, name: str) -> float | None:

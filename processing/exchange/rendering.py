@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from dataclasses import dataclass
 from math import ceil
 from typing import Callable
@@ -109,8 +109,8 @@ def plan_drawing(
 
 def draw(
     drawing: Drawing, path: str, context: QgsCoordinateTransformContext, canceled: Callable[[], bool]
-) -> Iterator[float]:
-    """Draws into a GeoTIFF; yields the share done (0…1) tile by tile.
+) -> Generator[tuple[str, float], None, None]:
+    """Draws into a GeoTIFF; yields (what is being done, share done 0…1) tile by tile.
 
     Args:
         drawing: What.
@@ -132,7 +132,7 @@ def draw(
             anything = anything or bool(pixels_hw4[:, :, 3].any())
             problems += errors
             picture.write(column, row, pixels_hw4)
-            yield n / len(places)
+            yield "Drawing the layer", n / len(places)
     if problems:
         raise ImageError("exchange.not_drawn", layer=drawing.layer.name(), reason=problems[0])
     if not anything:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
-from collections.abc import Generator, Iterator, Mapping
+from collections.abc import Generator, Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
 from types import MappingProxyType
@@ -263,12 +263,3 @@ def follow(
                 feedback.setProgressText(tr(what))
                 shown = what
             feedback.setProgress(first + (last - first) * share)
-
-
-def follow_shares(
-    shares: Iterator[float], feedback: QgsProcessingFeedback, first: float = 0.0, last: float = 100.0
-) -> None:
-    """Runs steps that yield the share done (0…1), showing progress from first to last %; raises Canceled."""
-    for share in shares:
-        check_canceled(feedback)
-        feedback.setProgress(first + (last - first) * share)

@@ -9,6 +9,7 @@ from .declarations import FieldOf, File, FileOutput, Number, Parameter, RasterLa
 DATABASE, MODEL, LABELS, IMAGES = "DATABASE", "MODEL", "LABELS", "IMAGES"
 INPUT, CLASS_FIELD, PRIORITY_FIELD, CLASS_TABLE = "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE"
 REFERENCE_CLASSES, REPORT, SEED = "REFERENCE_CLASSES", "REPORT", "SEED"
+VALIDATION_FRACTION = "VALIDATION_FRACTION"
 SUN_DIRECTION = "SUN_DIRECTION"
 MISSED, INVENTED, MISNAMED, RAGGED = "MISSED", "INVENTED", "MISNAMED", "RAGGED"
 BACKGROUND, DISPLACED, SHIFTED, LEANING = "BACKGROUND", "DISPLACED", "SHIFTED", "LEANING"
@@ -46,6 +47,13 @@ def report(text: str, by_default: bool = True) -> FileOutput:
     return FileOutput(
         REPORT, tr("Report"), text, optional=True, by_default=by_default, filter=tr("HTML files (*.html)")
     )
+
+
+def validation_fraction(optional: bool = False, advanced: bool = False) -> Number:
+    """How much of the ground a network is tried on instead of trained."""
+    text = tr("Share of the labeled ground that is set aside for validation; 0 for none.")
+    title = tr("Validation fraction")
+    return Number(VALIDATION_FRACTION, title, text, optional, advanced, default=0.2, minimum=0.0, maximum=0.9)
 
 
 def seed(text: str = "", default: int = 1) -> Number:

@@ -16,7 +16,7 @@ from qgis.core import (
 
 from ...core.errors import ImageError
 from ..translation import tr
-from .base import follow_shares
+from .base import follow
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
@@ -117,9 +117,8 @@ class PhotoSource:
         )
         resolution_cm = 100 * resolution_m
         feedback.pushInfo(text.format(layer=self._layer.name(), width=width, height=height, resolution=resolution_cm))
-        feedback.setProgressText(tr("Drawing the layer"))
         path = QgsProcessingUtils.generateTempFilename(f"{_stem(self._layer.name())}.tif")
-        follow_shares(draw(drawing, path, context, feedback.isCanceled), feedback)
+        follow(draw(drawing, path, context, feedback.isCanceled), feedback)
         return path, drawing.crs
 
     def _part(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> Photo:
