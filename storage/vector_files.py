@@ -77,3 +77,10 @@ def lacks_spatial_index(path: str) -> bool:
     except sqlite3.Error:
         # Damaged, or one of no geometry at all.
         return False
+
+
+def leave_wal(path: str) -> None:
+    """No -wal and -shm beside the finished file."""
+    with contextlib.closing(sqlite3.connect(path)) as connection:
+        connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        connection.execute("PRAGMA journal_mode=DELETE")

@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .noise import DISPLACED_M, USUAL, LabelNoise
-from .views import View
+
+if TYPE_CHECKING:
+    from .views import View
 
 LARGEST_LENS, LARGEST_TILT_DEG = 10.0, 30.0
 """Percent and degrees: no map could be read from beyond."""

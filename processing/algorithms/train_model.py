@@ -10,25 +10,23 @@ from typing import TYPE_CHECKING
 
 from ...core.errors import ImageError, ParameterError
 from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
-from ...training.job import EXAMPLES, JOB, LITE0, PACKAGED, RESULT, SMALL, Job
 from ..framework import offers
 from ..framework.annotation import AnnotationAlgorithm
 from ..framework.base import Canceled, Declared, follow
 from ..framework.declarations import Choice, File, FileOutput, MapExtent, Number, NumberResult, RasterLayer, Switch
 from ..framework.photo_source import PhotoSource
-from ..framework.training_process import TrainingTeller, require_training, training_events
-from ..framework.training_run import CanceledKeeping, TrainingRun, stamp
-from ..packages.training_environment import training_python
-from ..reports.training_report import TrainingReport
 from ..translation import tr
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...storage.rasters import RasterFile
+    from ...training.job import Job
     from ..exchange.training_ground import TrainingGround
     from ..framework.outputs import Outputs
+    from ..framework.training_run import TrainingRun
     from ..framework.values import Values
+    from ..reports.training_report import TrainingReport
 
 CUT, TRAINED = 12.0, 97.0
 """Percent of the progress at which the tiles are cut, and the network is trained."""
@@ -206,6 +204,8 @@ class TrainModel(AnnotationAlgorithm):
     # --- before any work ---
 
     def check(self, values: Values) -> None:
+        from ..packages.training_environment import training_python
+
         if values.has(self.INPUT) == values.has(self.LABELS):
             raise ParameterError("algorithms.annotation_or_labels")
         if values.has(self.INPUT) and not values.text(self.CLASS_FIELD):
@@ -233,6 +233,10 @@ class TrainModel(AnnotationAlgorithm):
     # --- work ---
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
+        from ..framework.training_process import require_training
+        from ..framework.training_run import CanceledKeeping, TrainingRun
+        from ..packages.training_environment import training_python
+
         python = training_python(values.file(self.PYTHON))
         feedback.setProgressText(tr("Starting the Python that trains"))
         ready = require_training(python, feedback)
@@ -257,6 +261,10 @@ class TrainModel(AnnotationAlgorithm):
         self, values: Values, python: str, target: str, run: TrainingRun, feedback: QgsProcessingFeedback
     ) -> TrainingReport:
         """Cuts the ground, trains on it, writes the model; what there is to say of it."""
+        from ...training.job import EXAMPLES, JOB, RESULT
+        from ..framework.training_process import TrainingTeller, training_events
+        from ..reports.training_report import TrainingReport
+
         job = self._job(values, target, run)
         job = run.begin(job, values.switch(self.RESUME))
         if not run.has_tiles:
@@ -275,6 +283,8 @@ class TrainModel(AnnotationAlgorithm):
         return TrainingReport(os.path.basename(values.target(self.OUTPUT)), result, job.ground, examples)
 
     def _job(self, values: Values, target: str, run: TrainingRun) -> Job:
+        from ...training.job import LITE0, PACKAGED, SMALL, Job
+
         is_small = values.choice(self.NETWORK) == SMALL_NETWORK
         return Job(
             (str(run.tiles),),
@@ -295,6 +305,8 @@ class TrainModel(AnnotationAlgorithm):
 
     def _fingerprint(self, values: Values) -> dict:
         """By what a canceled run is known to be of the same ground."""
+        from ..framework.training_run import stamp
+
         extent = values.extent(self.EXTENT, self._image.crs)
         found = {
             "image": stamp(self._image.path),

@@ -13,7 +13,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
-from ...storage.database.reader import leave_wal
+from ...storage.vector_files import leave_wal
 
 _KEPT: list[_Styler] = []
 _MOST_KEPT = 20

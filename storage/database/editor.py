@@ -13,9 +13,10 @@ from osgeo import gdal, ogr
 from ...core.database.update import DatabaseChanges
 from ...core.errors import DatabaseError
 from ..gdal_errors import gdal_failure
+from ..vector_files import leave_wal
 from . import schema
 from .copying import copy_database
-from .reader import StoredDatabase, leave_wal, store_checksums
+from .reader import StoredDatabase, store_checksums
 
 _FEATURES_A_STEP = 500
 

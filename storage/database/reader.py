@@ -232,13 +232,6 @@ def stored_style(path: str, table: str) -> str | None:
     return row[0] if row else None
 
 
-def leave_wal(path: str) -> None:
-    """No -wal and -shm beside the finished file."""
-    with contextlib.closing(sqlite3.connect(path)) as connection:
-        connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
-        connection.execute("PRAGMA journal_mode=DELETE")
-
-
 def store_checksums(path: str) -> None:
     """Puts the checksums of a finished database's tables among its parameters, in place of older ones.
 

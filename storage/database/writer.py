@@ -13,8 +13,9 @@ from ...core.database.model import ReferenceDatabase
 from ...core.errors import DatabaseError
 from ..gdal_errors import close, gdal_failure, gdal_failures
 from ..label_map_file import set_class_colors
+from ..vector_files import leave_wal
 from . import schema
-from .reader import leave_wal, store_checksums
+from .reader import store_checksums
 
 _FEATURES_A_STEP = 2000
 
