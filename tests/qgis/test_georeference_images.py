@@ -153,6 +153,15 @@ def test_an_image_that_is_gone_is_named_and_does_not_stop_the_others(georeferenc
     assert "There is no image /no/one.png" in feedback.textLog()
 
 
+def test_a_position_that_an_export_made_a_multipoint_is_one(georeference, tmp_path):
+    write_raster(tmp_path / "one.png", LABELS[:100, :100], transform=None)
+    row = (f"MULTIPOINT (({WEST + 200} {NORTH - 200}))", str(tmp_path / "one.png"), "fix", 0.0, 1.0, None)
+    positions = str(write_layer(tmp_path / "p.gpkg", [row], COLUMNS))
+    result, folder = georeference(POSITIONS=positions, FOOTPRINTS=None)
+    assert result["IMAGE_COUNT"] == 1
+    assert gdal.Open(str(folder / "one.tif")).GetGeoTransform()[0] == pytest.approx(WEST + 150, abs=0.01)
+
+
 def test_a_photo_keeps_its_bands_and_is_transparent_around(georeference, tmp_path):
     photo = np.full((3, 60, 80), 200, np.uint8)
     write_raster(tmp_path / "photo.tif", photo, crs=None, transform=None)

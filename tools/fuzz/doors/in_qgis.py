@@ -11,32 +11,16 @@ from pathlib import Path
 from random import Random
 from typing import Any, Callable
 
-import numpy as np
-
 from ..contract import Refused, World, require, require_one_sentence
 from ..door import Door, Placed, Tools
 from ..mutations import NUMBERS, TEXTS, mutated_bytes, mutated_json, word
+from .algorithm_inputs import LAYER, base_parameters, inputs, write_plan
 
 _CANCELED_AFTER_S = 1.0
 """What a user may ask for can take long; a cancel must end it."""
 
 _held: list[Any] = []
 
-LAYER = {
-    "type": "FeatureCollection",
-    "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},
-    "features": [
-        {
-            "type": "Feature",
-            "properties": {"class": name, "priority": n},
-            "geometry": {
-                "type": "Polygon",
-                "coordinates": [[[x, 5e6], [x + 30, 5e6], [x + 30, 5e6 + 25], [x, 5e6 + 25], [x, 5e6]]],
-            },
-        }
-        for n, (name, x) in enumerate((("building", 550000.0), ("water", 550020.0), ("building", 550060.0)))
-    ],
-}
 POINTS = ([[550000, 5e6]], [550000, 5e6], [math.nan, 0], [1e308, 5e6], [550000, 5e6, 3], [[[550000, 5e6]]], [1e9, 1e9])
 GEOMETRIES = (
     *({"type": kind, "coordinates": []} for kind in ("Polygon", "MultiPolygon", "Point", "LineString", "CurvePolygon")),
@@ -155,109 +139,10 @@ def _binary_layers(world: World) -> dict[str, bytes]:
     return found
 
 
-def _inputs(folder: Path) -> dict[str, str]:
-    """Small files of each kind, by name."""
-    import onboard_area
-    from made_inputs import NORTH, WEST, scattered_objects, write_layer, write_raster
-    from made_models import metadata, write_model
-    from osgeo import gdal
-
-    folder.mkdir()
-    labels = scattered_objects(120, 160, 40, seed=2)
-    names = ["unlabeled", "building", "water", "bare_land", "field"]
-    made = {
-        "labels": write_raster(folder / "labels.tif", labels, names=names),
-        "newer": write_raster(folder / "newer.tif", np.roll(labels, 9, 0), names=names),
-        "image": write_raster(folder / "image.png", labels[10:70, 10:70], transform=None),
-        "photo": write_raster(folder / "photo.tif", np.stack([labels * 50] * 3), crs=None, transform=None),
-        "colors": write_raster(folder / "colors.tif", np.stack([labels * 50] * 3)),
-        "layer": folder / "layer.geojson",
-        "classes": folder / "classes.csv",
-        "cameras": folder / "cameras.csv",
-        "route": folder / "route.plan",
-        "key": folder / "fleet.key",
-        "model": write_model(folder / "model.onnx", metadata=metadata(tile_size=32)),
-        "table": folder / "broken.csv",
-        "positions": write_layer(
-            folder / "positions.gpkg",
-            [(f"POINT ({WEST + 60} {NORTH - 60})", "image.png", "fix", 30.0, 1.0)],
-            [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_size", "real")],
-        ),
-    }
-    (folder / "layer.geojson").write_text(json.dumps(LAYER), encoding="ascii")
-    (folder / "classes.csv").write_text(f"{_classes(onboard_area)}", encoding="ascii")
-    (folder / "cameras.csv").write_text("image,roll,pitch,field_of_view\nimage.png,1,2,60\n", encoding="ascii")
-    (folder / "broken.csv").write_text("a;b\n1\n", encoding="ascii")
-    (folder / "fleet.key").write_bytes(bytes(range(32)))
-    memory = gdal.GetDriverByName("MEM").Create("", 1, 1)
-    memory.SetGeoTransform((WEST, 1, 0, NORTH, 0, -1))
-    return {name: str(path) for name, path in made.items()}
-
-
-def _classes(onboard_area: Any) -> str:
-    return onboard_area.TABLE.to_csv().replace("field", "forest")
-
-
-def _base(files: dict[str, str], out: Path) -> dict[str, dict[str, Any]]:
-    """Parameters with which each algorithm works, in less than a second."""
-    report, layer, raster = str(out / "r.html"), str(out / "x.gpkg"), str(out / "x.tif")
-    database, classes = files["database"], "building;water;bare_land"
-    annotated = {"INPUT": files["layer"], "CLASS_FIELD": "class"}
-    return {
-        "rasterizeannotation": {**annotated, "PIXEL_SIZE": 1, "OUTPUT": raster},
-        "checkannotation": {**annotated, "PIXEL_SIZE": 1, "ISSUES": layer, "REPORT": report},
-        "repairannotation": {**annotated, "OUTPUT": layer, "CHANGES": str(out / "y.gpkg")},
-        "builddatabase": {
-            "LABELS": files["labels"],
-            "REFERENCE_CLASSES": classes,
-            **dict(zip(("WINDOW_SIZE", "STRIDE", "MINIMUM_AREA"), (60, 30, 30))),
-            "DATABASE": layer,
-        },
-        "updatedatabase": {"DATABASE": database, "LABELS": files["newer"], "OUTPUT": layer},
-        "comparelabels": {
-            "REFERENCE": files["labels"],
-            "PREDICTED": files["newer"],
-            "REPORT": report,
-            "DISAGREEMENTS": raster,
-        },
-        "describeimage": {
-            "INPUT": files["labels"],
-            "REFERENCE_CLASSES": classes,
-            "DATABASE": database,
-            "REFERENCES": layer,
-        },
-        "decodecolorlabels": {"INPUT": files["colors"], "CLASS_TABLE": files["classes"], "OUTPUT": raster},
-        "exportonboard": {"DATABASE": database, "KEY_FILE": files["key"], "OUTPUT": str(out / "x.npz")},
-        "localizeimages": {
-            "DATABASE": database,
-            "IMAGES": files["image"],
-            "OUTPUT": layer,
-            "ATTITUDE": files["cameras"],
-        },
-        "georeferenceimages": {
-            "POSITIONS": files["positions"],
-            "IMAGES": files["image"],
-            "OUTPUT": str(out / "placed"),
-        },
-        "assessroute": {"DATABASE": database, "ROUTE": files["route"], "TRIALS": 1, "OUTPUT": layer},
-        "assessdatabase": {"DATABASE": database, "TRIALS": 1, "SPACING": 60, "OUTPUT": layer},
-        "evaluatelocalization": {"DATABASE": database, "LABELS": files["labels"], "TRIALS": 1, "OUTPUT": report},
-        "exporttrainingtiles": {
-            "IMAGE": files["colors"],
-            "LABELS": files["labels"],
-            "TILE_SIZE": 32,
-            "STRIDE": 32,
-            "OUTPUT": str(out / "tiles"),
-        },
-        "segmentimage": {"INPUT": files["photo"], "MODEL": files["model"], "OUTPUT": raster},
-        "makesample": {"OUTPUT": str(out / "sample")},
-    }
-
-
 def parameters(world: World) -> Tools:
     run = Runner(world)
-    files = _inputs(world.folder.parent / "in")
-    base = _base({**files, "database": ""}, run.out)
+    files = inputs(world.folder.parent / "in")
+    base = base_parameters({**files, "database": ""}, run.out)
     run.out.mkdir()
     import processing
 
@@ -265,8 +150,8 @@ def parameters(world: World) -> Tools:
     processing.run("semref:builddatabase", {**base["builddatabase"], "DATABASE": database})
     shutil.rmtree(run.out)
     files["database"] = database
-    _write_plan(files, database)
-    base = _base(files, run.out)
+    write_plan(files, database)
+    base = base_parameters(files, run.out)
     keys = {
         name: [definition.name() for definition in algorithm.parameterDefinitions()]
         for name, algorithm in run.algorithms.items()
@@ -313,18 +198,6 @@ def parameters(world: World) -> Tools:
         require(not changed, f"inputs changed: {changed}")
 
     return make, attempt
-
-
-def _write_plan(files: dict[str, str], database: str) -> None:
-    from semref.storage.database.reader import read_database
-
-    windows = read_database(database).windows
-    del windows
-    items = [
-        {"type": "SimpleItem", "command": 16, "params": [0, 0, 0, None, latitude, 9.6585, 50]}
-        for latitude in (47.1305, 47.1310)
-    ]
-    Path(files["route"]).write_text(json.dumps({"mission": {"items": items}}), encoding="ascii")
 
 
 def _kept_inside(value: Any, out: Path, key: str, targets: list[str]) -> Any:
