@@ -47,5 +47,13 @@ def close(dataset: gdal.Dataset | None) -> None:
     GDAL before 3.8 does so when the last reference goes: drop it within that block, too. Where GDAL raises, what fails
     in a destructor is lost.
     """
-    if dataset is not None and hasattr(dataset, "Close"):
+    if dataset is None or not hasattr(dataset, "Close"):
+        return
+    try:
         dataset.Close()
+    except RuntimeError:
+        # GDAL 3.8 to 3.10 leave the reference in place when closing raises: Python would close what is gone once more.
+        if dataset.this is not None:
+            dataset.thisown = False
+            dataset.this = None
+        raise
