@@ -181,9 +181,37 @@ def test_results_of_two_dates_are_grouped_by_the_landmarks_in_view(bench):
     assert "; 1 wrong" in rows[2]
 
 
-def test_images_from_elsewhere_come_in_parts(bench):
-    parts = bench("elsewhere").parts
-    assert parts(0) == [] and parts(250) == [250] and parts(600) == [250, 250, 100]
+def test_images_of_a_row_come_in_parts(bench):
+    parts = bench("kept").parts
+    assert parts(0, 250) == [] and parts(250, 250) == [250] and parts(600, 250) == [250, 250, 100]
+
+
+def test_a_row_goes_on_where_the_same_code_left_it_and_other_code_starts_anew(bench, tmp_path, monkeypatch):
+    kept, tried = bench("kept"), []
+
+    def measured(number, size):
+        tried.append(number)
+        return [number] * size
+
+    def row(sizes):
+        return list(kept.row(SimpleNamespace(work=tmp_path, half="south"), "table", "tilt 5°", sizes, measured))
+
+    monkeypatch.setattr(kept.machine, "revision", lambda: "commit 1")
+    assert row([2]) == [0, 0] and row([2, 1]) == [0, 0, 1] and tried == [0, 1]
+    monkeypatch.setattr(kept.machine, "revision", lambda: "commit 2")
+    assert row([2]) == [0, 0] and tried == [0, 1, 0]
+
+
+def test_coverage_counts_right_fixes_alone_and_tells_wrong_ones(bench):
+    coverage = bench("coverage")
+    held, wide = (
+        coverage.Told(True, False, 0.9, 3.0, 1.0, True, True),
+        coverage.Told(True, False, 1.1, 5.0, 3.0, False, True),
+    )
+    row = coverage.cells("a row", [held, held, wide, coverage.Told(False, True), coverage.Told(False, False)])
+    assert row[1].startswith("3/5, ") and row[1].endswith("; 1")
+    assert [cell.split(",")[0] for cell in row[2:5]] == ["0/3", "2/3", "3/3"]
+    assert row[5:] == ["3.00 m, 1.00 m", "67%, 100%"]
 
 
 def test_astroalign_is_judged_by_the_place_of_the_center(bench):

@@ -19,8 +19,9 @@ import numpy as np
 
 from bench import footprints, inputs, page, reliability, two_dates
 from bench.correlation import BUILDINGS, ON_A_TILE
-from bench.elsewhere import aerial_labels, parts, sample_labels
+from bench.elsewhere import aerial_labels, sample_labels
 from bench.ground import GOAL, Ground, Image, tile_ground, tile_paths
+from bench.kept import parts
 from semref.core.correlation import decision, places
 from semref.core.correlation.class_pyramid import EvidenceLevel, mirrored_level
 from semref.core.correlation.detail import detail_at

@@ -1,14 +1,18 @@
-"""How often the stated radius holds: 50, 95 and 99 %, by road, where errors are shared."""
+"""How often the stated radius holds: 50, 95 and 99 %, by road, where errors are shared.
+
+In parts, each with its own seed; a later run with the same --work goes on, and joins what runs of some rows kept.
+"""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
-from bench import coverage_sources, inputs, page
+from bench import coverage_sources, inputs, kept, page
 from bench.ground import GOAL, HARD, NONE, Ground, Image, Wanted
 from semref.core.evaluation.summary import held_shares, percentile
 from semref.core.evaluation.trial import Trial
@@ -19,6 +23,7 @@ from semref.core.simulation.noise import DISPLACED_M, MODEST, LabelNoise
 PAGE = "benchmarks.md"
 SEED = 2101
 COUNT, QUICK_COUNT = 200, 3
+PART = 50
 RIGHT_SHARE = 0.02
 BUILDINGS = 1
 STATED_SPREAD_M = 0.2
@@ -31,7 +36,7 @@ PRIOR_SHARE = PRIOR_RADIUS_M / 1280
 RIGHT_ANGLES = (0.0, 90.0, 180.0, 270.0)
 COLUMNS = (
     "images",
-    "fixes right",
+    "right fixes; wrong",
     "in the 50 % ellipse",
     "95 %",
     "99 %",
@@ -109,23 +114,69 @@ BOTH = (
 )
 
 
+@dataclass(frozen=True)
+class Told:
+    """What a table counts of one trial; None where nothing was told or nothing is right."""
+
+    is_right: bool
+    is_wrong: bool
+    radius_ratio: float | None = None
+    radius: float | None = None
+    error: float | None = None
+    is_heading_held: bool | None = None
+    is_scale_held: bool | None = None
+
+    @classmethod
+    def of(cls, trial: Trial) -> Told:
+        """Of a trial; errors of right fixes alone."""
+        if not trial.is_right:
+            return cls(False, trial.is_wrong)
+        held: list[bool | None] = [None, None]
+        known = trial.result.covariance
+        if known is not None and trial.heading_error_deg is not None and trial.scale_error is not None:
+            off = trial.scale_error * trial.query.view.pixel_size
+            held = [
+                bool(trial.heading_error_deg <= 1.96 * known.heading_deviation_deg),
+                bool(off <= 1.96 * known.pixel_size_deviation),
+            ]
+        return cls(True, False, trial.radius_ratio, trial.result.error_95_m, trial.error, *held)
+
+
 def measure(run: inputs.Run) -> dict[str, str]:
     if run.area.name == "sample":
         return {"coverage": "Not measured: the real data is not here."}
-    ground, count = Ground.of(run), run.how_many(COUNT, QUICK_COUNT)
+    count = run.how_many(COUNT, QUICK_COUNT)
     rows = []
-    for number, row in enumerate((*LEVEL, *CAMERAS, *SHIFTS, *AREAS, *BOTH)):
-        name = f"{row.method.key}: {row.name}"
-        if run.wants(name):
-            rows.append(_cells(name, list(tried(ground, row, count, np.random.default_rng([SEED, number])))))
-            print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
-    for name, trials in coverage_sources.every(run, count, PRIOR_SHARE):
-        rows.append(_cells(name, trials))
+    for name, sizes, measured in _rows(run, count):
+        rows.append(cells(name, [Told(**one) for one in kept.row(run, "coverage", name, sizes, measured)]))
         print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
     about = _ABOUT.format(
         half=run.half, displaced=DISPLACED_M, radius=PRIOR_RADIUS_M, share=100 * RIGHT_SHARE, spread=NETWORK_SPREAD
     )
     return {"coverage": f"{about}\n\n{page.table(COLUMNS, rows)}"}
+
+
+Measured = Callable[[int, int], list]
+
+
+def _rows(run: inputs.Run, count: int) -> Iterator[tuple[str, list[int], Measured]]:
+    """Name, images a part, and what measures a part, of every row that the run wants and has the data of."""
+    ground = Ground.of(run)
+    for number, row in enumerate((*LEVEL, *CAMERAS, *SHIFTS, *AREAS, *BOTH)):
+        name = f"{row.method.key}: {row.name}"
+        if run.wants(name):
+            yield name, kept.parts(count, PART), partial(_of_row, ground, row, number)
+    for name, make in coverage_sources.every(run, count, PRIOR_SHARE):
+        # Its images are made together.
+        yield name, [count], partial(_of_source, make)
+
+
+def _of_row(ground: Ground, row: Row, number: int, part: int, size: int) -> list[dict]:
+    return [asdict(Told.of(trial)) for trial in tried(ground, row, size, np.random.default_rng([SEED, number, part]))]
+
+
+def _of_source(make: Callable[[], Sequence[Trial]], part: int, size: int) -> list[dict]:
+    return [asdict(Told.of(trial)) for trial in make()]
 
 
 _ABOUT = """\
@@ -179,15 +230,18 @@ def _trial(ground: Ground, row: Row, image: Image, rng: np.random.Generator) -> 
         ground.prior = before
 
 
-def _cells(name: str, trials: Sequence[Trial]) -> list[str]:
-    right = [trial for trial in trials if trial.is_right]
-    cells = [name, page.rate(len(right), len(trials))]
+def cells(name: str, told: Sequence[Told]) -> list[str]:
+    """A row of the table."""
+    right = [one for one in told if one.is_right]
+    wrong = sum(one.is_wrong for one in told)
+    row = [name, f"{page.rate(len(right), len(told))}; {wrong}"]
     if not right:
-        return cells + ["–"] * (len(COLUMNS) - 1)
-    cells += [page.rate(share.successes, share.trials) for share in held_shares(right)]
-    radius = percentile([trial.result.error_95_m for trial in right], 50)
-    cells.append(f"{radius:.2f} m, {percentile([trial.error for trial in right], 50):.2f} m")
-    known = [(trial, trial.result.covariance) for trial in right if trial.result.covariance is not None]
-    heading = np.mean([t.heading_error_deg <= 1.96 * c.heading_deviation_deg for t, c in known])
-    size = np.mean([t.scale_error * t.query.view.pixel_size <= 1.96 * c.pixel_size_deviation for t, c in known])
-    return [*cells, f"{heading:.0%}, {size:.0%}"]
+        return row + ["–"] * (len(COLUMNS) - 2)
+    row += [page.rate(share.successes, share.trials) for share in held_shares(right)]
+    radius, error = (percentile([getattr(one, which) for one in right], 50) for which in ("radius", "error"))
+    row.append("–" if radius is None or error is None else f"{radius:.2f} m, {error:.2f} m")
+    known = [one for one in right if one.is_heading_held is not None]
+    if not known:
+        return [*row, "–"]
+    heading, size = (np.mean([getattr(one, f"is_{which}_held") for one in known]) for which in ("heading", "scale"))
+    return [*row, f"{heading:.0%}, {size:.0%}"]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -24,11 +25,11 @@ PHOTO_METHODS = (Method.CONSTELLATION, Method.AUTOMATIC)
 RENDERED, REAL = "rendered photos", "real photos"
 REAL_PX = 512
 
-Rows = Iterator[tuple[str, list[Trial]]]
+Rows = Iterator[tuple[str, Callable[[], list[Trial]]]]
 
 
 def every(run: inputs.Run, count: int, prior_share: float) -> Rows:
-    """(name, trials) of all rows that the run wants and has the data of.
+    """(name, what makes the trials) of all rows that the run wants and has the data of.
 
     prior_share: map correlation and automatic are told the position to this share of the footprint.
     """
@@ -40,19 +41,28 @@ def every(run: inputs.Run, count: int, prior_share: float) -> Rows:
 
 
 def _christchurch(run: inputs.Run, count: int, prior_share: float) -> Rows:
-    wanted = Wanted(two_dates.SCALES, landmarks=ANY, labeled=two_dates.LEAST_LABELED)
     for number, (before, after) in enumerate(PAIRS):
-        names = {method: f"{method.key}: Christchurch, map of {before}, images of {after}" for method in METHODS}
-        chosen = [method for method, name in names.items() if run.wants(name)]
-        if not chosen:
-            continue
-        content = read_database(str(two_dates.database(run, FOOTPRINT_M, before)), with_overview=True)
-        labels = inputs.read_labels(two_dates.label_map(run, after))
-        ground = Ground(labels, content, size_px=round(FOOTPRINT_M / two_dates.PIXEL_SIZE_M))
-        rng = np.random.default_rng([SEED, number])
-        images = [ground.draw(wanted, rng) for _ in range(count)]
-        for method in chosen:
-            yield names[method], [_near(ground, image, method, rng, prior_share) for image in images]
+        for method in METHODS:
+            name = f"{method.key}: Christchurch, map of {before}, images of {after}"
+            if run.wants(name):
+                yield name, partial(_dates, run, number, count, method, prior_share)
+
+
+@lru_cache(maxsize=1)
+def _of_dates(run: inputs.Run, number: int, count: int) -> tuple[Ground, list[Image]]:
+    before, after = PAIRS[number]
+    content = read_database(str(two_dates.database(run, FOOTPRINT_M, before)), with_overview=True)
+    labels = inputs.read_labels(two_dates.label_map(run, after))
+    ground = Ground(labels, content, size_px=round(FOOTPRINT_M / two_dates.PIXEL_SIZE_M))
+    wanted = Wanted(two_dates.SCALES, landmarks=ANY, labeled=two_dates.LEAST_LABELED)
+    rng = np.random.default_rng([SEED, number])
+    return ground, [ground.draw(wanted, rng) for _ in range(count)]
+
+
+def _dates(run: inputs.Run, number: int, count: int, method: Method, prior_share: float) -> list[Trial]:
+    ground, images = _of_dates(run, number, count)
+    rng = np.random.default_rng([SEED, number, METHODS.index(method)])
+    return [_near(ground, image, method, rng, prior_share) for image in images]
 
 
 def _near(ground: Ground, image: Image, method: Method, rng: np.random.Generator, prior_share: float) -> Trial:
@@ -65,29 +75,37 @@ def _near(ground: Ground, image: Image, method: Method, rng: np.random.Generator
 
 def _rendered(run: inputs.Run, count: int) -> Rows:
     """Photos of a landscape that the shipped network has not seen, once as its metadata say and once as if silent."""
-    names = {
-        (method, told): f"{method.key}: {RENDERED}, bias {'' if told else 'not '}stated"
-        for method in PHOTO_METHODS
-        for told in (True, False)
-    }
-    chosen = [key for key, name in names.items() if run.wants(name)]
-    if not chosen:
-        return
+    for method in PHOTO_METHODS:
+        for told in (True, False):
+            name = f"{method.key}: {RENDERED}, bias {'' if told else 'not '}stated"
+            if run.wants(name):
+                yield name, partial(_rendered_trials, count, method, told)
+
+
+@lru_cache(maxsize=1)
+def _shot(count: int) -> tuple[Ground, photos.Network, list[Image]]:
     ground, area = photos.sample_ground()
     network = photos.Network(photos.SHIPPED, ground)
-    shot = list(photos.sample_photos(area, network, ground, count))
     # The landscape's photo has one sun, the same in every picture that is cut from it.
     ground.localizer.errors = replace(ground.localizer.errors, sun_deg=photos.sample_sun_deg())
-    for method, told in chosen:
-        ground.localizer.heed_biases(*(network.biases if told else photos.SILENT))
-        yield names[method, told], [ground.try_image(image, method, photos.SAMPLE_RIGHT_M) for image in shot]
+    return ground, network, list(photos.sample_photos(area, network, ground, count))
+
+
+def _rendered_trials(count: int, method: Method, told: bool) -> list[Trial]:
+    ground, network, shot = _shot(count)
+    ground.localizer.heed_biases(*(network.biases if told else photos.SILENT))
+    return [ground.try_image(image, method, photos.SAMPLE_RIGHT_M) for image in shot]
 
 
 def _real(run: inputs.Run, count: int) -> Rows:
-    names = {method: f"{method.key}: {REAL}, tile {run.tile} of dubai_aerial, {REAL_PX} px" for method in PHOTO_METHODS}
-    chosen = [method for method, name in names.items() if run.wants(name)]
-    if not chosen:
-        return
+    for method in PHOTO_METHODS:
+        name = f"{method.key}: {REAL}, tile {run.tile} of dubai_aerial, {REAL_PX} px"
+        if run.wants(name):
+            yield name, partial(_real_trials, run, count, method)
+
+
+@lru_cache(maxsize=1)
+def _of_tile(run: inputs.Run, count: int) -> tuple[Ground, list[Image]]:
     path = run.data / inputs.TILES / f"tile{run.tile}_label.tif"
     ground = tile_ground(path)
     picture = np.ascontiguousarray(np.moveaxis(inputs.read_labels(str(path).replace("_label", "_image"))[:3], 0, 2))
@@ -96,6 +114,9 @@ def _real(run: inputs.Run, count: int) -> Rows:
     rng = np.random.default_rng([SEED, 100])
     wanted = replace(ON_A_TILE, sizes_px=(REAL_PX,), labeled=0.0)
     images = [ground.draw(wanted, rng) for _ in range(count)]
-    shot = [replace(i, labels_hw=network.labels(photos.seen(ground, picture, i.view))) for i in images]
-    for method in chosen:
-        yield names[method], [ground.try_image(Image(Query(i.view), i.labels_hw), method) for i in shot]
+    return ground, [replace(i, labels_hw=network.labels(photos.seen(ground, picture, i.view))) for i in images]
+
+
+def _real_trials(run: inputs.Run, count: int, method: Method) -> list[Trial]:
+    ground, shot = _of_tile(run, count)
+    return [ground.try_image(Image(Query(i.view), i.labels_hw), method) for i in shot]

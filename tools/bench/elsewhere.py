@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections import Counter
+from functools import partial
 from pathlib import Path
 
 import cv2
 import numpy as np
 
-from bench import inputs, machine, page
+from bench import inputs, kept, page
 from bench.ground import GOAL, NONE, REACH_PX, Case, Ground, Image, Wanted, tile_paths
 from semref.core.evaluation.trial import Query, Trial
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
@@ -67,11 +67,9 @@ def measure(run: inputs.Run) -> dict[str, str]:
     for kind in kinds:
         known = ground.known_elsewhere() if kind == OTHER_HALF else ground
         statuses, odds, risk = Counter(), -np.inf, 1.0
-        for part, size in enumerate(parts(each)):
-            kept = _kept(run, kind, part, size)
-            if not kept.exists():
-                kept.write_text(json.dumps(_tried(run, known, kind, part, size)), encoding="utf-8")
-            found = json.loads(kept.read_text("utf-8"))
+        measured = partial(_tried, run, known, kind)
+        for part, size in enumerate(kept.parts(each, PART)):
+            found = kept.part(run, "elsewhere", kind, part, size, measured)
             statuses.update(found["statuses"])
             odds, risk = max(odds, found["log_odds"]), min(risk, found["risk"])
             print(f"  {kind}: {sum(statuses.values())} of {each}, {dict(statuses)}", file=sys.stderr, flush=True)
@@ -89,19 +87,6 @@ Constellation, images of 1,280 px that lie nowhere on the map of Liechtenstein (
 southern half). Goal: no fix for any of 30,000 (with none, the 95 % interval ends at 0.013 %); a fix needs a told risk
 of at most 1 in 10,000. Each part of 250 images has its own seed; `--work` keeps what was tried, and more are added by a
 larger `--count`."""
-
-
-def parts(count: int, size: int = PART) -> list[int]:
-    """Images of each part of `count`."""
-    return [min(size, count - first) for first in range(0, count, size)]
-
-
-def _kept(run: inputs.Run, kind: str, part: int, size: int) -> Path:
-    """Statuses of one part; of this state of the code alone, so that no run mixes two."""
-    folder = run.work / "elsewhere"
-    folder.mkdir(exist_ok=True)
-    state = machine.revision().replace(" ", "_")
-    return folder / f"{kind.replace(' ', '_')}_{part}_{size}_{run.half}_{state}.json"
 
 
 def _tried(run: inputs.Run, ground: Ground, kind: str, part: int, size: int) -> dict:

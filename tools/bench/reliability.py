@@ -5,7 +5,6 @@ In parts, each with its own seed; a later run with the same --work goes on.
 
 from __future__ import annotations
 
-import json
 import math
 import sys
 from collections.abc import Iterator, Sequence
@@ -13,8 +12,8 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
-from bench import inputs, machine, page, two_dates
-from bench.elsewhere import LATTICE_KINDS, lattice, parts, region_landmarks, sample_labels
+from bench import inputs, kept, page, two_dates
+from bench.elsewhere import LATTICE_KINDS, lattice, region_landmarks, sample_labels
 from bench.ground import GOAL, HARD, Ground, Wanted
 from semref.core.constellation.index import full_area
 from semref.core.constellation.solver import localize as solve
@@ -106,25 +105,23 @@ can be right):"""
 
 
 def _kept(run: inputs.Run, ground: Ground | None, name: str, count: int) -> Iterator[Told]:
-    folder = run.work / "reliability"
-    folder.mkdir(exist_ok=True)
-    state = machine.revision().replace(" ", "_")
-    other = None
-    for part, size in enumerate(parts(count, PART)):
-        path = folder / f"{name.replace(' ', '_')}_{part}_{size}_{run.half}_{state}.json"
-        if not path.exists():
-            rng = np.random.default_rng([SEED, sum(map(ord, name)), part])
-            if name == "christchurch":
-                found = list(christchurch(run, rng, size))
-            elif name == TWO_PLACES:
-                found = [two_places(ground, rng) for _ in range(size)]
-            else:
-                other = other or ground.known_elsewhere()
-                found = [country(ground, other, rng, part) for _ in range(size)]
-            path.write_text(json.dumps([asdict(one) for one in found]), encoding="utf-8")
-        kept = [Told(**one) for one in json.loads(path.read_text("utf-8"))]
-        print(f"  {name}: part {part}, {sum(t.is_fix for t in kept)} fixes of {len(kept)}", file=sys.stderr, flush=True)
-        yield from kept
+    elsewhere: list[Ground] = []
+
+    def measured(part: int, size: int) -> list[dict]:
+        rng = np.random.default_rng([SEED, sum(map(ord, name)), part])
+        if name == "christchurch":
+            return [asdict(one) for one in christchurch(run, rng, size)]
+        if name == TWO_PLACES:
+            return [asdict(two_places(ground, rng)) for _ in range(size)]
+        if not elsewhere:
+            elsewhere.append(ground.known_elsewhere())
+        return [asdict(country(ground, elsewhere[0], rng, part)) for _ in range(size)]
+
+    for number, size in enumerate(kept.parts(count, PART)):
+        told = [Told(**one) for one in kept.part(run, "reliability", name, number, size, measured)]
+        fixes = sum(t.is_fix for t in told)
+        print(f"  {name}: part {number}, {fixes} fixes of {len(told)}", file=sys.stderr, flush=True)
+        yield from told
 
 
 # --- images ---
