@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import os
 from dataclasses import replace
-from typing import TYPE_CHECKING, Callable, Union
+from typing import TYPE_CHECKING
 
-from ...core.errors import DatabaseError, ParameterError, SemRefError
-from ...core.localization import LEAST_RISK, RISK, Method
+from ...core.errors import ParameterError
 from ..framework import offers, priors
-from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
+from ..framework.base import Declared, cancelable, check_canceled
 from ..framework.declarations import (
-    Choice,
-    File,
-    Files,
     FolderOutput,
     MapExtent,
     Number,
@@ -22,50 +18,30 @@ from ..framework.declarations import (
     PolygonOutput,
     RasterLayer,
 )
-from ..framework.localized_image import LabelImages, LocalizedImage, say, with_jumps
+from ..framework.localized_image import LabelImages, say, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches, write_positions
+from ..framework.localizing import LocalizeAlgorithm, localize_image
 from ..framework.photo_source import PhotoSource
 from ..translation import tr
-from ..wording.camera_messages import camera_remark
-from ..wording.sentences import worded
 
 if TYPE_CHECKING:
-    import numpy as np
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
+    from qgis.core import QgsProcessingFeedback
 
-    from ...core.database.model import ReferenceDatabase
-    from ...core.geometry.camera import Camera
-    from ...core.labels.class_table import ClassTable
-    from ...core.localization import Localization
-    from ...core.localizer.localizer import Localizer
     from ..framework.outputs import Outputs
-    from ..framework.photo_labels import LabelImageReader, PhotoLabels
     from ..framework.values import Values
 
-    LabelReader = Union[PhotoLabels, LabelImageReader]
-    Localize = Callable[[np.ndarray, Camera], Localization]
 
-
-class LocalizeImages(SemRefAlgorithm):
+class LocalizeImages(LocalizeAlgorithm):
     ID = "localizeimages"
-    GROUP = LOCALIZATION
     TAGS = ("position", "match", "uav", "drone", "navigation", "gnss", "geolocation", "fix")
 
-    DATABASE = "DATABASE"
-    IMAGES = "IMAGES"
-    MODEL = "MODEL"
-    METHOD = "METHOD"
     OUTPUT = "OUTPUT"
-    ATTITUDE = "ATTITUDE"
-    MAXIMUM_SPEED = "MAXIMUM_SPEED"
     FOOTPRINTS = "FOOTPRINTS"
     ALTERNATIVES = "ALTERNATIVES"
     MATCHES = "MATCHES"
     LABELS = "LABELS"
-    RISK = "RISK"
     LAYER = "LAYER"
     EXTENT = "EXTENT"
-    SUN_DIRECTION = "SUN_DIRECTION"
     FIX_COUNT = "FIX_COUNT"
 
     def title(self) -> str:
@@ -83,64 +59,31 @@ class LocalizeImages(SemRefAlgorithm):
     def parameters(self) -> tuple[Declared, ...]:
         return (
             offers.database(),
-            *self._image_parameters(),
+            *self.image_parameters(optional=True),
             *priors.parameters(),
-            *self._flight_parameters(),
-            *self._output_parameters(),
+            self.camera_parameter(),
             Number(
-                self.RISK,
+                self.MAXIMUM_SPEED,
+                tr("Maximum speed (map units per second)"),
+                tr(
+                    "For images of one flight whose times are known: a fix that can’t be reached in time from the "
+                    "fixes before and after it is marked as jump, with the reason. It stays a fix and is counted."
+                ),
+                optional=True,
+                advanced=True,
+                minimum=0.001,
+            ),
+            *self._output_parameters(),
+            self.risk_parameter(
                 tr("Allowed risk of a wrong fix"),
                 tr(
                     "A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 "
                     "fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such "
                     "probability."
                 ),
-                advanced=True,
-                default=RISK,
-                minimum=LEAST_RISK,
-                maximum=0.5,
-                decimals=12,
             ),
             *self._layer_parameters(),
-            offers.sun_direction(
-                tr(
-                    "Where the sun stood when the images were taken, in degrees clockwise from grid north: what the "
-                    "model states that shadows shift turns with it. Without it such a shift is only added to the error."
-                )
-            ),
-        )
-
-    def _image_parameters(self) -> tuple[Declared, ...]:
-        return (
-            Files(
-                self.IMAGES,
-                tr("Images"),
-                tr(
-                    "Label images, or folders of them: single-band class values, or colors decoded by the database’s "
-                    "class table; with a model, photos. They need no georeference."
-                ),
-                optional=True,
-            ),
-            offers.model(
-                tr(
-                    "A segmentation network: the images are then photos. Its classes are those of the database by "
-                    "name; classes that the database does not have count as unlabeled."
-                ),
-                optional=True,
-            ),
-            Choice(
-                self.METHOD,
-                tr("Method"),
-                tr(
-                    "Automatic takes the constellation of landmarks and, where that finds no place, map correlation; "
-                    "each checks what the other finds. Map correlation compares areas instead of landmarks, for poor "
-                    "labels; it takes seconds an image, and so does automatic where the constellation finds no place. "
-                    "Topology vector is the published method: the nearest vector of all windows, accepted up to "
-                    "distance 2."
-                ),
-                default=Method.AUTOMATIC.number,
-                options=[worded(method.title) for method in Method],
-            ),
+            self.sun_parameter(),
         )
 
     def _layer_parameters(self) -> tuple[Declared, ...]:
@@ -162,38 +105,6 @@ class LocalizeImages(SemRefAlgorithm):
                 tr("Needed for maps of tiles, else all of the layer."),
                 optional=True,
                 advanced=True,
-            ),
-        )
-
-    def _flight_parameters(self) -> tuple[Declared, ...]:
-        """How the images were taken."""
-        return (
-            File(
-                self.ATTITUDE,
-                tr("Camera table (roll, pitch, focal length, time, height, heading)"),
-                tr(
-                    "A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch "
-                    "above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, "
-                    "focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), "
-                    "height (m above the ground) and heading (degrees clockwise from north). Images are leveled before "
-                    "they are localized; height and lens together tell how large their pixels are. What the table "
-                    "does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside "
-                    "it. The topology vector takes images as they are."
-                ),
-                optional=True,
-                advanced=True,
-                filter=tr("CSV (*.csv *.txt)"),
-            ),
-            Number(
-                self.MAXIMUM_SPEED,
-                tr("Maximum speed (map units per second)"),
-                tr(
-                    "For images of one flight whose times are known: a fix that can’t be reached in time from the "
-                    "fixes before and after it is marked as jump, with the reason. It stays a fix and is counted."
-                ),
-                optional=True,
-                advanced=True,
-                minimum=0.001,
             ),
         )
 
@@ -246,15 +157,12 @@ class LocalizeImages(SemRefAlgorithm):
         )
 
     def check(self, values: Values) -> None:
-        priors.scales(values, self._method(values))
+        priors.scales(values, self.method(values))
         if not values.has(self.LAYER) and not values.files(self.IMAGES):
             raise ParameterError("algorithms.no_images")
 
     def read_layers(self, values: Values) -> None:
         self._layer = PhotoSource(values, self.LAYER, self.EXTENT) if values.has(self.LAYER) else None
-
-    def _method(self, values: Values) -> Method:
-        return Method.of_number(values.choice(self.METHOD))
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.geometry.camera import Camera
@@ -262,14 +170,14 @@ class LocalizeImages(SemRefAlgorithm):
         from ...core.localizer.settings import LOCALIZER
         from ..exchange.reference_systems import database_crs
 
-        method = self._method(values)
-        database = self._database(values, method, feedback)
+        method = self.method(values)
+        database = self.read_database(values, method, feedback)
         crs = database_crs(database)
         settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
         localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
-        localize = self._localizing(values, method, localizer, crs)
-        read_labels = self._label_reader(values, database.class_table, feedback)
-        paths, cameras = self._images(values, method, feedback)
+        localize = self.localizing(values, method, localizer, crs, values.has(self.MATCHES))
+        read_labels = self.label_reader(values, database.class_table, feedback)
+        paths, cameras = self.read_images(values, method, feedback, self._layer is None)
         if self._layer is not None:
             size_m = getattr(read_labels, "resolution_m", None) or database.parameters.pixel_size
             paths, cameras = [*paths, self._layer.file(size_m, feedback)], [*cameras, Camera()]
@@ -280,7 +188,7 @@ class LocalizeImages(SemRefAlgorithm):
                 check_canceled(feedback)
                 feedback.setProgressText(os.path.basename(path))
                 arguments = path, localizer, localize, read_labels, cameras[n], keep
-                localized.append(cancelable(_localize, *arguments, feedback=feedback))
+                localized.append(cancelable(localize_image, *arguments, feedback=feedback))
                 say(localized[-1], feedback)
                 feedback.setProgress(95 * (n + 1) / len(paths))
             speed = values.optional_number(self.MAXIMUM_SPEED)
@@ -295,96 +203,3 @@ class LocalizeImages(SemRefAlgorithm):
         fixes = sum(1 for item in localized if item.result is not None and item.result.is_fix)
         feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
         return {self.FIX_COUNT: fixes}
-
-    def _database(self, values: Values, method: Method, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
-        """The database with what the method needs of it."""
-        from ...storage.database.reader import read_database
-
-        feedback.setProgressText(tr("Reading the database"))
-        path = values.file(self.DATABASE)
-        database = read_database(path, with_overview=method == Method.MAP_CORRELATION)
-        return _with_overview(database, path, feedback) if method == Method.AUTOMATIC else database
-
-    def _images(
-        self, values: Values, method: Method, feedback: QgsProcessingFeedback
-    ) -> tuple[list[str], list[Camera]]:
-        """Paths of the images and how their cameras were held."""
-        from ...storage.camera_files import read_cameras
-        from ...storage.rasters import image_files
-
-        paths = image_files(values.files(self.IMAGES))
-        if not paths and self._layer is None:
-            raise ParameterError("algorithms.no_images")
-        cameras = cancelable(read_cameras, paths, values.file(self.ATTITUDE), feedback=feedback)
-        if method == Method.TOPOLOGY_VECTOR:
-            # The published method, exactly: images as they are.
-            cameras = [replace(camera, attitude=None, problem=None) for camera in cameras]
-        return paths, cameras
-
-    def _localizing(
-        self, values: Values, method: Method, localizer: Localizer, crs: QgsCoordinateReferenceSystem
-    ) -> Localize:
-        """The function (labels, Camera) → Localization that is asked for."""
-        from ...core.localizer.leveled import localize_leveled, with_camera
-        from ...core.localizer.localizer import default_scales
-
-        localizer.check(method)
-        with_matches = values.has(self.MATCHES)
-        scales = priors.scales(values, method)
-        known = priors.prior(values, crs)
-
-        def localize(labels_hw: np.ndarray, camera: Camera) -> Localization:
-            sizes = scales and localizer.pixel_sizes(labels_hw.shape, scales)
-            way = camera.leveling(labels_hw.shape)
-            prior = with_camera(replace(known, pixel_size_range=sizes), camera, labels_hw.shape)
-            if way is not None and prior.pixel_size_range is None:
-                # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
-                sizes = localizer.pixel_sizes(labels_hw.shape, default_scales(method))
-                prior = replace(prior, pixel_size_range=sizes)
-            if way is None:
-                return localizer.localize(labels_hw, method, prior, with_matches)
-            return localize_leveled(localizer, labels_hw, method, prior, way, with_matches)
-
-        return localize
-
-    def _label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
-        """The function path → labels: of label images, or with a model of photos."""
-        from ..framework.photo_labels import LabelImageReader, PhotoLabels
-
-        model_path = values.file(self.MODEL)
-        if model_path:
-            feedback.setProgressText(tr("Loading the model"))
-            return PhotoLabels(model_path, table, feedback)
-        return LabelImageReader(table)
-
-
-def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
-    """The database with its overview; without one automatic has the constellation alone, and says so."""
-    from ...storage.database.connection import DatabaseChangedError
-    from ...storage.database.reader import read_overview
-
-    try:
-        return replace(database, overview=read_overview(path, database.parameters))
-    except DatabaseChangedError:
-        raise
-    except DatabaseError as error:
-        warning = tr("Automatic uses the constellation alone, without map correlation: {reason}").format(
-            reason=worded(error)
-        )
-        feedback.pushWarning(warning)
-        return database
-
-
-def _localize(
-    path: str, localizer: Localizer, localize: Localize, read_labels: LabelReader, camera: Camera, keep: LabelImages
-) -> LocalizedImage:
-    """One bad image must not stop a batch: its sentence becomes its row's reason."""
-    try:
-        labels_hw, known = read_labels(path), read_labels.biases(path)
-        localizer.heed_biases(known.class_biases, known.class_spread)
-        found = localize(labels_hw, camera)
-        remark = camera_remark(camera, labels_hw.shape)
-    except SemRefError as error:
-        return LocalizedImage(path, error=worded(error))
-    keep(path, labels_hw)
-    return LocalizedImage(path, found, "", labels_hw.shape, remark)

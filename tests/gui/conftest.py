@@ -179,13 +179,13 @@ def slow(monkeypatch, area):
     from semref.processing.algorithms import localize_images
     from semref.storage import rasters
 
-    localize = localize_images._localize
+    localize = localize_images.localize_image
 
     def localize_slowly(*arguments):
         time.sleep(0.03)
         return localize(*arguments)
 
-    monkeypatch.setattr(localize_images, "_localize", localize_slowly)
+    monkeypatch.setattr(localize_images, "localize_image", localize_slowly)
     monkeypatch.setattr(rasters, "image_files", lambda paths: paths * 1000)
 
 

@@ -42,7 +42,7 @@ def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeyp
         raise ZeroDivisionError("a made mistake")
 
     logged = []
-    monkeypatch.setattr(localize_images, "_localize", break_down)
+    monkeypatch.setattr(localize_images, "localize_image", break_down)
     log = QgsApplication.messageLog()
 
     def note(*entry):

@@ -1,0 +1,213 @@
+"""What localizing images and localizing flights share: parameters, reading database, images and cameras, one image."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Callable, Union
+
+from ...core.errors import DatabaseError, ParameterError, SemRefError
+from ...core.localization import LEAST_RISK, RISK, Method
+from ..translation import tr
+from ..wording.camera_messages import camera_remark
+from ..wording.sentences import worded
+from . import offers, priors
+from .base import LOCALIZATION, SemRefAlgorithm, cancelable
+from .declarations import Choice, File, Files, Number, Parameter
+from .localized_image import LabelImages, LocalizedImage
+
+if TYPE_CHECKING:
+    import numpy as np
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
+
+    from ...core.database.model import ReferenceDatabase
+    from ...core.geometry.camera import Camera
+    from ...core.labels.class_table import ClassTable
+    from ...core.localization import Localization
+    from ...core.localizer.localizer import Localizer
+    from .photo_labels import LabelImageReader, PhotoLabels
+    from .values import Values
+
+    LabelReader = Union[PhotoLabels, LabelImageReader]
+    Localize = Callable[[np.ndarray, Camera], Localization]
+
+
+class LocalizeAlgorithm(SemRefAlgorithm):
+    """An algorithm that localizes images in a database."""
+
+    GROUP = LOCALIZATION
+
+    DATABASE = offers.DATABASE
+    IMAGES = offers.IMAGES
+    MODEL = offers.MODEL
+    METHOD = "METHOD"
+    ATTITUDE = "ATTITUDE"
+    MAXIMUM_SPEED = "MAXIMUM_SPEED"
+    RISK = "RISK"
+    SUN_DIRECTION = "SUN_DIRECTION"
+
+    def image_parameters(self, optional: bool) -> tuple[Parameter, ...]:
+        """The images, what reads them if they are photos, and how; ``optional``: whether the images may be left out."""
+        return (
+            Files(
+                self.IMAGES,
+                tr("Images"),
+                tr(
+                    "Label images, or folders of them: single-band class values, or colors decoded by the database’s "
+                    "class table; with a model, photos. They need no georeference."
+                ),
+                optional=optional,
+            ),
+            offers.model(
+                tr(
+                    "A segmentation network: the images are then photos. Its classes are those of the database by "
+                    "name; classes that the database does not have count as unlabeled."
+                ),
+                optional=True,
+            ),
+            Choice(
+                self.METHOD,
+                tr("Method"),
+                tr(
+                    "Automatic takes the constellation of landmarks and, where that finds no place, map correlation; "
+                    "each checks what the other finds. Map correlation compares areas instead of landmarks, for poor "
+                    "labels; it takes seconds an image, and so does automatic where the constellation finds no place. "
+                    "Topology vector is the published method: the nearest vector of all windows, accepted up to "
+                    "distance 2."
+                ),
+                default=Method.AUTOMATIC.number,
+                options=[worded(method.title) for method in Method],
+            ),
+        )
+
+    def risk_parameter(self, title: str, text: str) -> Number:
+        """How rarely what is told may be wrong."""
+        return Number(self.RISK, title, text, advanced=True, default=RISK, minimum=LEAST_RISK, maximum=0.5, decimals=12)
+
+    def sun_parameter(self) -> Number:
+        """Where the sun stood."""
+        return offers.sun_direction(
+            tr(
+                "Where the sun stood when the images were taken, in degrees clockwise from grid north: what the "
+                "model states that shadows shift turns with it. Without it such a shift is only added to the error."
+            )
+        )
+
+    def camera_parameter(self) -> File:
+        """How the cameras were held, and when."""
+        return File(
+            self.ATTITUDE,
+            tr("Camera table (roll, pitch, focal length, time, height, heading)"),
+            tr(
+                "A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch "
+                "above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, "
+                "focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), "
+                "height (m above the ground) and heading (degrees clockwise from north). Images are leveled before "
+                "they are localized; height and lens together tell how large their pixels are. What the table "
+                "does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside "
+                "it. The topology vector takes images as they are."
+            ),
+            optional=True,
+            advanced=True,
+            filter=tr("CSV (*.csv *.txt)"),
+        )
+
+    def method(self, values: Values) -> Method:
+        """The road to fixes that is asked for."""
+        return Method.of_number(values.choice(self.METHOD))
+
+    def read_database(self, values: Values, method: Method, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
+        """The database with what the method needs of it."""
+        from ...storage.database.reader import read_database
+
+        feedback.setProgressText(tr("Reading the database"))
+        path = values.file(self.DATABASE)
+        database = read_database(path, with_overview=method == Method.MAP_CORRELATION)
+        return _with_overview(database, path, feedback) if method == Method.AUTOMATIC else database
+
+    def read_images(
+        self, values: Values, method: Method, feedback: QgsProcessingFeedback, needed: bool = True
+    ) -> tuple[list[str], list[Camera]]:
+        """Paths of the images and how their cameras were held. Raises ParameterError for none that are ``needed``."""
+        from ...storage.camera_files import read_cameras
+        from ...storage.rasters import image_files
+
+        paths = image_files(values.files(self.IMAGES))
+        if needed and not paths:
+            raise ParameterError("algorithms.no_images")
+        cameras = cancelable(read_cameras, paths, values.file(self.ATTITUDE), feedback=feedback)
+        if method == Method.TOPOLOGY_VECTOR:
+            # The published method, exactly: images as they are.
+            cameras = [replace(camera, attitude=None, problem=None) for camera in cameras]
+        return paths, cameras
+
+    def localizing(
+        self,
+        values: Values,
+        method: Method,
+        localizer: Localizer,
+        crs: QgsCoordinateReferenceSystem,
+        with_matches: bool = False,
+    ) -> Localize:
+        """The function (labels, Camera) → Localization that is asked for."""
+        from ...core.localizer.leveled import localize_leveled, with_camera
+        from ...core.localizer.localizer import default_scales
+
+        localizer.check(method)
+        scales = priors.scales(values, method)
+        known = priors.prior(values, crs)
+
+        def localize(labels_hw: np.ndarray, camera: Camera) -> Localization:
+            sizes = scales and localizer.pixel_sizes(labels_hw.shape, scales)
+            way = camera.leveling(labels_hw.shape)
+            prior = with_camera(replace(known, pixel_size_range=sizes), camera, labels_hw.shape)
+            if way is not None and prior.pixel_size_range is None:
+                # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
+                sizes = localizer.pixel_sizes(labels_hw.shape, default_scales(method))
+                prior = replace(prior, pixel_size_range=sizes)
+            if way is None:
+                return localizer.localize(labels_hw, method, prior, with_matches)
+            return localize_leveled(localizer, labels_hw, method, prior, way, with_matches)
+
+        return localize
+
+    def label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
+        """The function path → labels: of label images, or with a model of photos."""
+        from .photo_labels import LabelImageReader, PhotoLabels
+
+        model_path = values.file(self.MODEL)
+        if model_path:
+            feedback.setProgressText(tr("Loading the model"))
+            return PhotoLabels(model_path, table, feedback)
+        return LabelImageReader(table)
+
+
+def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessingFeedback) -> ReferenceDatabase:
+    """The database with its overview; without one automatic has the constellation alone, and says so."""
+    from ...storage.database.connection import DatabaseChangedError
+    from ...storage.database.reader import read_overview
+
+    try:
+        return replace(database, overview=read_overview(path, database.parameters))
+    except DatabaseChangedError:
+        raise
+    except DatabaseError as error:
+        warning = tr("Automatic uses the constellation alone, without map correlation: {reason}").format(
+            reason=worded(error)
+        )
+        feedback.pushWarning(warning)
+        return database
+
+
+def localize_image(
+    path: str, localizer: Localizer, localize: Localize, read_labels: LabelReader, camera: Camera, keep: LabelImages
+) -> LocalizedImage:
+    """One bad image must not stop a batch: its sentence becomes its row's reason."""
+    try:
+        labels_hw, known = read_labels(path), read_labels.biases(path)
+        localizer.heed_biases(known.class_biases, known.class_spread)
+        found = localize(labels_hw, camera)
+        remark = camera_remark(camera, labels_hw.shape)
+    except SemRefError as error:
+        return LocalizedImage(path, error=worded(error))
+    keep(path, labels_hw)
+    return LocalizedImage(path, found, "", labels_hw.shape, remark)
