@@ -1128,6 +1128,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>GeoTIFF, 8 Bit je Pixel, mit den Klassen des Modells; Pixel ohne Daten sind 0.</translation>
   </message>
   <message>
+   <source>GeoTIFF, percent, one band for each class of the model, by its name; 255 where it did not look.</source>
+   <translation>GeoTIFF in Prozent, ein Band je Klasse des Modells, mit deren Namen; 255, wo nicht hingesehen wurde.</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, percent: how probable the network takes the class that a pixel has to be; 255 where it did not look. Networks are often surer than they should be.</source>
+   <translation>GeoTIFF in Prozent: für wie wahrscheinlich das Netz die Klasse hält, die ein Pixel hat; 255, wo nicht hingesehen wurde. Netze sind sich oft sicherer, als sie sein sollten.</translation>
+  </message>
+  <message>
    <source>GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image with a .points file, which the Georeferencer opens along with it.</source>
    <translation>GeoTIFF: das Bild nach Norden gedreht, ringsum durchsichtig. World-Datei: eine Kopie des Bildes mit unveränderten Pixeln, daneben eine World-Datei und das KBS. Passpunkte: eine Kopie des Bildes mit einer .points-Datei, die der Georeferenzierer gleich mit öffnet.</translation>
   </message>
@@ -1170,10 +1178,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
    <translation>Gelände, das die kürzere Kante eines Bildes zeigt, als Vielfaches der Fenstergröße der Datenbank. Ohne beide Angaben: was Höhe und Objektiv der Kamera sagen, wenn sie bekannt sind (Kameratabelle, EXIF, XMP), sonst 0,4 bis 2,5. Ein enger Bereich wird schneller durchsucht.</translation>
-  </message>
-  <message>
-   <source>Ground to learn from; all that image and labels share if left out.</source>
-   <translation>Gelände, von dem gelernt wird; ohne Angabe alles, was Bild und Klassen gemeinsam haben.</translation>
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1612,6 +1616,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Verlust beim Training: wie weit die Antworten auf dem Gelernten danebenliegen.</translation>
   </message>
   <message>
+   <source>MASK does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>MASK passt nicht zu ihrem KBS {crs}; das KBS berichtigen.</translation>
+  </message>
+  <message>
    <source>METHODS is empty; choose at least one method.</source>
    <translation>METHODS ist leer; mindestens ein Verfahren wählen.</translation>
   </message>
@@ -1678,6 +1686,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
    <translation>Merkt die Stelle als erledigt vor und geht zur nächsten offenen (Strg+D)</translation>
+  </message>
+  <message>
+   <source>Mask</source>
+   <translation>Maske</translation>
   </message>
   <message>
    <source>Matches</source>
@@ -1858,6 +1870,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
    <translation>In der Ausdehnung liegt kein Polygon: Die Klassenkarte ist leer.</translation>
+  </message>
+  <message>
+   <source>No polygon of MASK lies on the image; choose another layer, or leave MASK out.</source>
+   <translation>Kein Polygon von MASK liegt auf dem Bild; einen anderen Layer wählen oder MASK weglassen.</translation>
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
@@ -2152,6 +2168,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Polygone, in denen alles liegt, was geändert wurde, etwa die korrigierten Stellen: nur die Blöcke von 512 × 512 Pixeln, die sie berühren, werden angesehen, und Änderungen anderswo werden übersehen, bis ohne diese Angabe aktualisiert wird. Ohne Angabe wird die ganze Karte mit der Datenbank verglichen, was länger dauert.</translation>
   </message>
   <message>
+   <source>Polygons: ground outside of them is not looked at and has no label.</source>
+   <translation>Polygone: Gelände außerhalb wird nicht angesehen und bekommt keine Klasse.</translation>
+  </message>
+  <message>
    <source>Positions</source>
    <translation>Positionen</translation>
   </message>
@@ -2186,6 +2206,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Priority field</source>
    <translation>Prioritätsfeld</translation>
+  </message>
+  <message>
+   <source>Probabilities</source>
+   <translation>Wahrscheinlichkeiten</translation>
   </message>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
@@ -2916,6 +2940,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Gelände hat {width} × {height} Pixel, weniger als eine Kachel von {tile_size}; mehr Gelände eintragen oder eine kleinere RESOLUTION angeben.</translation>
   </message>
   <message>
+   <source>The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.</source>
+   <translation>Das gewünschte Gelände; ohne Angabe alles, was da ist. Kachelkarten und Webkarten brauchen es, oder eine Maske.</translation>
+  </message>
+  <message>
    <source>The header would have {size} bytes, more than {most}.</source>
    <translation>Der Dateikopf hätte {size} Byte, mehr als {most}.</translation>
   </message>
@@ -2930,6 +2958,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The image has no pixels.</source>
    <translation>Das Bild hat keine Pixel.</translation>
+  </message>
+  <message>
+   <source>The image has no place on the ground that MASK could be laid on; leave MASK out.</source>
+   <translation>Das Bild hat keinen Ort auf dem Boden, auf den MASK gelegt werden könnte; MASK weglassen.</translation>
   </message>
   <message>
    <source>The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may have {most} at most; reduce it first.</source>
@@ -3150,10 +3182,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, or install from a folder of wheels.</source>
    <translation>Dem Zertifikat des Paketindex wird nicht vertraut; fragen Sie Ihre Netzverwaltung, wie pip hier eingerichtet wird, oder installieren Sie aus einem Ordner mit Wheels.</translation>
-  </message>
-  <message>
-   <source>The part of the image that is wanted; needed for maps of tiles, else all of the image.</source>
-   <translation>Der gewünschte Teil des Bildes; für Kachelkarten nötig, sonst das ganze Bild.</translation>
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>

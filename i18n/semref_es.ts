@@ -1128,6 +1128,14 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>GeoTIFF, 8 bits por píxel, con las clases del modelo; los píxeles sin datos son 0.</translation>
   </message>
   <message>
+   <source>GeoTIFF, percent, one band for each class of the model, by its name; 255 where it did not look.</source>
+   <translation>GeoTIFF, en porcentaje, una banda por clase del modelo, con su nombre; 255 donde no se miró.</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, percent: how probable the network takes the class that a pixel has to be; 255 where it did not look. Networks are often surer than they should be.</source>
+   <translation>GeoTIFF, en porcentaje: cuán probable considera la red la clase que tiene un píxel; 255 donde no se miró. Las redes suelen estar más seguras de lo que deberían.</translation>
+  </message>
+  <message>
    <source>GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image with a .points file, which the Georeferencer opens along with it.</source>
    <translation>GeoTIFF: la imagen girada con el norte arriba, transparente alrededor. Archivo world: una copia de la imagen, con sus píxeles tal cual, junto a un archivo world y el SRC. Puntos de control: una copia de la imagen con un archivo .points, que el georreferenciador abre junto con ella.</translation>
   </message>
@@ -1170,10 +1178,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
    <translation>Terreno que muestra el lado más corto de una imagen, como múltiplo del tamaño de ventana de la base de datos. Si se omiten ambos: lo que digan la altura y el objetivo de la cámara, si se conocen (tabla de la cámara, EXIF, XMP); si no, de 0,4 a 2,5. Un rango estrecho se recorre más deprisa.</translation>
-  </message>
-  <message>
-   <source>Ground to learn from; all that image and labels share if left out.</source>
-   <translation>Terreno del que se aprende; si se omite, todo lo que comparten imagen y etiquetas.</translation>
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1612,6 +1616,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Pérdida durante el entrenamiento: cuánto se desvían las respuestas en lo que se aprende.</translation>
   </message>
   <message>
+   <source>MASK does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>MASK no encaja en su SRC {crs}; corrija el SRC.</translation>
+  </message>
+  <message>
    <source>METHODS is empty; choose at least one method.</source>
    <translation>METHODS está vacío; elija al menos un método.</translation>
   </message>
@@ -1678,6 +1686,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
    <translation>Marca el lugar como hecho y pasa al siguiente que no lo está (Ctrl+D)</translation>
+  </message>
+  <message>
+   <source>Mask</source>
+   <translation>Máscara</translation>
   </message>
   <message>
    <source>Matches</source>
@@ -1858,6 +1870,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
    <translation>Ningún polígono está en la extensión: el mapa de etiquetas está vacío.</translation>
+  </message>
+  <message>
+   <source>No polygon of MASK lies on the image; choose another layer, or leave MASK out.</source>
+   <translation>Ningún polígono de MASK está sobre la imagen; elija otra capa u omita MASK.</translation>
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
@@ -2152,6 +2168,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Polígonos que contienen todo lo que se modificó, por ejemplo los lugares corregidos: solo se examinan los bloques de 512 × 512 píxeles que tocan, y los cambios en otros lugares pasan inadvertidos hasta una actualización sin este parámetro. Sin ellos se compara todo el mapa con la base de datos, lo que tarda más.</translation>
   </message>
   <message>
+   <source>Polygons: ground outside of them is not looked at and has no label.</source>
+   <translation>Polígonos: el terreno fuera de ellos no se mira y queda sin clase.</translation>
+  </message>
+  <message>
    <source>Positions</source>
    <translation>Posiciones</translation>
   </message>
@@ -2186,6 +2206,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Priority field</source>
    <translation>Campo de prioridad</translation>
+  </message>
+  <message>
+   <source>Probabilities</source>
+   <translation>Probabilidades</translation>
   </message>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
@@ -2916,6 +2940,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El terreno tiene {width} × {height} píxeles, menos que una tesela de {tile_size}; etiquete más terreno o indique una RESOLUTION menor.</translation>
   </message>
   <message>
+   <source>The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.</source>
+   <translation>El terreno deseado; todo el que haya si se omite. Los mapas de teselas y los mapas web lo necesitan, o una máscara.</translation>
+  </message>
+  <message>
    <source>The header would have {size} bytes, more than {most}.</source>
    <translation>La cabecera tendría {size} bytes, más de {most}.</translation>
   </message>
@@ -2930,6 +2958,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The image has no pixels.</source>
    <translation>La imagen no tiene píxeles.</translation>
+  </message>
+  <message>
+   <source>The image has no place on the ground that MASK could be laid on; leave MASK out.</source>
+   <translation>La imagen no tiene un lugar en el terreno al que aplicar MASK; omita MASK.</translation>
   </message>
   <message>
    <source>The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may have {most} at most; reduce it first.</source>
@@ -3150,10 +3182,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, or install from a folder of wheels.</source>
    <translation>El certificado del índice de paquetes no es de confianza; pregunte a quien administra su red cómo se configura pip aquí, o instale desde una carpeta de wheels.</translation>
-  </message>
-  <message>
-   <source>The part of the image that is wanted; needed for maps of tiles, else all of the image.</source>
-   <translation>La parte de la imagen que se desea; necesaria para mapas de teselas; si no, toda la imagen.</translation>
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>

@@ -1128,6 +1128,14 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>GeoTIFF, 8 bits par pixel, avec les classes du modèle ; les pixels sans données valent 0.</translation>
   </message>
   <message>
+   <source>GeoTIFF, percent, one band for each class of the model, by its name; 255 where it did not look.</source>
+   <translation>GeoTIFF, en pour cent, une bande par classe du modèle, à son nom ; 255 là où rien n’a été regardé.</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, percent: how probable the network takes the class that a pixel has to be; 255 where it did not look. Networks are often surer than they should be.</source>
+   <translation>GeoTIFF, en pour cent : la probabilité que le réseau donne à la classe d’un pixel ; 255 là où rien n’a été regardé. Les réseaux sont souvent plus sûrs qu’ils ne devraient l’être.</translation>
+  </message>
+  <message>
    <source>GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image with a .points file, which the Georeferencer opens along with it.</source>
    <translation>GeoTIFF : l’image tournée nord en haut, transparente autour. Fichier world : une copie de l’image, pixels inchangés, accompagnée d’un fichier world et du SCR. Points de calage : une copie de l’image avec un fichier .points, que le géoréférenceur ouvre en même temps.</translation>
   </message>
@@ -1170,10 +1178,6 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
    <translation>Terrain que montre le petit côté d’une image, en multiple de la taille de fenêtre de la base de données. Si les deux sont omis : ce que disent la hauteur et l’objectif de la caméra, s’ils sont connus (table de la caméra, EXIF, XMP), sinon 0,4 à 2,5. Une plage étroite est parcourue plus vite.</translation>
-  </message>
-  <message>
-   <source>Ground to learn from; all that image and labels share if left out.</source>
-   <translation>Terrain dont on apprend ; à défaut, tout ce que l’image et les étiquettes ont en commun.</translation>
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1612,6 +1616,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Perte pendant l’entraînement : à quel point les réponses s’écartent sur ce qui est appris.</translation>
   </message>
   <message>
+   <source>MASK does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>MASK ne convient pas à son SCR {crs} ; corrigez le SCR.</translation>
+  </message>
+  <message>
    <source>METHODS is empty; choose at least one method.</source>
    <translation>METHODS est vide ; choisissez au moins une méthode.</translation>
   </message>
@@ -1678,6 +1686,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
    <translation>Marque l’endroit comme terminé et passe au suivant qui ne l’est pas (Ctrl+D)</translation>
+  </message>
+  <message>
+   <source>Mask</source>
+   <translation>Masque</translation>
   </message>
   <message>
    <source>Matches</source>
@@ -1858,6 +1870,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
    <translation>Aucun polygone ne se trouve dans l’emprise : la carte d’étiquettes est vide.</translation>
+  </message>
+  <message>
+   <source>No polygon of MASK lies on the image; choose another layer, or leave MASK out.</source>
+   <translation>Aucun polygone de MASK n’est sur l’image ; choisissez une autre couche ou omettez MASK.</translation>
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
@@ -2152,6 +2168,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Polygones contenant tout ce qui a été modifié, par exemple les lieux corrigés : seuls les blocs de 512 × 512 pixels qu’ils touchent sont examinés, et les modifications ailleurs sont manquées jusqu’à une mise à jour sans ce paramètre. Sans lui, toute la carte est comparée à la base de données, ce qui prend plus de temps.</translation>
   </message>
   <message>
+   <source>Polygons: ground outside of them is not looked at and has no label.</source>
+   <translation>Polygones : le terrain hors d’eux n’est pas regardé et reste sans classe.</translation>
+  </message>
+  <message>
    <source>Positions</source>
    <translation>Positions</translation>
   </message>
@@ -2186,6 +2206,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Priority field</source>
    <translation>Champ de priorité</translation>
+  </message>
+  <message>
+   <source>Probabilities</source>
+   <translation>Probabilités</translation>
   </message>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
@@ -2916,6 +2940,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le terrain a {width} × {height} pixels, moins qu’une tuile de {tile_size} ; étiquetez davantage de terrain, ou donnez une RESOLUTION plus petite.</translation>
   </message>
   <message>
+   <source>The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.</source>
+   <translation>Le terrain voulu ; tout ce qu’il y a si omis. Les cartes en tuiles et les cartes web en ont besoin, ou d’un masque.</translation>
+  </message>
+  <message>
    <source>The header would have {size} bytes, more than {most}.</source>
    <translation>L’en-tête aurait {size} octets, plus que {most}.</translation>
   </message>
@@ -2930,6 +2958,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The image has no pixels.</source>
    <translation>L’image n’a aucun pixel.</translation>
+  </message>
+  <message>
+   <source>The image has no place on the ground that MASK could be laid on; leave MASK out.</source>
+   <translation>L’image n’a pas de place au sol où poser MASK ; omettez MASK.</translation>
   </message>
   <message>
    <source>The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may have {most} at most; reduce it first.</source>
@@ -3150,10 +3182,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, or install from a folder of wheels.</source>
    <translation>Le certificat de l’index des paquets n’est pas reconnu ; demandez à l’administrateur de votre réseau comment pip se configure ici, ou installez depuis un dossier de wheels.</translation>
-  </message>
-  <message>
-   <source>The part of the image that is wanted; needed for maps of tiles, else all of the image.</source>
-   <translation>La partie voulue de l’image ; nécessaire pour les cartes tuilées, sinon toute l’image.</translation>
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>

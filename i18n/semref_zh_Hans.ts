@@ -1128,6 +1128,14 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>GeoTIFF，每像元 8 位，采用模型的类别；没有数据的像元为 0。</translation>
   </message>
   <message>
+   <source>GeoTIFF, percent, one band for each class of the model, by its name; 255 where it did not look.</source>
+   <translation>GeoTIFF，单位为百分比，模型的每个类别一个波段并以其命名；未查看处为 255。</translation>
+  </message>
+  <message>
+   <source>GeoTIFF, percent: how probable the network takes the class that a pixel has to be; 255 where it did not look. Networks are often surer than they should be.</source>
+   <translation>GeoTIFF，单位为百分比：网络认为像素所得类别的可能性；未查看处为 255。网络往往过于自信。</translation>
+  </message>
+  <message>
    <source>GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image with a .points file, which the Georeferencer opens along with it.</source>
    <translation>GeoTIFF：影像旋转为北朝上，四周透明。世界文件：影像的副本，像素不变，旁边附世界文件和坐标参考系。控制点：影像的副本及 .points 文件，地理配准工具会一并打开。</translation>
   </message>
@@ -1170,10 +1178,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 to 2.5. A narrow range is searched faster.</source>
    <translation>影像短边所覆盖的地面，以数据库窗口大小的倍数表示。若两者都留空：采用相机高度和镜头给出的数值（相机表、EXIF、XMP，若已知），否则为 0.4 至 2.5。范围越窄，搜索越快。</translation>
-  </message>
-  <message>
-   <source>Ground to learn from; all that image and labels share if left out.</source>
-   <translation>用于学习的地面；留空则为影像与标签共有的全部范围。</translation>
   </message>
   <message>
    <source>Ground without a label</source>
@@ -1612,6 +1616,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>训练中的损失：对所学内容的回答偏差有多大。</translation>
   </message>
   <message>
+   <source>MASK does not fit its CRS {crs}; correct the CRS.</source>
+   <translation>MASK 与其坐标参照系 {crs} 不符；请更正坐标参照系。</translation>
+  </message>
+  <message>
    <source>METHODS is empty; choose at least one method.</source>
    <translation>METHODS 为空；请至少选择一种方法。</translation>
   </message>
@@ -1678,6 +1686,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Marks the place as done and goes to the next one that is not (Ctrl+D)</source>
    <translation>将此处标记为已完成，并转到下一处未完成的位置（Ctrl+D）</translation>
+  </message>
+  <message>
+   <source>Mask</source>
+   <translation>掩膜</translation>
   </message>
   <message>
    <source>Matches</source>
@@ -1858,6 +1870,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>No polygon lies in the extent: the label map is empty.</source>
    <translation>该范围内没有多边形：标签图为空。</translation>
+  </message>
+  <message>
+   <source>No polygon of MASK lies on the image; choose another layer, or leave MASK out.</source>
+   <translation>MASK 中没有多边形位于图像上；请选择其他图层，或不填 MASK。</translation>
   </message>
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
@@ -2152,6 +2168,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>包含所有更改内容的多边形，例如已更正的地点：只查看它们触及的 512 × 512 像元的块，其他地方的更改会被遗漏，直到进行一次不带此项的更新。若留空，则将整幅地图与数据库比较，耗时更长。</translation>
   </message>
   <message>
+   <source>Polygons: ground outside of them is not looked at and has no label.</source>
+   <translation>多边形：其外的地面不予查看，也没有类别。</translation>
+  </message>
+  <message>
    <source>Positions</source>
    <translation>位置</translation>
   </message>
@@ -2186,6 +2206,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Priority field</source>
    <translation>优先级字段</translation>
+  </message>
+  <message>
+   <source>Probabilities</source>
+   <translation>概率</translation>
   </message>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
@@ -2916,6 +2940,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>地面只有 {width} × {height} 像素，小于 {tile_size} 的图块；请标注更多地面，或给出更小的 RESOLUTION。</translation>
   </message>
   <message>
+   <source>The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.</source>
+   <translation>所需的地面；不填则为全部。瓦片地图和网络地图需要填写，或给出掩膜。</translation>
+  </message>
+  <message>
    <source>The header would have {size} bytes, more than {most}.</source>
    <translation>文件头将有 {size} 字节，超过 {most}。</translation>
   </message>
@@ -2930,6 +2958,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The image has no pixels.</source>
    <translation>影像没有像元。</translation>
+  </message>
+  <message>
+   <source>The image has no place on the ground that MASK could be laid on; leave MASK out.</source>
+   <translation>图像没有可放置 MASK 的地面位置；请不填 MASK。</translation>
   </message>
   <message>
    <source>The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may have {most} at most; reduce it first.</source>
@@ -3150,10 +3182,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, or install from a folder of wheels.</source>
    <translation>软件包索引的证书不受信任；请向网络管理员询问此处 pip 的设置方法，或从 wheel 文件夹安装。</translation>
-  </message>
-  <message>
-   <source>The part of the image that is wanted; needed for maps of tiles, else all of the image.</source>
-   <translation>所需的影像部分；瓦片地图必须给出，否则取整幅影像。</translation>
   </message>
   <message>
    <source>The pixel size is {pixel_size:g} m; it must be more than 0.</source>

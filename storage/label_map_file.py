@@ -63,20 +63,20 @@ class LabelMapFile(WrittenRaster):
 
 
 def whole_tile_rows(pieces: Iterable[tuple[int, np.ndarray]]) -> Iterator[tuple[int, np.ndarray]]:
-    """(first row, (rows, W) labels) in pieces that end with a row of the GeoTIFF's tiles, all but the last."""
+    """(first row, (…, rows, W) values) in pieces that end with a row of the GeoTIFF's tiles, all but the last."""
     held = []
     first = 0
-    for start, labels_hw in pieces:
-        end = start + len(labels_hw)
+    for start, values in pieces:
+        end = start + values.shape[-2]
         ready = end // TILE_ROWS * TILE_ROWS
         if ready <= first:
-            held.append(labels_hw)
+            held.append(values)
             continue
-        held.append(labels_hw[: ready - start])
-        yield first, np.concatenate(held)
-        first, held = ready, [labels_hw[ready - start :]]
-    if held and sum(map(len, held)):
-        yield first, np.concatenate(held)
+        held.append(values[..., : ready - start, :])
+        yield first, np.concatenate(held, axis=-2)
+        first, held = ready, [values[..., ready - start :, :]]
+    if held and sum(values.shape[-2] for values in held):
+        yield first, np.concatenate(held, axis=-2)
 
 
 def set_class_colors(band: gdal.Band, table: ClassTable) -> None:

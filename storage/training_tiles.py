@@ -12,6 +12,7 @@ from osgeo import gdal
 from ..core.errors import ClassTableError, LabelMapError, ParameterError
 from ..core.labels.class_table import UNLABELED, ClassTable
 from ..core.labels.counts import count_labels
+from ..core.labels.image_source import PixelMask
 from ..core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
 from .gdal_errors import gdal_failure, gdal_failures
 from .images import GdalImage
@@ -141,8 +142,31 @@ def _size(shape_hw: tuple[int, int]) -> str:
 class TileExport:
     """Writes the tiles of an image into a folder; iterate ``steps()`` to its end, then read ``counts``."""
 
-    def __init__(self, image: RasterFile, labels: RasterFile, tile_size: int, stride: int, fraction: float) -> None:
+    def __init__(  # noqa: PLR0913 - what is cut, how, and what of it
+        self,
+        image: RasterFile,
+        labels: RasterFile,
+        tile_size: int,
+        stride: int,
+        fraction: float,
+        mask: PixelMask | None = None,
+        unseen_apart: bool = False,
+    ) -> None:
+        """Nothing is written yet.
+
+        Args:
+            image: What is cut.
+            labels: Of the same ground.
+            tile_size: Pixels.
+            stride: Pixels from a tile to the next.
+            fraction: Of the ground that is set aside.
+            mask: The pixels of the image that count; others are as if they had no data. None for all.
+            unseen_apart: Whether pixels without data get a value that no class has, instead of 0: where 0 is learned as
+                a class, they are none.
+        """
         self._image = ImageBands(image.path)
+        self._mask = mask
+        self._unseen_apart, self._unseen = unseen_apart, UNLABELED
         self._labels = LabelsOnImage(labels, self._image, image.crs_wkt)
         self._files = image, labels
         self._tile_size, self._stride, self._fraction = tile_size, stride, fraction
@@ -174,6 +198,8 @@ class TileExport:
                 yield "Counting labels", COUNTING_SHARE * number / labeled.size
         table = table or class_table_of_map(self._labels.labels, self._files[1]) or class_table_of_values(values)
         _require_known_values(values, table)
+        if self._unseen_apart:
+            self._unseen = next((v for v in range(255, 0, -1) if table.by_value(v) is None), UNLABELED)
         held_out = validation_blocks(labeled, self._fraction)
         tiles = plan_tiles(self._image.shape_hw, self._tile_size, self._stride, held_out, self._block)
         for subset in SUBSETS:
@@ -193,15 +219,22 @@ class TileExport:
         for row in range(first_row, last_row, _COUNTED_AT_ONCE):
             for column in range(first_column, last_column, _COUNTED_AT_ONCE):
                 size = min(_COUNTED_AT_ONCE, last_column - column), min(_COUNTED_AT_ONCE, last_row - row)
-                yield count_labels(self._labels.read(column, row, *size))
+                labels = self._labels.read(column, row, *size)
+                if self._mask is not None:
+                    labels = np.where(self._mask.read(column, row, *size), labels, UNLABELED).astype(np.uint8)
+                yield count_labels(labels)
 
     def _write(self, folder: Path, tile: Tile) -> None:
         """One tile with its labels, unless it has none."""
         size = self._tile_size
         seen, has_data = self._image.read_as_seen(tile.column, tile.row, size)
-        labels = np.where(has_data, self._labels.read(tile.column, tile.row, size, size), UNLABELED).astype(np.uint8)
+        if self._mask is not None:
+            has_data = has_data & self._mask.read(tile.column, tile.row, size, size)
+        labels = self._labels.read(tile.column, tile.row, size, size)
+        labels = np.where(has_data, labels, self._unseen).astype(np.uint8)
         counted = count_labels(labels)
-        if counted[UNLABELED] == labels.size:
+        unlabeled = counted[UNLABELED] + (counted[self._unseen] if self._unseen else 0)
+        if unlabeled == labels.size:
             return
         images = folder / tile.subset / "images"
         pixels = self._image.read(tile.column, tile.row, size)
@@ -212,12 +245,13 @@ class TileExport:
             write_tiff(images / f"{tile.name}.tif", pixels, self._image.kind)
         write_png(folder / tile.subset / "labels" / f"{tile.name}.png", labels[None])
         self.counts[tile.subset] += 1
+        counted[self._unseen] = counted[self._unseen] if self._unseen == UNLABELED else 0
         self._class_pixels[tile.subset] += counted
         place = {"name": tile.name, "subset": tile.subset, "column": tile.column, "row": tile.row}
         if transform is not None:
             place["x"] = transform[0] + tile.column * transform[1] + tile.row * transform[2]
             place["y"] = transform[3] + tile.column * transform[4] + tile.row * transform[5]
-        self._tiles.append({**place, "labeled": round(1 - float(counted[UNLABELED]) / labels.size, 4)})
+        self._tiles.append({**place, "labeled": round(1 - float(unlabeled) / labels.size, 4)})
         if tile.subset == TRAIN:
             shares = seen[has_data] / 255
             self._sums += shares.sum(axis=0)

@@ -17,8 +17,8 @@ class ImageSource(Protocol):
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
         """(height, width, 3) uint8 pixels, red first, and (height, width) bool: where there is data; None everywhere.
 
-        Pixels without data are 0. The piece lies wholly on the image. Pieces are asked for row by row of tiles, from
-        top to bottom.
+        Pixels without data are 0, or as they are where they are merely not wanted. The piece lies wholly on the image.
+        Pieces are asked for row by row of tiles, from top to bottom.
         """
 
 
@@ -68,3 +68,36 @@ class ImagePart:
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
         """As the whole reads it."""
         return self._image.read(self._column + column, self._row + row, width, height)
+
+
+class PixelMask(Protocol):
+    """Which pixels of an image are wanted, told in pieces."""
+
+    def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        """(height, width) bool of a piece that lies wholly on the image."""
+
+
+class MaskedImage:
+    """An image of which only some pixels are wanted; the others have no data, but still surround those that have."""
+
+    def __init__(self, image: ImageSource, mask: PixelMask) -> None:
+        """Nothing is read yet.
+
+        Args:
+            image: The whole.
+            mask: What of it is wanted.
+        """
+        self._image, self._mask = image, mask
+
+    @property
+    def shape_hw(self) -> tuple[int, int]:
+        """(height, width) in pixels."""
+        return self._image.shape_hw
+
+    def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
+        """As ``ImageSource`` says; what lies wholly outside the mask is not read."""
+        wanted = self._mask.read(column, row, width, height)
+        if not wanted.any():
+            return np.zeros((height, width, 3), np.uint8), wanted
+        pixels, has_data = self._image.read(column, row, width, height)
+        return pixels, wanted if has_data is None else wanted & has_data

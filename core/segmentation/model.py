@@ -14,6 +14,7 @@ import numpy as np
 from ..errors import ModelError
 from ..labels.class_table import ClassTable
 from ..sentences import Sentence
+from .certainty import are_probabilities, softmax
 from .class_bias import read_class_bias
 from .metadata import named_channels, read_classes, read_settings
 from .onnx_file import read_header, smallest_model
@@ -84,6 +85,7 @@ class SegmentationModel:
         single = outputs.ndim == 3 or outputs.shape[1] == 1
         self._gives_numbers = single and (outputs.dtype.kind in "iu" or (names is not None and len(names) > 2))
         self._gives_probability = single and not self._gives_numbers
+        self._gives_probabilities = self._gives_numbers or not single and are_probabilities(outputs)
         channels = 2 if single else outputs.shape[1]
         if self._gives_numbers:
             channels = len(names or class_table or ())
@@ -107,6 +109,12 @@ class SegmentationModel:
             found = found.reshape(len(images), 1, *self.tile_hw)
             return np.concatenate([np.full_like(found, self.settings.threshold), found], axis=1)
         return found
+
+    def probabilities(self, scores: np.ndarray) -> np.ndarray:
+        """(C, …) float32 probability of each class, of (C, …) scores or their weighted means."""
+        if self._gives_probability:
+            return np.stack([1 - scores[1], scores[1]])
+        return scores if self._gives_probabilities else softmax(scores)
 
     def _votes(self, outputs: np.ndarray) -> np.ndarray:
         """One for the class that the network names, zero for the others."""

@@ -12,6 +12,7 @@ import numpy as np
 from ..errors import ImageError
 from ..labels.class_table import UNLABELED
 from ..labels.image_source import ImageSource
+from .certainty import LABELS_ALONE, NO_DATA, Certainty, percents
 from .model import SegmentationModel
 
 MINIMUM_EDGE_PX = 8
@@ -20,10 +21,20 @@ MINIMUM_EDGE_PX = 8
 
 @dataclass(frozen=True)
 class SegmentedRows:
-    """Labels of whole rows: (rows, W) uint8 from ``first`` on."""
+    """Whole rows of the image.
+
+    Attributes:
+        first: Number of the first row.
+        labels_hw: (rows, W) uint8.
+        percent_hw: (rows, W) uint8, how sure the network is of the label, 0…100, 255 without data; None where not
+            wanted.
+        percents_chw: (C, rows, W) uint8, the same of each of the model's channels.
+    """
 
     first: int
     labels_hw: np.ndarray
+    percent_hw: np.ndarray | None = None
+    percents_chw: np.ndarray | None = None
 
 
 @dataclass(frozen=True)
@@ -41,16 +52,20 @@ class _Tile:
 
 
 def segment(
-    model: SegmentationModel, source: ImageSource, values: Sequence[int], overlap: float
+    model: SegmentationModel,
+    source: ImageSource,
+    values: Sequence[int],
+    overlap: float,
+    wanted: Certainty = LABELS_ALONE,
 ) -> Iterator[tuple[float, SegmentedRows | None]]:
     """Yields, tile by tile, the share done (0…1) and the rows that are finished with it, or None.
 
     ``values``: (C,) class value of each of the model's channels. ``overlap``: share of a tile that lies on each
-    neighbor at least. A tile's weight falls over the overlap towards its border, where a network sees
-    least of the surroundings; each pixel gets the class with the highest weighted sum of scores (the weights need no
-    normalizing: they are the same for all classes of a pixel). Pixels without data are 0, tiles without any are not
-    given to the network. Held in memory: two groups of tiles more than the model looks at side by side, and the scores
-    of the overlap of two rows of tiles.
+    neighbor at least. ``wanted``: beside labels. A tile's weight falls over the overlap towards its border, where a
+    network sees least of the surroundings; each pixel gets the class with the highest weighted sum of scores (the
+    weights need no normalizing: they are the same for all classes of a pixel). Pixels without data are 0, tiles without
+    any are not given to the network. Held in memory: two groups of tiles more than the model looks at side by side, the
+    scores of the overlap of two rows of tiles, and what is wanted of one row of tiles.
 
     Raises ImageError for an image of a few pixels, and what ``source`` and ``model`` raise.
     """
@@ -60,7 +75,7 @@ def segment(
     tile_h, tile_w = model.tile_hw
     columns, rows = tile_starts(width, tile_w, overlap), tile_starts(height, tile_h, overlap)
     places = [(column, row) for row in rows for column in columns]
-    blending = _Blending(columns, rows, (height, width), model.tile_hw, np.asarray(values, np.uint8), overlap)
+    blending = _Blending(model, columns, rows, (height, width), np.asarray(values, np.uint8), overlap, wanted)
     groups = [places[n : n + model.tiles_at_once] for n in range(0, len(places), model.tiles_at_once)]
     done = 0
     # While these tiles are blended here, the network looks at the next ones and those after them are read.
@@ -121,30 +136,36 @@ class _Blending:
 
     def __init__(  # noqa: PLR0913 - private, called once
         self,
+        model: SegmentationModel,
         columns: Sequence[int],
         rows: Sequence[int],
         shape_hw: tuple[int, int],
-        tile_hw: tuple[int, int],
         values: np.ndarray,
         overlap: float,
+        wanted: Certainty,
     ) -> None:
-        height, width = shape_hw
+        (height, width), tile_hw = shape_hw, model.tile_hw
         self._next_column = dict(zip(columns, [*columns[1:], width]))
         self._next_row = dict(zip(rows, [*rows[1:], height]))
         self._height, self._width = height, width
         self._values = values
-        self._weights = _ramp(tile_hw[0], overlap)[:, None] * _ramp(tile_hw[1], overlap)
+        ramps = [_ramp(size, overlap) for size in tile_hw]
+        self._weights = ramps[0][:, None] * ramps[1]
+        self._model, self._wanted = model, wanted
+        if wanted.is_wanted:
+            # Tiles lie in rows and columns: what a pixel's weights add up to is a product of two sums.
+            self._row_sums, self._column_sums = map(_weight_sums, (rows, columns), ramps, shape_hw)
         # Weighted sums to which tiles of this row or the next one will add: beside, above and below.
         self._left = np.zeros((len(values), tile_hw[0], 0), np.float32)
         self._above = self._below = np.zeros((len(values), 0, width), np.float32)
-        self._labels = np.empty((0, width), np.uint8)
+        self._rows = SegmentedRows(0, np.empty((0, width), np.uint8))
 
     def add(self, tile: _Tile, scores: np.ndarray | None) -> SegmentedRows | None:
         """Adds a tile's (C, tile height, tile width) scores, None for none; gives the rows that are finished by it."""
         next_row = self._next_row[tile.row]
         rows = next_row - tile.row
         if tile.column == 0:
-            self._begin_row(rows, is_last=next_row == self._height)
+            self._begin_row(tile.row, rows, is_last=next_row == self._height)
         if scores is None:
             scores = np.zeros((len(self._values), *self._weights.shape), np.float32)
         for channel in scores:
@@ -155,20 +176,43 @@ class _Blending:
         columns = last - tile.column
         complete = scores[:, :, :columns]
         complete[:, : self._above.shape[1]] += self._above[:, :, tile.column : last]
-        labels = self._labels[:, tile.column : last]
-        labels[:] = self._values[_best_channel(complete[:, :rows])]
-        if tile.has_data is not None:
-            labels[~tile.has_data[:rows, :columns]] = UNLABELED
+        best = _best_channel(complete[:, :rows])
+        no_data = None if tile.has_data is None else ~tile.has_data[:rows, :columns]
+        labels = self._rows.labels_hw[:, tile.column : last]
+        labels[:] = self._values[best]
+        if no_data is not None:
+            labels[no_data] = UNLABELED
+        if self._wanted.is_wanted:
+            self._tell_certainty(tile, complete[:, :rows], best, no_data)
         self._below[:, :, tile.column : last] = complete[:, rows : rows + self._below.shape[1]]
         self._left = scores[:, :, columns:]
-        return SegmentedRows(tile.row, self._labels) if last == self._width else None
+        return self._rows if last == self._width else None
 
-    def _begin_row(self, rows: int, is_last: bool) -> None:
+    def _tell_certainty(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
+        """Of finished (C, rows, columns) sums of scores, whose highest channel is ``best``."""
+        _, rows, columns = sums.shape
+        part = slice(tile.column, tile.column + columns)
+        weights = self._row_sums[tile.row : tile.row + rows, None] * self._column_sums[part]
+        found = percents(self._model.probabilities(sums / weights))
+        if no_data is not None:
+            found[:, no_data] = NO_DATA
+        if self._rows.percents_chw is not None:
+            self._rows.percents_chw[:, :, part] = found
+        if self._rows.percent_hw is not None:
+            self._rows.percent_hw[:, part] = np.take_along_axis(found, best[None].astype(np.intp), axis=0)[0]
+
+    def _begin_row(self, first: int, rows: int, is_last: bool) -> None:
         channels, tile_height = len(self._values), len(self._weights)
         self._left = np.zeros((channels, tile_height, 0), np.float32)
         self._above = self._below
         self._below = np.empty((channels, 0 if is_last else tile_height - rows, self._width), np.float32)
-        self._labels = np.empty((rows, self._width), np.uint8)
+        shape_hw = rows, self._width
+        self._rows = SegmentedRows(
+            first,
+            np.empty(shape_hw, np.uint8),
+            np.empty(shape_hw, np.uint8) if self._wanted.of_label else None,
+            np.empty((channels, *shape_hw), np.uint8) if self._wanted.of_each else None,
+        )
 
 
 def _ramp(size: int, overlap: float) -> np.ndarray:
@@ -176,6 +220,15 @@ def _ramp(size: int, overlap: float) -> np.ndarray:
     from_end = np.minimum(np.arange(size), np.arange(size)[::-1]) + 0.5
     share = np.minimum(from_end / max(1.0, size * overlap), 1)
     return (np.sin(share * np.pi / 2) ** 2).astype(np.float32)
+
+
+def _weight_sums(starts: Sequence[int], ramp: np.ndarray, length: int) -> np.ndarray:
+    """(length,) float32: what the weights of all tiles that begin at ``starts`` add up to, along an axis."""
+    sums = np.zeros(length, np.float32)
+    for start in starts:
+        covered = sums[start : start + len(ramp)]
+        covered += ramp[: len(covered)]
+    return sums
 
 
 def _best_channel(scores: np.ndarray) -> np.ndarray:

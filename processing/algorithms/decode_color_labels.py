@@ -80,7 +80,7 @@ class DecodeColorLabels(SemRefAlgorithm):
         rows = max(1, ROWS_PIXELS // width)
         unlabeled = 0
         grid = width, height, image.GetGeoTransform(can_return_null=True), self._layer.file.crs_wkt
-        with outputs.raster(self.OUTPUT, table) as path, LabelMapFile(path, *grid, table) as label_map:
+        with outputs.label_map(self.OUTPUT, table) as path, LabelMapFile(path, *grid, table) as label_map:
             for first in range(0, height, rows):
                 check_canceled(feedback)
                 decoded = decode(read_bgr(image, self._layer.path, first, min(rows, height - first)), table)

@@ -90,7 +90,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
                 count=len(polygons), width=width, height=height
             )
         )
-        with outputs.raster(self.OUTPUT, table) as path:
+        with outputs.label_map(self.OUTPUT, table) as path:
             burning = LabelMapBurning(path, frame, table, polygons)
             follow(burning.steps(), feedback, READING_SHARE, 100)
         counts = burning.counts

@@ -10,20 +10,21 @@ from ...core.errors import ParameterError
 from ..compat import wkt_for_gdal
 from ..framework import offers
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import MapExtent, Number, PolygonOutput, RasterLayer, RasterOutput
+from ..framework.declarations import Number, PolygonOutput, RasterLayer, RasterOutput
 from ..framework.label_polygons import write_polygons
 from ..framework.photo_labels import describe
 from ..framework.photo_source import PhotoSource
+from ..framework.segmented_files import SeenGrid, SegmentedFiles
 from ..packages.components import ONNXRUNTIME, OPENCV, SHAPELY, how_to_install, missing
 from ..threads import worker_threads
 from ..translation import tr
 
 if TYPE_CHECKING:
-    import numpy as np
     from qgis.core import QgsProcessingFeedback
 
     from ...core.labels.image_source import ImageSource
     from ...core.segmentation.model import SegmentationModel
+    from ...core.segmentation.tiling import SegmentedRows
     from ..framework.outputs import Outputs
     from ..framework.photo_source import Photo
     from ..framework.values import Values
@@ -38,13 +39,16 @@ class SegmentImage(SemRefAlgorithm):
     INPUT = "INPUT"
     MODEL = "MODEL"
     OVERLAP = "OVERLAP"
-    RESOLUTION = "RESOLUTION"
+    RESOLUTION = offers.RESOLUTION
     CLASS_TABLE = "CLASS_TABLE"
-    EXTENT = "EXTENT"
+    EXTENT = offers.EXTENT
     OUTPUT = "OUTPUT"
     POLYGONS = "POLYGONS"
     MINIMUM_AREA = "MINIMUM_AREA"
     TOLERANCE = "TOLERANCE"
+    MASK = offers.MASK
+    CONFIDENCE = "CONFIDENCE"
+    PROBABILITIES = "PROBABILITIES"
 
     def title(self) -> str:
         return tr("Segment image")
@@ -79,18 +83,15 @@ class SegmentImage(SemRefAlgorithm):
                 ),
                 advanced=True,
             ),
-            MapExtent(
-                self.EXTENT,
-                tr("Extent"),
-                tr("The part of the image that is wanted; needed for maps of tiles, else all of the image."),
-                optional=True,
-            ),
+            offers.extent(),
             RasterOutput(
                 self.OUTPUT,
                 tr("Label map"),
                 tr("GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0."),
             ),
             *self._polygon_parameters(),
+            offers.mask(),
+            *self._certainty_parameters(),
         )
 
     def _tile_parameters(self) -> tuple[Declared, ...]:
@@ -104,16 +105,11 @@ class SegmentImage(SemRefAlgorithm):
                 minimum=0,
                 maximum=75,
             ),
-            Number(
-                self.RESOLUTION,
-                tr("Resolution (cm per pixel)"),
+            offers.resolution(
                 tr(
                     "Pixel size the network was trained on; if left out, that of the model’s metadata. Images without "
                     "georeference are taken as they are."
-                ),
-                optional=True,
-                advanced=True,
-                minimum=0.1,
+                )
             ),
         )
 
@@ -147,19 +143,42 @@ class SegmentImage(SemRefAlgorithm):
             ),
         )
 
+    def _certainty_parameters(self) -> tuple[Declared, ...]:
+        return (
+            RasterOutput(
+                self.CONFIDENCE,
+                tr("Confidence"),
+                tr(
+                    "GeoTIFF, percent: how probable the network takes the class that a pixel has to be; 255 where it "
+                    "did not look. Networks are often surer than they should be."
+                ),
+                optional=True,
+                by_default=False,
+            ),
+            RasterOutput(
+                self.PROBABILITIES,
+                tr("Probabilities"),
+                tr("GeoTIFF, percent, one band for each class of the model, by its name; 255 where it did not look."),
+                optional=True,
+                by_default=False,
+            ),
+        )
+
     def check(self, values: Values) -> None:
         lacking = missing([SHAPELY]) if values.has(self.POLYGONS) else []
         if lacking:
             raise ParameterError(how_to_install(lacking))
 
     def read_layers(self, values: Values) -> None:
-        self._source = PhotoSource(values, self.INPUT, self.EXTENT)
+        from ..exchange.areas import drawn_area
+
+        area = drawn_area(values.source(self.MASK))
+        self._source = PhotoSource(values, self.INPUT, self.EXTENT, area)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
-        from ...core.segmentation.class_bias import class_bias_text
+        from ...core.segmentation.certainty import Certainty
         from ...core.segmentation.model import SegmentationModel
         from ...core.segmentation.tiling import segment
-        from ...storage.label_map_file import LabelMapFile, whole_tile_rows
 
         table = values.class_table(self.CLASS_TABLE)
         feedback.setProgressText(tr("Loading the model"))
@@ -169,23 +188,21 @@ class SegmentImage(SemRefAlgorithm):
         resolution_m = model.settings.resolution_m if resolution_cm is None else resolution_cm / 100
         photo = self._source.open(resolution_m, feedback)
         image = self._at_resolution(photo, resolution_m, model, feedback)
+        transform = _resized_transform(photo.geotransform, photo.image.shape_hw, image.shape_hw)
+        image = self._source.masked(image, photo, transform)
         overlap = values.optional_number(self.OVERLAP)
         overlap = model.settings.overlap if overlap is None else overlap / 100
-        height, width = image.shape_hw
-        transform = _resized_transform(photo.geotransform, photo.image.shape_hw, image.shape_hw)
-        grid = width, height, transform, wkt_for_gdal(photo.crs)
+        wanted = Certainty(outputs.wants(self.CONFIDENCE), outputs.wants(self.PROBABILITIES))
         classes = model.classes
+        grid = SeenGrid(image.shape_hw, transform, wkt_for_gdal(photo.crs))
         feedback.setProgressText(tr("Segmenting"))
-        # The steps are closed first: threads they hold are let go before the file is cleared away.
-        steps = segment(model, image, classes.values, overlap)
         with (
-            outputs.raster(self.OUTPUT, classes.table) as path,
-            LabelMapFile(path, *grid, classes.table, class_bias_text(model.class_bias)) as label_map,
-            closing(steps),
+            SegmentedFiles(outputs, grid, model, (self.OUTPUT, self.CONFIDENCE, self.PROBABILITIES), wanted) as files,
+            closing(segment(model, image, classes.values, overlap, wanted)) as steps,
         ):
-            for first, labels_hw in whole_tile_rows(_followed(steps, feedback)):
-                label_map.write_rows(first, labels_hw)
-        write_polygons(values, outputs, self.POLYGONS, path, photo.crs, classes.table, feedback)
+            # The steps are closed first: threads they hold are let go before the files are cleared away.
+            files.write(_followed(steps, feedback))
+        write_polygons(values, outputs, self.POLYGONS, files.label_map, photo.crs, classes.table, feedback)
 
     def _at_resolution(
         self, photo: Photo, resolution_m: float | None, model: SegmentationModel, feedback: QgsProcessingFeedback
@@ -214,10 +231,10 @@ def _resized_transform(transform: tuple | None, old_hw: tuple[int, int], new_hw:
     return x, x_column * across, x_row * down, y, y_column * across, y_row * down
 
 
-def _followed(steps: Iterable[tuple], feedback: QgsProcessingFeedback) -> Iterator[tuple[int, np.ndarray]]:
+def _followed(steps: Iterable[tuple], feedback: QgsProcessingFeedback) -> Iterator[SegmentedRows]:
     """The rows that are finished; shows progress and heeds a cancel at every tile."""
     for share, rows in steps:
         check_canceled(feedback)
         feedback.setProgress(100 * share)
         if rows is not None:
-            yield rows.first, rows.labels_hw
+            yield rows

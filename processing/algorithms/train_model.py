@@ -13,7 +13,7 @@ from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
 from ..framework import offers
 from ..framework.annotation import AnnotationAlgorithm
 from ..framework.base import Canceled, Declared, follow
-from ..framework.declarations import Choice, File, FileOutput, MapExtent, Number, NumberResult, RasterLayer, Switch
+from ..framework.declarations import Choice, File, FileOutput, Number, NumberResult, RasterLayer, Switch
 from ..framework.photo_source import PhotoSource
 from ..translation import tr
 
@@ -45,14 +45,14 @@ class TrainModel(AnnotationAlgorithm):
 
     IMAGE = "IMAGE"
     LABELS = "LABELS"
-    EXTENT = "EXTENT"
+    EXTENT = offers.EXTENT
     UNLABELED = "UNLABELED"
     BASE_MODEL = "BASE_MODEL"
     MINUTES = "MINUTES"
     EPOCHS = "EPOCHS"
     PATIENCE = "PATIENCE"
     NETWORK = "NETWORK"
-    RESOLUTION = "RESOLUTION"
+    RESOLUTION = offers.RESOLUTION
     VALIDATION_FRACTION = offers.VALIDATION_FRACTION
     RESUME = "RESUME"
     PYTHON = "PYTHON"
@@ -60,6 +60,7 @@ class TrainModel(AnnotationAlgorithm):
     OUTPUT = "OUTPUT"
     REPORT = "REPORT"
     MEAN_IOU = "MEAN_IOU"
+    MASK = offers.MASK
 
     def title(self) -> str:
         return tr("Train model")
@@ -104,6 +105,7 @@ class TrainModel(AnnotationAlgorithm):
             ),
             offers.report(tr("A page with IoU of each class, confusion matrix, curves and examples side by side.")),
             NumberResult(self.MEAN_IOU, tr("Mean IoU")),
+            offers.mask(),
         )
 
     def _choices(self) -> tuple[Declared, ...]:
@@ -133,24 +135,14 @@ class TrainModel(AnnotationAlgorithm):
                 default=30,
                 minimum=0,
             ),
-            MapExtent(
-                self.EXTENT,
-                tr("Extent"),
-                tr("Ground to learn from; all that image and labels share if left out."),
-                optional=True,
-            ),
+            offers.extent(),
         )
 
     def _details(self) -> tuple[Declared, ...]:
         return (
             *self._learning_parameters(),
-            Number(
-                self.RESOLUTION,
-                tr("Resolution (cm per pixel)"),
-                tr("To learn at other pixels than the image’s: those of the photos that are to be localized."),
-                optional=True,
-                advanced=True,
-                minimum=0.1,
+            offers.resolution(
+                tr("To learn at other pixels than the image’s: those of the photos that are to be localized.")
             ),
             offers.validation_fraction(advanced=True),
             Switch(
@@ -213,11 +205,13 @@ class TrainModel(AnnotationAlgorithm):
         training_python(values.file(self.PYTHON))
 
     def read_layers(self, values: Values) -> None:
+        from ..exchange.areas import drawn_area
         from ..exchange.rendering import needs_drawing
         from ..exchange.training_ground import named_layer, require_common_ground
 
         image = values.raster(self.IMAGE)
-        self._photo = PhotoSource(values, self.IMAGE, self.EXTENT) if needs_drawing(image) else None
+        self._area = drawn_area(values.source(self.MASK))
+        self._photo = PhotoSource(values, self.IMAGE, self.EXTENT, self._area) if needs_drawing(image) else None
         if self._photo is not None and not values.has(self.RESOLUTION):
             raise ImageError("exchange.resolution_needed", layer=image.name())
         self._image = values.image(self.IMAGE) if self._photo is None else named_layer(image)
@@ -315,6 +309,8 @@ class TrainModel(AnnotationAlgorithm):
             "validation": values.number(self.VALIDATION_FRACTION),
             "table": stamp(values.file(self.CLASS_TABLE)),
         }
+        if self._area is not None:
+            found["mask"] = self._area.fingerprint
         if self._labels is not None:
             return {**found, "labels": stamp(self._labels.path)}
         source = self._source
@@ -347,6 +343,7 @@ class TrainModel(AnnotationAlgorithm):
             values.extent(self.EXTENT, layer.crs),
             drawn,
             values.transform_context,
+            self._area,
         )
 
     def _cut(
@@ -369,7 +366,9 @@ class TrainModel(AnnotationAlgorithm):
             follow(LabelMapBurning(str(run.labels), frame, table, polygons).steps(), feedback, CUT / 4, CUT / 2)
         labels = replace(image, path=str(run.labels)) if self._labels is None else self._labels.file
         size, stride = fitting_tiles(shape_of(image))
-        export = TileExport(image, labels, size, stride, values.number(self.VALIDATION_FRACTION))
+        fraction = values.number(self.VALIDATION_FRACTION)
+        learns_rest = values.choice(self.UNLABELED) == SOMETHING_ELSE
+        export = TileExport(image, labels, size, stride, fraction, ground.mask(image), learns_rest)
         run.new_tiles.mkdir(parents=True)
         follow(export.steps(run.new_tiles, table), feedback, CUT / 2, CUT)
         run.keep_tiles()

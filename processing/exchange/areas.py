@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from hashlib import sha256
 
 import numpy as np
 from qgis.core import (
@@ -14,8 +16,10 @@ from qgis.core import (
     QgsProcessingFeatureSource,
     QgsRectangle,
 )
+from qgis.PyQt.QtGui import QTransform
 
 from ...core.errors import ParameterError
+from ...storage.area_mask import AreaMask
 from .reference_systems import describe_crs
 
 _SEGMENTS = 12
@@ -28,6 +32,22 @@ class DrawnArea:
 
     geometries: tuple[QgsGeometry, ...]
     crs: QgsCoordinateReferenceSystem
+
+    @property
+    def extent(self) -> QgsRectangle:
+        """Around all of it, in its CRS; an empty one without geometries."""
+        extent = QgsRectangle()
+        for geometry in self.geometries:
+            extent.combineExtentWith(geometry.boundingBox())
+        return extent
+
+    @property
+    def fingerprint(self) -> str:
+        """Another one for another area."""
+        found = sha256(self.crs.authid().encode())
+        for geometry in self.geometries:
+            found.update(geometry.asWkb().data())
+        return found.hexdigest()
 
 
 def drawn_area(source: QgsProcessingFeatureSource | None) -> DrawnArea | None:
@@ -49,21 +69,64 @@ def area_rings(
 
     Raises ParameterError when nothing does.
     """
-    to_map = QgsCoordinateTransform(area.crs, crs, transform_context)
-    moved = []
-    for geometry in area.geometries:
-        geometry = QgsGeometry(geometry)
-        try:
-            geometry.transform(to_map)
-        except QgsCsException:
-            raise ParameterError("exchange.clip_crs", crs=describe_crs(area.crs)) from None
-        # Repaired first, as a crossing outline would be buffered wrongly.
-        moved.append(geometry.makeValid().buffer(distance, _SEGMENTS))
+    # Repaired first, as a crossing outline would be buffered wrongly.
+    moved = [part.buffer(distance, _SEGMENTS) for part in _moved(area, crs, transform_context, "exchange.clip_crs")]
     whole = QgsGeometry.unaryUnion(moved).intersection(QgsGeometry.fromRect(QgsRectangle(*extent)))
     rings = [ring for polygon in _polygons(whole) for ring in polygon]
     if not rings:
         raise ParameterError("exchange.clip_outside", distance=distance)
     return [np.array([(point.x(), point.y()) for point in ring]) for ring in rings]
+
+
+def area_mask(
+    area: DrawnArea,
+    crs: QgsCoordinateReferenceSystem,
+    geotransform: Sequence[float],
+    shape_hw: tuple[int, int],
+    context: QgsCoordinateTransformContext,
+) -> AreaMask:
+    """The pixels of an image that lie in an area of polygons.
+
+    Args:
+        area: The polygons.
+        crs: Of the image.
+        geotransform: GDAL's six numbers of the image.
+        shape_hw: (height, width) of the image.
+        context: How the project transforms coordinates.
+
+    Raises:
+        ParameterError: No polygon touches the image.
+    """
+    x0, x_column, x_row, y0, y_column, y_row = geotransform
+    to_pixels, _ = QTransform(x_column, y_column, x_row, y_row, x0, y0).inverted()
+    upwards = to_pixels * QTransform.fromScale(1, -1)
+    height, width = shape_hw
+    image = QgsRectangle(0, -height, width, 0)
+    polygons = []
+    for geometry in _moved(area, crs, context, "exchange.mask_crs"):
+        geometry.transform(upwards)
+        parts = (part for part in geometry.asGeometryCollection() if part.area() > 0)
+        polygons += [part.asWkb().data() for part in parts if part.boundingBox().intersects(image)]
+    if not polygons:
+        raise ParameterError("exchange.mask_outside")
+    return AreaMask(polygons)
+
+
+def _moved(
+    area: DrawnArea, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext, refusal: str
+) -> list[QgsGeometry]:
+    """An area's geometries in another CRS, repaired; without arcs. Raises ParameterError by the code ``refusal``."""
+    to_map = QgsCoordinateTransform(area.crs, crs, context)
+    moved = []
+    for given in area.geometries:
+        geometry = QgsGeometry(given)
+        geometry.convertToStraightSegment()
+        try:
+            geometry.transform(to_map)
+        except QgsCsException:
+            raise ParameterError(refusal, crs=describe_crs(area.crs)) from None
+        moved.append(geometry.makeValid())
+    return moved
 
 
 def _polygons(geometry: QgsGeometry) -> list:

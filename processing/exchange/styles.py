@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Callable
 from uuid import uuid4
 
 from osgeo import gdal
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
+    QgsColorRampShader,
     QgsFeatureRequest,
     QgsFillSymbol,
     QgsMapLayer,
     QgsMarkerSymbol,
     QgsPalettedRasterRenderer,
     QgsRasterLayer,
+    QgsRasterRenderer,
+    QgsRasterShader,
     QgsReadWriteContext,
     QgsRendererCategory,
+    QgsSingleBandPseudoColorRenderer,
     QgsSingleSymbolRenderer,
     QgsVectorLayer,
 )
@@ -32,6 +37,9 @@ WINDOW_COLOR = "#1f5fbf"
 
 SEVERITY_STYLES = ((ERROR, "#d7263d", "0.6"), (WARNING, "#e08a00", "0.5"), (INFORMATION, "#4a7fb5", "0.3"))
 """Severity of a finding, color, width of its outline in millimeters."""
+
+PERCENT_COLORS = ((0, "#440154"), (25, "#3b528b"), (50, "#21918c"), (75, "#5ec962"), (100, "#fde725"))
+"""Percent and color: the steps of viridis (S. van der Walt and N. Smith, 2015)."""
 
 _OURS = "semref/style"
 """Custom property that marks a style file as written by SemRef, so that it may be replaced."""
@@ -101,11 +109,20 @@ def write_label_map_style(path: str, table: ClassTable) -> None:
     Without it the legend lists all 256 entries of the GeoTIFF's color table. A style that somebody else put
     there stays.
     """
+    _write_style(path, lambda layer: label_renderer(layer, table))
+
+
+def write_percent_style(path: str, band: int = 1) -> None:
+    """Writes the style that QGIS finds beside a raster of percent: dark is doubt, bright is certainty."""
+    _write_style(path, lambda layer: percent_renderer(layer, band))
+
+
+def _write_style(path: str, renderer: Callable[[QgsRasterLayer], QgsRasterRenderer]) -> None:
     style = Path(path).with_suffix(".qml")
     if style.exists() and _OURS not in style.read_text(encoding="utf-8", errors="replace"):
         return
     layer = QgsRasterLayer(path, "style")
-    layer.setRenderer(label_renderer(layer, table))
+    layer.setRenderer(renderer(layer))
     layer.setCustomProperty(_OURS, True)
     with written_beside(str(style)) as temporary:
         Path(temporary).write_text(_exported(layer), encoding="utf-8")
@@ -115,6 +132,17 @@ def label_renderer(layer: QgsRasterLayer, table: ClassTable) -> QgsPalettedRaste
     """Class colors and names for a raster of class values."""
     classes = [QgsPalettedRasterRenderer.Class(c.value, QColor(c.color), c.name) for c in table if c.value]
     return QgsPalettedRasterRenderer(layer.dataProvider(), 1, classes)
+
+
+def percent_renderer(layer: QgsRasterLayer, band: int) -> QgsSingleBandPseudoColorRenderer:
+    """Colors that tell percent apart, also for people who see fewer colors."""
+    colors = QgsColorRampShader(0.0, 100.0)
+    colors.setColorRampItemList(
+        [QgsColorRampShader.ColorRampItem(value, QColor(color), f"{value} %") for value, color in PERCENT_COLORS]
+    )
+    shader = QgsRasterShader()
+    shader.setRasterShaderFunction(colors)
+    return QgsSingleBandPseudoColorRenderer(layer.dataProvider(), band, shader)
 
 
 def apply_overview_style(layer: QgsRasterLayer, database: str) -> None:

@@ -16,9 +16,11 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ...storage.area_mask import AreaMask
 from ...storage.rasters import RasterFile
 from ...storage.training_ground import WantedGround, frame_of, is_placed, seen_ground
 from ..compat import is_metric, wkt_for_gdal
+from .areas import DrawnArea, area_mask
 from .layers import RasterLayer, image_layer
 from .reference_systems import describe_crs, metric_crs
 
@@ -70,6 +72,7 @@ class TrainingGround:
         wanted: What the user wants of it, in the image's CRS; an empty one for all.
         drawn: Where labels may be; None for everywhere.
         context: How this project transforms coordinates.
+        area: What alone is learned from; None for all.
     """
 
     layer: RasterLayer
@@ -80,6 +83,7 @@ class TrainingGround:
     wanted: QgsRectangle
     drawn: Placed | None
     context: QgsCoordinateTransformContext
+    area: DrawnArea | None = None
 
     @property
     def crs(self) -> QgsCoordinateReferenceSystem:
@@ -95,6 +99,15 @@ class TrainingGround:
         changed = wkt_for_gdal(crs) if crs != self.layer.crs else ""
         return seen_ground(self.layer.file, WantedGround(changed, self.pixel_size, self._bounds(crs)), folder)
 
+    def mask(self, image: RasterFile) -> AreaMask | None:
+        """The pixels that are learned from of what ``image`` gave; None for all. Raises ParameterError."""
+        if self.area is None:
+            return None
+        if not is_placed(image):
+            raise ParameterError("exchange.mask_without_place")
+        frame = frame_of(image)
+        return area_mask(self.area, self.crs, frame.geotransform, frame.shape_hw, self.context)
+
     def _bounds(self, crs: QgsCoordinateReferenceSystem) -> tuple[float, float, float, float] | None:
         parts = [self._in(crs, rectangle, own) for rectangle, own in self._parts()]
         if not parts:
@@ -108,6 +121,7 @@ class TrainingGround:
 
     def _parts(self) -> list[Placed]:
         parts = [] if self.wanted.isEmpty() else [(self.wanted, self.layer.crs)]
+        parts += [] if self.area is None else [(self.area.extent, self.area.crs)]
         return parts + ([] if self.drawn is None else [self.drawn])
 
     def _in(

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from ..compat import SOURCE_POLYGON
 from ..translation import tr
-from .declarations import FieldOf, File, FileOutput, Number, Parameter, RasterLayer, Text, VectorSource
+from .declarations import FieldOf, File, FileOutput, MapExtent, Number, Parameter, RasterLayer, Text, VectorSource
 
 DATABASE, MODEL, LABELS, IMAGES = "DATABASE", "MODEL", "LABELS", "IMAGES"
 INPUT, CLASS_FIELD, PRIORITY_FIELD, CLASS_TABLE = "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE"
 REFERENCE_CLASSES, REPORT, SEED = "REFERENCE_CLASSES", "REPORT", "SEED"
 VALIDATION_FRACTION = "VALIDATION_FRACTION"
+EXTENT, MASK, RESOLUTION = "EXTENT", "MASK", "RESOLUTION"
 SUN_DIRECTION = "SUN_DIRECTION"
 MISSED, INVENTED, MISNAMED, RAGGED = "MISSED", "INVENTED", "MISNAMED", "RAGGED"
 BACKGROUND, DISPLACED, SHIFTED, LEANING = "BACKGROUND", "DISPLACED", "SHIFTED", "LEANING"
@@ -35,6 +36,23 @@ def class_table(text: str, optional: bool = True, advanced: bool = False) -> Fil
 def model(text: str, optional: bool = False) -> File:
     """A segmentation network."""
     return File(MODEL, tr("Model"), text, optional, filter=tr("ONNX models (*.onnx)"))
+
+
+def extent() -> MapExtent:
+    """A part of what an image or a layer shows."""
+    text = tr("The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.")
+    return MapExtent(EXTENT, tr("Extent"), text, optional=True)
+
+
+def mask() -> VectorSource:
+    """Polygons that only the ground within is wanted of."""
+    text = tr("Polygons: ground outside of them is not looked at and has no label.")
+    return VectorSource(MASK, tr("Mask"), text, optional=True, kinds=(SOURCE_POLYGON,))
+
+
+def resolution(text: str) -> Number:
+    """The size of the pixels that a network looks at."""
+    return Number(RESOLUTION, tr("Resolution (cm per pixel)"), text, optional=True, advanced=True, minimum=0.1)
 
 
 def reference_classes(text: str) -> Text:

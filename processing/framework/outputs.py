@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Callable, Union
 
@@ -71,18 +71,23 @@ class Outputs:
         self._checks.append(check)
 
     @contextmanager
-    def raster(self, key: str, table: ClassTable | None = None) -> Iterator[str]:
-        """Gives a path to write a raster to; with ``table`` it gets the style of a label map."""
+    def raster(self, key: str, write_style: Callable[[str], None] | None = None) -> Iterator[str]:
+        """Gives a path to write a raster to; ``write_style`` writes what it looks like beside it."""
         from ...storage.rasters import require_whole_raster
-        from ..exchange.styles import write_label_map_style
 
         target = self._values.raster_target(key)
         temporary = self._batch.file(target)
         yield temporary
         require_whole_raster(temporary, target)
-        if table is not None:
-            write_label_map_style(temporary, table)
+        if write_style is not None:
+            write_style(temporary)
         self.results[key] = target
+
+    def label_map(self, key: str, table: ClassTable) -> AbstractContextManager[str]:
+        """Gives a path to write a label map to, which gets its style."""
+        from ..exchange.styles import write_label_map_style
+
+        return self.raster(key, lambda path: write_label_map_style(path, table))
 
     @contextmanager
     def file(self, key: str) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Callable
 
@@ -14,7 +15,7 @@ from qgis.core import (
     QgsRectangle,
 )
 
-from ...core.errors import ImageError
+from ...core.errors import ImageError, ParameterError
 from ..translation import tr
 from .base import follow
 
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
     from ...core.labels.image_source import ImageSource
     from ...storage.images import GdalImage
+    from ..exchange.areas import DrawnArea
     from ..exchange.layers import RasterLayer
     from .values import Values
 
@@ -45,18 +47,21 @@ class Photo:
 
 
 class PhotoSource:
-    """What ``key`` and ``extent_key`` name, taken out of layers in the thread that they live in. Raises ImageError."""
+    """What ``key`` and ``extent_key`` name, taken out of layers in the thread that they live in. Raises ImageError.
 
-    def __init__(self, values: Values, key: str, extent_key: str) -> None:
+    ``area``: what of it is wanted; of a layer that has to be drawn its extent is, where no other one is given.
+    """
+
+    def __init__(self, values: Values, key: str, extent_key: str, area: DrawnArea | None = None) -> None:
         from ..exchange.layers import image_layer
         from ..exchange.rendering import drawable, needs_drawing
 
         layer = values.raster(key)
-        self._values, self._extent_key = values, extent_key
+        self._values, self._extent_key, self._area = values, extent_key, area
         self._file: RasterLayer | None = None
         self._layer: QgsRasterLayer | None = None
         if needs_drawing(layer):
-            if not values.has(extent_key):
+            if not values.has(extent_key) and area is None:
                 raise ImageError("exchange.extent_needed", layer=layer.name())
             self._layer = drawable(layer)
         else:
@@ -108,7 +113,7 @@ class PhotoSource:
         if resolution_m is None:
             raise ImageError("exchange.resolution_needed", layer=self._layer.name())
         context = self._values.transform_context
-        extent, crs = self._values.extent_as_given(self._extent_key)
+        extent, crs = self._wanted_extent()
         drawing = plan_drawing(self._layer, extent, crs, resolution_m, context)
         height, width = drawing.frame.shape_hw
         text = tr(
@@ -120,6 +125,27 @@ class PhotoSource:
         path = QgsProcessingUtils.generateTempFilename(f"{_stem(self._layer.name())}.tif")
         follow(draw(drawing, path, context, feedback.isCanceled), feedback)
         return path, drawing.crs
+
+    def _wanted_extent(self) -> tuple[QgsRectangle, QgsCoordinateReferenceSystem]:
+        if self._area is None or self._values.has(self._extent_key):
+            return self._values.extent_as_given(self._extent_key)
+        return self._area.extent, self._area.crs
+
+    def masked(self, image: ImageSource, photo: Photo, geotransform: Sequence[float] | None) -> ImageSource:
+        """An image on the photo's ground without what lies outside of the area, if there is one.
+
+        Raises:
+            ParameterError: No polygon touches it, or it has no place on the ground.
+        """
+        from ...core.labels.image_source import MaskedImage
+        from ..exchange.areas import area_mask
+
+        if self._area is None:
+            return image
+        if geotransform is None:
+            raise ParameterError("exchange.mask_without_place")
+        context = self._values.transform_context
+        return MaskedImage(image, area_mask(self._area, photo.crs, geotransform, image.shape_hw, context))
 
     def _part(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> Photo:
         from ...core.labels.image_source import ImagePart

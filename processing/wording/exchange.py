@@ -14,6 +14,9 @@ SENTENCES = {
         "The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and points "
         "a larger DISTANCE than {distance:g}."
     ),
+    "exchange.mask_crs": "MASK does not fit its CRS {crs}; correct the CRS.",
+    "exchange.mask_outside": "No polygon of MASK lies on the image; choose another layer, or leave MASK out.",
+    "exchange.mask_without_place": "The image has no place on the ground that MASK could be laid on; leave MASK out.",
     "exchange.not_a_file": "“{layer}” comes from {provider}; save it as GeoTIFF first.",
     "exchange.two_crs": (
         "REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS."

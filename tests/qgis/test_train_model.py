@@ -143,6 +143,27 @@ def test_polygons_are_burnt_on_the_pixels_of_the_extent(train, tmp_path):
     assert burnt[250, 50] == 1 and burnt[250, 250] == 2 and burnt[249, 50] == 0
 
 
+@pytest.mark.parametrize("something_else", [0, 1])
+def test_ground_outside_the_mask_is_not_learned_from(train, tmp_path, something_else):
+    kept = tmp_path / "kept"
+    mask = write_layer(tmp_path / "mask.gpkg", [(square(100, 50, 400), "x"), (square(500, 450, 100), "x")])
+    keep = f"shutil.copytree(folder, {str(kept)!r}); "
+    train(training=keep + EPOCH, MASK=str(mask), UNLABELED=something_else)
+    wanted = np.zeros(LABELS.shape, bool)
+    wanted[50:450, 100:500] = wanted[450:550, 500:600] = True
+    manifest = json.loads((kept / "tiles" / "manifest.json").read_text())
+    size = manifest["tile_size"]
+    # What is not wanted has a value that is no class: 0 is one where the rest is learned as something else.
+    outside = 255 if something_else else 0
+    for tile in manifest["tiles"]:
+        row, column = tile["row"] + 50, tile["column"] + 100
+        part = np.s_[row : row + size, column : column + size]
+        path = kept / "tiles" / tile["subset"] / "labels" / f"{tile['name']}.png"
+        np.testing.assert_array_equal(read_pixels(path), np.where(wanted[part], LABELS[part], outside))
+    job = json.loads((kept / "job.json").read_text())
+    assert job["ground"]["extent"] == [WEST + 100, NORTH - 550, WEST + 600, NORTH - 50]
+
+
 def test_a_coarser_resolution_is_learned_from_fewer_pixels(train, tmp_path):
     kept = tmp_path / "kept"
     train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, RESOLUTION=150)

@@ -1,0 +1,117 @@
+"""What a network sees in an image, as files: label map, how sure it is, and of each class."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Callable
+
+import numpy as np
+
+from ...core.labels.class_table import UNLABELED
+from ..translation import tr
+
+if TYPE_CHECKING:
+    from ...core.segmentation.certainty import Certainty
+    from ...core.segmentation.model import SegmentationModel
+    from ...core.segmentation.tiling import SegmentedRows
+    from ...storage.percent_raster import PercentRaster
+    from .outputs import Outputs
+
+
+@dataclass(frozen=True)
+class SeenGrid:
+    """Where the pixels lie.
+
+    Attributes:
+        shape_hw: (height, width) in pixels.
+        geotransform: GDAL's six numbers; None without a georeference.
+        crs_wkt: WKT of the CRS; empty for none.
+    """
+
+    shape_hw: tuple[int, int]
+    geotransform: tuple[float, ...] | None
+    crs_wkt: str
+
+
+class SegmentedFiles:
+    """The files of one run, open within a ``with``; ``label_map`` is where the first of them is written.
+
+    Rows are written through as they come, so that memory does not grow with the image's height.
+    """
+
+    def __init__(
+        self,
+        outputs: Outputs,
+        grid: SeenGrid,
+        model: SegmentationModel,
+        keys: tuple[str, str, str],
+        wanted: Certainty,
+    ) -> None:
+        """Nothing is written yet.
+
+        Args:
+            outputs: Of the run.
+            grid: Where the pixels lie.
+            model: Whose classes they are.
+            keys: Of the label map, the confidence and the probabilities.
+            wanted: Which of the latter two.
+        """
+        self._outputs, self._grid, self._model, self._keys, self._wanted = outputs, grid, model, keys, wanted
+        self._files = ExitStack()
+        self._writers: list[Callable[[int, np.ndarray], None]] = []
+        self.label_map = ""
+
+    def __enter__(self) -> SegmentedFiles:
+        with ExitStack() as files:
+            self._open(files)
+            self._files = files.pop_all()
+        return self
+
+    def __exit__(self, *error: object) -> bool | None:
+        return self._files.__exit__(*error)  # type: ignore[arg-type]
+
+    def write(self, rows: Iterable[SegmentedRows]) -> None:
+        """Writes all rows, from the first to the last. Raises LabelMapError where the disk is full."""
+        from ...storage.label_map_file import whole_tile_rows
+
+        for first, bands in whole_tile_rows(_stacked(rows)):
+            for write in self._writers:
+                write(first, bands)
+
+    def _open(self, files: ExitStack) -> None:
+        from ...core.segmentation.class_bias import class_bias_text
+        from ...storage.label_map_file import LabelMapFile
+
+        classes, (height, width) = self._model.classes, self._grid.shape_hw
+        place = self._grid.geotransform, self._grid.crs_wkt
+        self.label_map = files.enter_context(self._outputs.label_map(self._keys[0], classes.table))
+        bias = class_bias_text(self._model.class_bias)
+        labels = files.enter_context(LabelMapFile(self.label_map, width, height, *place, classes.table, bias))
+        self._writers = [lambda first, bands: labels.write_rows(first, bands[0])]
+        if self._wanted.of_label:
+            confidence = self._percents(files, self._keys[1], [tr("Confidence")], 1)
+            self._writers.append(lambda first, bands: confidence.write_rows(first, bands[1:2]))
+        if self._wanted.of_each:
+            # Shown first: the first class that is one.
+            shown = next((n for n, value in enumerate(classes.values, start=1) if value != UNLABELED), 1)
+            each = self._percents(files, self._keys[2], list(classes.names), shown)
+            self._writers.append(lambda first, bands: each.write_rows(first, bands[-len(classes.names) :]))
+
+    def _percents(self, files: ExitStack, key: str, names: list[str], shown: int) -> PercentRaster:
+        from ...storage.percent_raster import PercentRaster
+        from ..exchange.styles import write_percent_style
+
+        path = files.enter_context(self._outputs.raster(key, lambda path: write_percent_style(path, shown)))
+        grid = self._grid
+        return files.enter_context(PercentRaster(path, grid.shape_hw, grid.geotransform, grid.crs_wkt, names))
+
+
+def _stacked(rows: Iterable[SegmentedRows]) -> Iterator[tuple[int, np.ndarray]]:
+    """(first row, (bands, rows, W) uint8): labels, then how sure of them, then of each class, as far as wanted."""
+    for piece in rows:
+        bands = [piece.labels_hw[None]]
+        bands += [] if piece.percent_hw is None else [piece.percent_hw[None]]
+        bands += [] if piece.percents_chw is None else [piece.percents_chw]
+        yield piece.first, bands[0] if len(bands) == 1 else np.concatenate(bands)

@@ -1,0 +1,174 @@
+"""How sure a network is: percents fit the labels, the blending and networks of every kind."""
+
+import tracemalloc
+
+import numpy as np
+import pytest
+from made_models import brightest_color, metadata, painted, write_model, writer
+
+from semref.core.labels.image_source import ArrayImage, MaskedImage
+from semref.core.segmentation.certainty import NO_DATA, Certainty, are_probabilities, percents, softmax
+from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.tiling import segment
+
+VALUES = (1, 2, 3)
+ALL = Certainty(of_label=True, of_each=True)
+
+
+@pytest.fixture
+def made(tmp_path):
+    """`made(network, **metadata)` opens a model of it."""
+
+    def make(network=None, **more):
+        return SegmentationModel(str(write_model(tmp_path / "m.onnx", network, metadata=metadata(**more))), 1)
+
+    return make
+
+
+def ended_by(kind: str, network=None) -> writer.Network:
+    """The brightest color's network, with another layer behind it."""
+    network = network or brightest_color()
+    network.add(kind, **({"axis": 1} if kind == "Softmax" else {}))
+    return network
+
+
+def segmented(model, image, overlap=0.25, wanted=ALL):
+    """(labels, percent of the label, percent of each) of an image."""
+    rows = [rows for _, rows in segment(model, image, VALUES, overlap, wanted) if rows is not None]
+    labels = np.concatenate([r.labels_hw for r in rows])
+    return labels, np.concatenate([r.percent_hw for r in rows]), np.concatenate([r.percents_chw for r in rows], axis=1)
+
+
+def photo(shape=(150, 190), seed=1):
+    return np.random.default_rng(seed).integers(0, 256, (*shape, 3)).astype(np.uint8)
+
+
+def expected(photo_hw3):
+    """(3, H, W) softmax of red, blue and green, standardized as the metadata say."""
+    standardized = (photo_hw3.astype(np.float32) / 255 - 0.5) / 0.5
+    return softmax(np.moveaxis(standardized[:, :, [0, 2, 1]], 2, 0))
+
+
+@pytest.mark.parametrize("overlap", [0, 0.25, 0.6])
+@pytest.mark.parametrize("shape", [(150, 190), (64, 64), (40, 300), (64, 65)])
+def test_scores_become_the_softmax_whatever_the_tiles(made, overlap, shape):
+    image = photo(shape)
+    labels, percent, each = segmented(made(), ArrayImage(image), overlap)
+    wanted = expected(image) * 100
+    np.testing.assert_allclose(each, wanted, atol=0.51)
+    np.testing.assert_array_equal(percent, each.max(axis=0))
+    is_alone = (each == each.max(axis=0)).sum(axis=0) == 1
+    np.testing.assert_array_equal(labels[is_alone], (each.argmax(axis=0) + 1)[is_alone])
+
+
+def test_a_network_that_gives_probabilities_is_taken_at_its_word(made):
+    image = photo()
+    scores, probabilities = (segmented(made(network), ArrayImage(image)) for network in (None, ended_by("Softmax")))
+    np.testing.assert_array_equal(scores[0], probabilities[0])
+    assert np.abs(scores[2].astype(int) - probabilities[2]).max() <= 1
+
+
+def test_percents_of_a_pixel_add_up_to_about_100(made):
+    each = segmented(made(), ArrayImage(photo()))[2].astype(int)
+    assert np.abs(each.sum(axis=0) - 100).max() <= 2
+
+
+@pytest.mark.parametrize("threshold", [0.2, 0.5, 0.8])
+def test_one_probability_tells_its_class_and_the_rest(made, threshold):
+    kernel = np.zeros((1, 3, 1, 1), np.float32)
+    kernel[0, 0] = 1
+    network = ended_by("Sigmoid", writer.Network().convolution(kernel, np.zeros(1)))
+    model = made(network, class_names=["building"], seg_thresh=threshold)
+    image = photo()
+    rows = [rows for _, rows in segment(model, ArrayImage(image), (0, 1), 0.25, ALL) if rows is not None]
+    labels, percent = (np.concatenate([getattr(r, name) for r in rows]) for name in ("labels_hw", "percent_hw"))
+    probability = 1 / (1 + np.exp(-(image[:, :, 0] / 127.5 - 1)))
+    sure = np.abs(probability - threshold) > 1e-4
+    np.testing.assert_array_equal(labels[sure], (probability > threshold)[sure])
+    np.testing.assert_allclose(percent[sure], 100 * np.where(labels, probability, 1 - probability)[sure], atol=0.51)
+
+
+def test_where_nothing_was_looked_at_there_is_no_percent(made):
+    has_data = np.ones((150, 190), bool)
+    has_data[:70, :80] = False
+    labels, percent, each = segmented(made(), ArrayImage(photo(), has_data))
+    np.testing.assert_array_equal(labels == 0, ~has_data)
+    np.testing.assert_array_equal(percent == NO_DATA, ~has_data)
+    np.testing.assert_array_equal((each == NO_DATA).all(axis=0), ~has_data)
+
+
+def test_what_is_not_wanted_is_not_made(made):
+    model, image = made(), ArrayImage(photo())
+    rows = [rows for _, rows in segment(model, image, VALUES, 0.25, Certainty(of_label=True)) if rows is not None]
+    assert all(r.percents_chw is None and r.percent_hw.shape == r.labels_hw.shape for r in rows)
+    rows = [rows for _, rows in segment(model, image, VALUES, 0.25) if rows is not None]
+    assert all(r.percents_chw is None and r.percent_hw is None for r in rows)
+
+
+def test_probabilities_are_known_by_their_sums():
+    even = np.full((1, 4, 2, 2), 0.25, np.float32)
+    assert are_probabilities(even) and are_probabilities(even.astype(np.float16))
+    assert not are_probabilities(even + 0.01) and not are_probabilities(even - np.float32(0.5))
+
+
+def test_percents_are_rounded_and_stay_in_range():
+    np.testing.assert_array_equal(percents(np.array([-0.1, 0.0049, 0.005, 0.994, 0.995, 1.2])), [0, 0, 1, 99, 100, 100])
+
+
+def test_memory_does_not_grow_with_the_height_of_the_image(made):
+    model = made()
+
+    def peak(height):
+        class Endless:
+            shape_hw = height, 300
+
+            def read(self, column, row, width, height):
+                return np.zeros((height, width, 3), np.uint8), None
+
+        tracemalloc.start()
+        for _ in segment(model, Endless(), VALUES, 0.25, ALL):
+            continue
+        try:
+            return tracemalloc.get_traced_memory()[1]
+        finally:
+            tracemalloc.stop()
+
+    assert peak(3000) < 1.2 * peak(300) + 100_000
+
+
+class Corner:
+    """The pixels above a slanting line."""
+
+    def read(self, column, row, width, height):
+        rows, columns = np.mgrid[row : row + height, column : column + width]
+        return rows + columns < 120
+
+
+def test_a_mask_leaves_out_what_lies_outside_and_changes_nothing_inside(made, monkeypatch):
+    model, image = made(brightest_color(15)), ArrayImage(photo((150, 400)))
+    labels, percent, _ = segmented(model, image)
+    given = []
+    scores = model.scores
+    monkeypatch.setattr(model, "scores", lambda images: given.append(len(images)) or scores(images))
+    found, found_percent, _ = segmented(model, MaskedImage(image, Corner()))
+    inside = Corner().read(0, 0, 400, 150)
+    np.testing.assert_array_equal(found, np.where(inside, labels, 0))
+    np.testing.assert_array_equal(found_percent, np.where(inside, percent, NO_DATA))
+    assert sum(given) < 3 * 9 / 2
+
+
+def test_what_lies_outside_a_mask_is_not_even_read():
+    class Unread:
+        shape_hw = 500, 500
+
+        def read(self, *_):
+            raise AssertionError("read")
+
+    pixels, has_data = MaskedImage(Unread(), Corner()).read(300, 300, 64, 64)
+    assert not pixels.any() and not has_data.any()
+
+
+def test_painted_ground_is_sure_where_colors_are(made):
+    labels = np.random.default_rng(2).integers(1, 4, (80, 90)).astype(np.uint8)
+    percent = segmented(made(), ArrayImage(painted(labels)))[1]
+    assert percent.min() == percent.max() == 67  # softmax of (220, 40, 40) as the metadata standardize them

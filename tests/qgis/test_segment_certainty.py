@@ -1,0 +1,189 @@
+"""semref:segmentimage: what lies outside a mask, and how sure the network is, as rasters."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from made_inputs import NORTH, WEST, read_pixels, square, write_layer, write_raster
+from made_models import metadata, write_model
+from osgeo import gdal, ogr, osr
+from qgis.core import QgsProcessingException, QgsRasterLayer
+from tile_server import tile_server
+
+SEGMENT = "semref:segmentimage"
+PLACE = (WEST, 1.0, 0, NORTH, 0, -1.0)
+PHOTO = np.random.default_rng(4).integers(0, 256, (3, 300, 230)).astype(np.uint8)
+
+
+def softmax_percent(photo) -> np.ndarray:
+    """Percent of red, blue and green as the network of the tests has them."""
+    powers = np.exp((photo[[0, 2, 1]].astype(float) / 255 - 0.5) / 0.5)
+    return 100 * powers / powers.sum(axis=0)
+
+
+@pytest.fixture
+def segment(run_algorithm, feedback, tmp_path):
+    """`segment(image, **parameters)` gives the results."""
+    model = write_model(tmp_path / "colors.onnx")
+
+    def run(image, **parameters):
+        defaults = {"MODEL": str(model), "OUTPUT": str(tmp_path / "labels.tif")}
+        source = image if isinstance(image, QgsRasterLayer) else str(image)
+        return run_algorithm(SEGMENT, {"INPUT": source, **defaults, **parameters}, feedback)
+
+    return run
+
+
+@pytest.fixture
+def image(tmp_path):
+    return write_raster(tmp_path / "image.tif", PHOTO, transform=PLACE)
+
+
+def certainty(tmp_path) -> dict:
+    return {"CONFIDENCE": str(tmp_path / "sure.tif"), "PROBABILITIES": str(tmp_path / "each.tif")}
+
+
+def test_probabilities_have_a_band_for_each_class_and_fit_the_labels(segment, image, tmp_path):
+    found = segment(image, **certainty(tmp_path))
+    each, sure, labels = gdal.Open(found["PROBABILITIES"]), gdal.Open(found["CONFIDENCE"]), read_pixels(found["OUTPUT"])
+    bands = [each.GetRasterBand(n) for n in (1, 2, 3)]
+    assert [band.GetDescription() for band in bands] == ["building", "water", "bare_land"]
+    assert {(band.GetNoDataValue(), band.GetUnitType()) for band in [*bands, sure.GetRasterBand(1)]} == {(255, "%")}
+    np.testing.assert_allclose(each.ReadAsArray(), softmax_percent(PHOTO), atol=0.51)
+    own = np.take_along_axis(each.ReadAsArray(), labels[None].astype(int) - 1, axis=0)[0]
+    np.testing.assert_array_equal(sure.ReadAsArray(), own)
+    assert each.GetGeoTransform() == sure.GetGeoTransform() == PLACE
+    assert each.GetProjection() == gdal.Open(found["OUTPUT"]).GetProjection() != ""
+
+
+def test_certainty_comes_with_a_style_that_says_percent(segment, image, tmp_path):
+    found = segment(image, **certainty(tmp_path))
+    for key in ("CONFIDENCE", "PROBABILITIES"):
+        layer = QgsRasterLayer(found[key])
+        renderer = layer.renderer()
+        assert renderer.type() == "singlebandpseudocolor"
+        assert [item.label for item in renderer.shader().rasterShaderFunction().colorRampItemList()][-1] == "100 %"
+
+
+def test_the_class_that_is_none_is_not_shown_first(segment, image, tmp_path):
+    more = metadata(class_names=["background", "water", "bare_land"])
+    model = write_model(tmp_path / "m.onnx", metadata=more)
+    found = segment(image, MODEL=str(model), **certainty(tmp_path))
+    assert QgsRasterLayer(found["PROBABILITIES"]).renderer().band() == 2
+    labels, sure = read_pixels(found["OUTPUT"]), read_pixels(found["CONFIDENCE"])
+    assert (labels == 0).any() and (sure[labels == 0] <= 100).all()
+
+
+def test_what_was_not_asked_for_is_not_written(segment, image, tmp_path):
+    found = segment(image)
+    assert set(found) == {"OUTPUT"}
+    assert {path.name for path in tmp_path.glob("*.tif")} == {"image.tif", "labels.tif"}
+
+
+def test_pixels_without_data_have_no_percent(segment, tmp_path):
+    photo = np.where(PHOTO == 7, 8, PHOTO).astype(np.uint8)
+    photo[:, 20:90, 30:180] = 7
+    found = segment(write_raster(tmp_path / "a.tif", photo, nodata=7, transform=PLACE), **certainty(tmp_path))
+    hole = (photo == 7).all(axis=0)
+    np.testing.assert_array_equal(read_pixels(found["CONFIDENCE"]) == 255, hole)
+    np.testing.assert_array_equal((read_pixels(found["PROBABILITIES"]) == 255).all(axis=0), hole)
+
+
+def test_certainty_never_replaces_its_photo(segment, image):
+    with pytest.raises(QgsProcessingException, match="the same file"):
+        segment(image, CONFIDENCE=str(image))
+
+
+# --- the mask ---
+
+
+def two_squares(tmp_path, name="mask.gpkg", **options):
+    return write_layer(tmp_path / name, [(square(20, 30, 50), "a"), (square(120, 160, 64), "b")], **options)
+
+
+def in_two_squares() -> np.ndarray:
+    inside = np.zeros(PHOTO.shape[1:], bool)
+    inside[30:80, 20:70] = inside[160:224, 120:184] = True
+    return inside
+
+
+def test_outside_the_mask_nothing_has_a_label_and_inside_all_is_as_without(segment, image, tmp_path):
+    whole = read_pixels(segment(image)["OUTPUT"])
+    found = segment(image, MASK=str(two_squares(tmp_path)), **certainty(tmp_path))
+    inside = in_two_squares()
+    np.testing.assert_array_equal(read_pixels(found["OUTPUT"]), np.where(inside, whole, 0))
+    np.testing.assert_array_equal(read_pixels(found["CONFIDENCE"]) == 255, ~inside)
+
+
+def test_a_mask_with_a_hole_leaves_the_hole_out(segment, image, tmp_path):
+    ring = "POLYGON ((0 0, 100 0, 100 -100, 0 -100, 0 0), (20 -20, 60 -20, 60 -60, 20 -60, 20 -20))"
+    geometry = ogr.CreateGeometryFromWkt(ring)
+    points = [[(x + WEST, y + NORTH) for x, y, *_ in geometry.GetGeometryRef(n).GetPoints()] for n in (0, 1)]
+    wkt = "POLYGON (" + ", ".join("(" + ", ".join(f"{x} {y}" for x, y in part) + ")" for part in points) + ")"
+    found = read_pixels(segment(image, MASK=str(write_layer(tmp_path / "m.gpkg", [(wkt, "a")])))["OUTPUT"])
+    wanted = np.zeros(found.shape, bool)
+    wanted[:100, :100] = True
+    wanted[20:60, 20:60] = False
+    np.testing.assert_array_equal(found > 0, wanted)
+
+
+def test_a_mask_in_degrees_lies_where_its_ground_is(segment, image, tmp_path):
+    metric, degrees = osr.SpatialReference(), osr.SpatialReference()
+    metric.ImportFromEPSG(32632)
+    degrees.ImportFromEPSG(4326)
+    for crs in (metric, degrees):
+        crs.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    geometry = ogr.CreateGeometryFromWkt(square(20, 30, 50))
+    geometry.Transform(osr.CoordinateTransformation(metric, degrees))
+    mask = write_layer(tmp_path / "m.gpkg", [(geometry.ExportToWkt(), "a")], crs=4326)
+    found = read_pixels(segment(image, MASK=str(mask))["OUTPUT"]) > 0
+    wanted = np.zeros(found.shape, bool)
+    wanted[30:80, 20:70] = True
+    assert (found != wanted).sum() <= 4
+
+
+def test_a_turned_image_is_masked_where_its_ground_is(segment, tmp_path):
+    # Columns run north, rows run east.
+    turned = write_raster(tmp_path / "turned.tif", PHOTO, transform=(WEST, 0.0, 1.0, NORTH - 300, 1.0, 0.0))
+    found = read_pixels(segment(turned, MASK=str(two_squares(tmp_path)))["OUTPUT"]) > 0
+    wanted = np.zeros(found.shape, bool)
+    # The square at columns 20…70, rows 30…80 from the north: row of the image 20…70, column 300 − 80 … 300 − 30.
+    wanted[20:70, 220:230] = True
+    wanted[120:184, 76:140] = True
+    np.testing.assert_array_equal(found, wanted)
+
+
+def test_a_resampled_image_is_masked_on_its_new_pixels(segment, image, tmp_path):
+    model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=200))
+    found = read_pixels(segment(image, MODEL=str(model), MASK=str(two_squares(tmp_path)))["OUTPUT"])
+    np.testing.assert_array_equal(found > 0, in_two_squares()[::2, ::2])
+
+
+def test_the_mask_and_an_extent_both_count(segment, image, tmp_path):
+    extent = f"{WEST + 30},{WEST + 230},{NORTH - 300},{NORTH - 40}"
+    found = read_pixels(segment(image, MASK=str(two_squares(tmp_path)), EXTENT=extent)["OUTPUT"])
+    np.testing.assert_array_equal(found > 0, in_two_squares()[40:, 30:])
+
+
+def test_of_map_tiles_the_masks_extent_is_drawn(segment, tmp_path):
+    model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=100))
+    with tile_server() as source:
+        tiles = QgsRasterLayer(source, "tiles", "wms")
+        found = segment(tiles, MODEL=str(model), MASK=str(two_squares(tmp_path)))["OUTPUT"]
+    raster = gdal.Open(found)
+    assert (raster.RasterXSize, raster.RasterYSize) == (164, 194)
+    np.testing.assert_array_equal(raster.ReadAsArray() > 0, in_two_squares()[30:224, 20:184])
+
+
+@pytest.mark.parametrize("case", ["elsewhere", "empty"])
+def test_a_mask_beside_the_image_is_refused(segment, image, tmp_path, case):
+    features = [(square(5_000, 0, 50), "a")] if case == "elsewhere" else []
+    mask = write_layer(tmp_path / "m.gpkg", features, geometry=ogr.wkbPolygon)
+    with pytest.raises(QgsProcessingException, match="No polygon of MASK lies on the image"):
+        segment(image, MASK=str(mask))
+
+
+def test_a_mask_on_a_photo_without_a_place_is_refused(segment, tmp_path):
+    photo = write_raster(tmp_path / "a.png", PHOTO, transform=None)
+    with pytest.raises(QgsProcessingException, match="no place on the ground"):
+        segment(photo, MASK=str(two_squares(tmp_path)))
