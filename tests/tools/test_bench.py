@@ -194,11 +194,18 @@ def test_a_row_goes_on_where_the_same_code_left_it_and_other_code_starts_anew(be
         return [number] * size
 
     def row(sizes):
-        return list(kept.row(SimpleNamespace(work=tmp_path, half="south"), "table", "tilt 5°", sizes, measured))
+        run = SimpleNamespace(work=tmp_path / "work", half="south")
+        return list(kept.row(run, "table", "tilt 5°", sizes, measured, ("one",)))
 
-    monkeypatch.setattr(kept.machine, "revision", lambda: "commit 1")
+    state, core = kept.state, tmp_path / "core"
+    (core / "one").mkdir(parents=True)
+    (tmp_path / "work").mkdir()
+    (core / "one" / "code.py").write_text("1")
+    monkeypatch.setattr(kept, "state", lambda packages: state.__wrapped__(packages, core))
     assert row([2]) == [0, 0] and row([2, 1]) == [0, 0, 1] and tried == [0, 1]
-    monkeypatch.setattr(kept.machine, "revision", lambda: "commit 2")
+    (core / "other.py").write_text("of another package")
+    assert row([2, 1]) == [0, 0, 1] and tried == [0, 1]
+    (core / "one" / "code.py").write_text("2")
     assert row([2]) == [0, 0] and tried == [0, 1, 0]
 
 

@@ -25,43 +25,43 @@ PHOTO_METHODS = (Method.CONSTELLATION, Method.AUTOMATIC)
 RENDERED, REAL = "rendered photos", "real photos"
 REAL_PX = 512
 
-Rows = Iterator[tuple[str, Callable[[], list[Trial]]]]
+Rows = Iterator[tuple[str, Callable[[int, int], list[Trial]]]]
 
 
-def every(run: inputs.Run, count: int, prior_share: float) -> Rows:
-    """(name, what makes the trials) of all rows that the run wants and has the data of.
+def every(run: inputs.Run, prior_share: float) -> Rows:
+    """(name, what makes the trials of a part of so many images) of all rows that the run wants and has the data of.
 
     prior_share: map correlation and automatic are told the position to this share of the footprint.
     """
     if (run.data / two_dates.SOURCE).exists():
-        yield from _christchurch(run, count, prior_share)
-    yield from _rendered(run, count)
+        yield from _christchurch(run, prior_share)
+    yield from _rendered(run)
     if run.model and tile_paths(run):
-        yield from _real(run, count)
+        yield from _real(run)
 
 
-def _christchurch(run: inputs.Run, count: int, prior_share: float) -> Rows:
+def _christchurch(run: inputs.Run, prior_share: float) -> Rows:
     for number, (before, after) in enumerate(PAIRS):
         for method in METHODS:
             name = f"{method.key}: Christchurch, map of {before}, images of {after}"
             if run.wants(name):
-                yield name, partial(_dates, run, number, count, method, prior_share)
+                yield name, partial(_dates, run, number, method, prior_share)
 
 
 @lru_cache(maxsize=1)
-def _of_dates(run: inputs.Run, number: int, count: int) -> tuple[Ground, list[Image]]:
+def _of_dates(run: inputs.Run, number: int, part: int, size: int) -> tuple[Ground, list[Image]]:
     before, after = PAIRS[number]
     content = read_database(str(two_dates.database(run, FOOTPRINT_M, before)), with_overview=True)
     labels = inputs.read_labels(two_dates.label_map(run, after))
     ground = Ground(labels, content, size_px=round(FOOTPRINT_M / two_dates.PIXEL_SIZE_M))
     wanted = Wanted(two_dates.SCALES, landmarks=ANY, labeled=two_dates.LEAST_LABELED)
-    rng = np.random.default_rng([SEED, number])
-    return ground, [ground.draw(wanted, rng) for _ in range(count)]
+    rng = np.random.default_rng([SEED, number, part])
+    return ground, [ground.draw(wanted, rng) for _ in range(size)]
 
 
-def _dates(run: inputs.Run, number: int, count: int, method: Method, prior_share: float) -> list[Trial]:
-    ground, images = _of_dates(run, number, count)
-    rng = np.random.default_rng([SEED, number, METHODS.index(method)])
+def _dates(run: inputs.Run, number: int, method: Method, prior_share: float, part: int, size: int) -> list[Trial]:
+    ground, images = _of_dates(run, number, part, size)
+    rng = np.random.default_rng([SEED, number, part, METHODS.index(method)])
     return [_near(ground, image, method, rng, prior_share) for image in images]
 
 
@@ -73,50 +73,50 @@ def _near(ground: Ground, image: Image, method: Method, rng: np.random.Generator
     return ground.try_image(image, method)
 
 
-def _rendered(run: inputs.Run, count: int) -> Rows:
+def _rendered(run: inputs.Run) -> Rows:
     """Photos of a landscape that the shipped network has not seen, once as its metadata say and once as if silent."""
     for method in PHOTO_METHODS:
         for told in (True, False):
             name = f"{method.key}: {RENDERED}, bias {'' if told else 'not '}stated"
             if run.wants(name):
-                yield name, partial(_rendered_trials, count, method, told)
+                yield name, partial(_rendered_trials, method, told)
 
 
 @lru_cache(maxsize=1)
-def _shot(count: int) -> tuple[Ground, photos.Network, list[Image]]:
+def _shot(part: int, size: int) -> tuple[Ground, photos.Network, list[Image]]:
     ground, area = photos.sample_ground()
     network = photos.Network(photos.SHIPPED, ground)
     # The landscape's photo has one sun, the same in every picture that is cut from it.
     ground.localizer.errors = replace(ground.localizer.errors, sun_deg=photos.sample_sun_deg())
-    return ground, network, list(photos.sample_photos(area, network, ground, count))
+    return ground, network, list(photos.sample_photos(area, network, ground, size, photos.SEED + part))
 
 
-def _rendered_trials(count: int, method: Method, told: bool) -> list[Trial]:
-    ground, network, shot = _shot(count)
+def _rendered_trials(method: Method, told: bool, part: int, size: int) -> list[Trial]:
+    ground, network, shot = _shot(part, size)
     ground.localizer.heed_biases(*(network.biases if told else photos.SILENT))
     return [ground.try_image(image, method, photos.SAMPLE_RIGHT_M) for image in shot]
 
 
-def _real(run: inputs.Run, count: int) -> Rows:
+def _real(run: inputs.Run) -> Rows:
     for method in PHOTO_METHODS:
         name = f"{method.key}: {REAL}, tile {run.tile} of dubai_aerial, {REAL_PX} px"
         if run.wants(name):
-            yield name, partial(_real_trials, run, count, method)
+            yield name, partial(_real_trials, run, method)
 
 
 @lru_cache(maxsize=1)
-def _of_tile(run: inputs.Run, count: int) -> tuple[Ground, list[Image]]:
+def _of_tile(run: inputs.Run, part: int, size: int) -> tuple[Ground, list[Image]]:
     path = run.data / inputs.TILES / f"tile{run.tile}_label.tif"
     ground = tile_ground(path)
     picture = np.ascontiguousarray(np.moveaxis(inputs.read_labels(str(path).replace("_label", "_image"))[:3], 0, 2))
     network = photos.Network(run.model, ground)
     ground.localizer.heed_biases(*network.biases)
-    rng = np.random.default_rng([SEED, 100])
+    rng = np.random.default_rng([SEED, 100, part])
     wanted = replace(ON_A_TILE, sizes_px=(REAL_PX,), labeled=0.0)
-    images = [ground.draw(wanted, rng) for _ in range(count)]
+    images = [ground.draw(wanted, rng) for _ in range(size)]
     return ground, [replace(i, labels_hw=network.labels(photos.seen(ground, picture, i.view))) for i in images]
 
 
-def _real_trials(run: inputs.Run, count: int, method: Method) -> list[Trial]:
-    ground, shot = _of_tile(run, count)
+def _real_trials(run: inputs.Run, method: Method, part: int, size: int) -> list[Trial]:
+    ground, shot = _of_tile(run, part, size)
     return [ground.try_image(Image(Query(i.view), i.labels_hw), method) for i in shot]

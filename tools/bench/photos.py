@@ -96,10 +96,12 @@ def sample_sun_deg(seed: int = SEED) -> float:
     return float(np.random.default_rng([seed, photo.SEED_OFFSET]).uniform(120, 240))
 
 
-def sample_photos(area_photo: np.ndarray, network: Network, ground: Ground, count: int) -> Iterator[Image]:
-    """Photos of the sample area as the network labels them."""
-    for picture in pictures.plan_photos(ground.labels_hw.shape, SEED, count):
-        seen = photo.shoot(area_photo, picture, SEED)
+def sample_photos(
+    area_photo: np.ndarray, network: Network, ground: Ground, count: int, seed: int = SEED
+) -> Iterator[Image]:
+    """Photos of the sample area as the network labels them; the seed says where and how they are taken."""
+    for picture in pictures.plan_photos(ground.labels_hw.shape, seed, count):
+        seen = photo.shoot(area_photo, picture, seed)
         jpeg = cv2.imencode(".jpg", seen[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])[1]
         found = network.labels(np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1]))
         yield Image(Query(picture.view(len(seen))), found)
