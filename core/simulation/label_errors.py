@@ -121,8 +121,10 @@ def _with_mislabeled_background(
     minimum_area_px: float,
 ) -> np.ndarray:
     """A share of the regions of other classes than those of landmarks gets another of these."""
+    if share <= 0:
+        return labels_hw
     others = np.setdiff1d(np.unique(labels_hw), [UNLABELED, *class_values])
-    if share <= 0 or len(others) < 2:
+    if len(others) < 2:
         return labels_hw
     regions = regions_of(labels_hw, others.tolist(), minimum_area_px)
     classes = mislabeled(np.array([region.value for region in regions]), others, share, rng)
@@ -193,9 +195,11 @@ def _with_swapped_patches(labels_hw: np.ndarray, noise: LabelNoise, rng: np.rand
     The patches are cells around random points, with wandering boundaries; whole cells are taken in random order until
     the share is reached.
     """
+    if noise.patches <= 0:
+        return labels_hw
     height, width = labels_hw.shape
     values = np.unique(labels_hw)
-    if noise.patches <= 0 or len(values) < 2:
+    if len(values) < 2:
         return labels_hw
     size_px = max(noise.patch_size, 1.0)
     count = int(np.ceil(4 * height * width / size_px**2))

@@ -26,6 +26,9 @@ PIXELS = MapFrame.at((0.0, 0.0), 1.0)
 LENS_STEPS = 6
 """Rounds in which a lens is inverted; each makes the rest a twentieth at 3 %."""
 
+STRIP_ROWS = 32
+"""Rows of an image that are cut together."""
+
 
 @dataclass(frozen=True)
 class View:
@@ -103,13 +106,17 @@ def cut(source: LabelSource | np.ndarray, frame: MapFrame, view: View) -> np.nda
     Returns:
         (height_px, width_px[, bands]) of the raster's type; 0 beyond the raster.
     """
-    column, row = frame.to_pixels(np.array(view.position))
-    columns, rows = np.meshgrid(np.arange(view.width_px) + 0.5, np.arange(view.height_px) + 0.5)
-    east, south = _offsets(view, columns, rows, view.pixel_size / frame.pixel_size)
-    # Rounding keeps quarter turns exact: cos 90° ≈ 6e-17 could push a sample over a pixel's edge.
-    columns = np.floor(np.round(column + east, 6)).astype(np.int64)
-    rows = np.floor(np.round(row + south, 6)).astype(np.int64)
-    return _sampled(source, columns, rows)
+    center = frame.to_pixels(np.array(view.position))
+    places = np.empty((2, view.height_px, view.width_px), np.int64)
+    columns, rows = np.arange(view.width_px) + 0.5, np.arange(view.height_px)[:, None] + 0.5
+    # Strip by strip, because what a strip takes stays in the processor's cache.
+    for first in range(0, view.height_px, STRIP_ROWS):
+        strip = slice(first, first + STRIP_ROWS)
+        offsets = _offsets(view, columns, rows[strip], view.pixel_size / frame.pixel_size)
+        for place, at, offset in zip(places, center, offsets):
+            # Rounding keeps quarter turns exact: cos 90° ≈ 6e-17 could push a sample over a pixel's edge.
+            place[strip] = np.floor(np.round(at + offset, 6))
+    return _sampled(source, *places)
 
 
 def lies_on(frame: MapFrame, view: View) -> bool:
@@ -234,6 +241,8 @@ def _sampled(source: LabelSource | np.ndarray, columns: np.ndarray, rows: np.nda
         piece = source[top:bottom, left:right]
     else:
         piece = source.read(left, top, right - left, bottom - top)
+    if columns.min() >= left and columns.max() < right and rows.min() >= top and rows.max() < bottom:
+        return piece[rows - top, columns - left]
     seen = (columns >= left) & (columns < right) & (rows >= top) & (rows < bottom)
     pixels = piece[np.where(seen, rows - top, 0), np.where(seen, columns - left, 0)]
     pixels[~seen] = 0

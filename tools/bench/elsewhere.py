@@ -23,7 +23,7 @@ PAGE = "benchmarks.md"
 SEED = 30_000
 COUNT = 500
 QUICK_COUNT = 10
-PART = 250
+PART = 100
 """Images of one kind that are tried and noted together; each part has its own seed."""
 
 SAMPLE, MIRRORED, MIRRORED_FEW, LATTICES, AERIAL, OTHER_HALF = (
@@ -85,7 +85,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
 _ABOUT = """\
 Constellation, images of 1,280 px that lie nowhere on the map of Liechtenstein (where they are of the map, from its
 southern half). Goal: no fix for any of 30,000 (with none, the 95 % interval ends at 0.013 %); a fix needs a told risk
-of at most 1 in 10,000. Each part of 250 images has its own seed; `--work` keeps what was tried, and more are added by a
+of at most 1 in 10,000. Each part of 100 images has its own seed; `--work` keeps what was tried, and more are added by a
 larger `--count`."""
 
 

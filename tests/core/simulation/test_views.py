@@ -52,6 +52,14 @@ def test_a_map_read_in_pieces_gives_what_the_array_gives(labels_hw):
     np.testing.assert_array_equal(cut(ArrayLabels(labels_hw), PIXELS, view), cut(labels_hw, PIXELS, view))
 
 
+@pytest.mark.parametrize("changes", [{}, {"tilt_deg": 10.0}, {"lens": 0.03}, {"is_mirrored": True}])
+def test_each_pixel_shows_the_place_it_lies_at_whatever_strip_it_is_cut_in(labels_hw, changes):
+    view = View(130.3, -99.8, 33.0, 1.2, 70, 75, **changes)
+    columns, rows = np.meshgrid(np.arange(70) + 0.5, np.arange(75) + 0.5)
+    x, y = map_coordinates(view, columns, rows)
+    np.testing.assert_array_equal(cut(labels_hw, PIXELS, view), labels_hw[(-y).astype(int), x.astype(int)])
+
+
 def test_a_photo_of_three_bands_is_cut_like_a_label_map(labels_hw):
     view = View(120.3, -99.8, 33.0, 1.2, 64, 64)
     seen = cut(np.dstack([labels_hw] * 3), PIXELS, view)
