@@ -76,6 +76,10 @@
    <translation>Ein Linienlayer oder der Pfad einer GPX-, KML-, .plan- oder .waypoints-Datei. Jede Linie ist eine eigene Route.</translation>
   </message>
   <message>
+   <source>A link leads from image {first} to image {second}; the second must come after the first.</source>
+   <translation>Eine Verknüpfung führt von Bild {first} zu Bild {second}; das zweite muss nach dem ersten kommen.</translation>
+  </message>
+  <message>
    <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
    <translation>Ein von SemRef trainiertes Modell, von dem ausgegangen wird: seine Klassen werden nach Namen zugeordnet. Optional.</translation>
   </message>
@@ -2860,6 +2864,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Datenbank wurde ohne ihre Übersicht gelesen, die die Kartenkorrelation durchsucht.</translation>
   </message>
   <message>
+   <source>The deviations of the motion from image {first} to image {second} contradict each other.</source>
+   <translation>Die Abweichungen der Bewegung von Bild {first} zu Bild {second} widersprechen einander.</translation>
+  </message>
+  <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
    <translation>Der Datenträger ist beim Schreiben voll geworden ({name}); Platz schaffen oder einen anderen Ort wählen.</translation>
   </message>
@@ -3142,6 +3150,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>Das Modell nennt seine Auflösung nicht: Das Bild wird genommen, wie es ist.</translation>
+  </message>
+  <message>
+   <source>The motion from image {first} to image {second} has numbers that are none.</source>
+   <translation>Die Bewegung von Bild {first} zu Bild {second} enthält Zahlen, die keine sind.</translation>
   </message>
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
@@ -4550,6 +4562,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{name} has no route: no line, and fewer than two waypoints; choose another one.</source>
    <translation>{name} hat keine Route: keine Linie und weniger als zwei Wegpunkte; eine andere wählen.</translation>
+  </message>
+  <message>
+   <source>{name} is no label image: it has no pixels, or several bands.</source>
+   <translation>{name} ist kein Labelbild: es hat keine Pixel oder mehrere Kanäle.</translation>
   </message>
   <message>
    <source>{name} is no tensor of EfficientNet-Lite0.</source>

@@ -76,6 +76,10 @@
    <translation>Una capa de líneas, o la ruta de un archivo GPX, KML, .plan o .waypoints. Cada línea es una ruta propia.</translation>
   </message>
   <message>
+   <source>A link leads from image {first} to image {second}; the second must come after the first.</source>
+   <translation>Un enlace va de la imagen {first} a la imagen {second}; la segunda debe venir después de la primera.</translation>
+  </message>
+  <message>
    <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
    <translation>Un modelo entrenado por SemRef del que partir: sus clases se asignan por nombre. Opcional.</translation>
   </message>
@@ -2860,6 +2864,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La base de datos se leyó sin su vista general, en la que busca la correlación de mapas.</translation>
   </message>
   <message>
+   <source>The deviations of the motion from image {first} to image {second} contradict each other.</source>
+   <translation>Las desviaciones del movimiento de la imagen {first} a la imagen {second} se contradicen.</translation>
+  </message>
+  <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
    <translation>El disco se llenó al escribir {name}; libere espacio o elija otro lugar.</translation>
   </message>
@@ -3142,6 +3150,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>El modelo no indica su resolución: la imagen se toma tal cual.</translation>
+  </message>
+  <message>
+   <source>The motion from image {first} to image {second} has numbers that are none.</source>
+   <translation>El movimiento de la imagen {first} a la imagen {second} contiene números que no lo son.</translation>
   </message>
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
@@ -4550,6 +4562,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{name} has no route: no line, and fewer than two waypoints; choose another one.</source>
    <translation>{name} no tiene ninguna ruta: ni líneas ni dos puntos de paso; elija otra.</translation>
+  </message>
+  <message>
+   <source>{name} is no label image: it has no pixels, or several bands.</source>
+   <translation>{name} no es una imagen de etiquetas: no tiene píxeles o tiene varias bandas.</translation>
   </message>
   <message>
    <source>{name} is no tensor of EfficientNet-Lite0.</source>

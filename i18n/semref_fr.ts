@@ -76,6 +76,10 @@
    <translation>Une couche de lignes, ou le chemin d’un fichier GPX, KML, .plan ou .waypoints. Chaque ligne est une route à part.</translation>
   </message>
   <message>
+   <source>A link leads from image {first} to image {second}; the second must come after the first.</source>
+   <translation>Un lien mène de l’image {first} à l’image {second} ; la seconde doit venir après la première.</translation>
+  </message>
+  <message>
    <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
    <translation>Un modèle entraîné par SemRef dont on part : ses classes sont associées par leur nom. Facultatif.</translation>
   </message>
@@ -2860,6 +2864,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La base de données a été lue sans sa vue d’ensemble, que parcourt la corrélation de cartes.</translation>
   </message>
   <message>
+   <source>The deviations of the motion from image {first} to image {second} contradict each other.</source>
+   <translation>Les écarts du mouvement de l’image {first} à l’image {second} se contredisent.</translation>
+  </message>
+  <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
    <translation>Le disque est plein pendant l’écriture de {name} ; libérez de l’espace ou choisissez un autre emplacement.</translation>
   </message>
@@ -3142,6 +3150,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>Le modèle n’indique pas sa résolution : l’image est prise telle quelle.</translation>
+  </message>
+  <message>
+   <source>The motion from image {first} to image {second} has numbers that are none.</source>
+   <translation>Le mouvement de l’image {first} à l’image {second} contient des nombres qui n’en sont pas.</translation>
   </message>
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
@@ -4550,6 +4562,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{name} has no route: no line, and fewer than two waypoints; choose another one.</source>
    <translation>{name} n’a pas d’itinéraire : aucune ligne, et moins de deux points de passage ; choisissez-en un autre.</translation>
+  </message>
+  <message>
+   <source>{name} is no label image: it has no pixels, or several bands.</source>
+   <translation>{name} n’est pas une image d’étiquettes : elle n’a pas de pixels, ou a plusieurs bandes.</translation>
   </message>
   <message>
    <source>{name} is no tensor of EfficientNet-Lite0.</source>

@@ -76,6 +76,10 @@
    <translation>线图层，或 GPX、KML、.plan、.waypoints 文件的路径。每条线为一条独立航线。</translation>
   </message>
   <message>
+   <source>A link leads from image {first} to image {second}; the second must come after the first.</source>
+   <translation>连接由图像 {first} 指向图像 {second}；后者必须在前者之后。</translation>
+  </message>
+  <message>
    <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
    <translation>由 SemRef 训练的模型，作为起点：其类别按名称对应。可选。</translation>
   </message>
@@ -2860,6 +2864,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>读取数据库时未包含概览图，而地图相关需要在其中搜索。</translation>
   </message>
   <message>
+   <source>The deviations of the motion from image {first} to image {second} contradict each other.</source>
+   <translation>从图像 {first} 到图像 {second} 的运动偏差相互矛盾。</translation>
+  </message>
+  <message>
    <source>The disk is full while writing {name}; free some space or choose another place.</source>
    <translation>写入 {name} 时磁盘已满；请释放一些空间或选择其他位置。</translation>
   </message>
@@ -3142,6 +3150,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>模型未说明其分辨率：影像按原样处理。</translation>
+  </message>
+  <message>
+   <source>The motion from image {first} to image {second} has numbers that are none.</source>
+   <translation>从图像 {first} 到图像 {second} 的运动含有无效数值。</translation>
   </message>
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
@@ -4550,6 +4562,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{name} has no route: no line, and fewer than two waypoints; choose another one.</source>
    <translation>{name} 中没有航线：没有线，且航点少于两个；请选择其他航线。</translation>
+  </message>
+  <message>
+   <source>{name} is no label image: it has no pixels, or several bands.</source>
+   <translation>{name} 不是标签图像：没有像素，或有多个波段。</translation>
   </message>
   <message>
    <source>{name} is no tensor of EfficientNet-Lite0.</source>

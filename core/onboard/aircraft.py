@@ -16,6 +16,7 @@ AIRCRAFT_ROOMS = (
     "correlation",
     "localizer",
     "segmentation",
+    "flight",
     "onboard",
 )
 """The files and folders of ``core`` that ``python -m core`` runs from; none of them imports another one."""

@@ -1,0 +1,1 @@
+"""Flights: many images, one track, a position where no single image has one."""

@@ -1,0 +1,48 @@
+"""What comes out of a flight: poses, tracks, gaps."""
+
+import numpy as np
+import pytest
+
+from semref.core.errors import ParameterError
+from semref.core.flight.model import FlightImage, FlightPose, FlightResult, Gap, PoseSource
+from semref.core.geometry.pose import PoseCovariance
+from semref.core.localization import Localization, Method, Place, Status
+from semref.core.sentences import Sentence
+
+LOST = Sentence("localization.no_triangles")
+
+
+def pose(number, track=0, **values):
+    if not track:
+        return FlightPose(str(number), number, Status.NO_MATCH, LOST)
+    place = Place((10.0 * number, 0.0), 90.0, 0.5)
+    known = PoseCovariance(((1.0, 0.0), (0.0, 1.0)), 1.0, 0.01, radius_95=2.45)
+    return FlightPose(
+        str(number), number, Status.FIX, None, place, known, 0.01, track=track, size_wh=(100, 80), **values
+    )
+
+
+def test_tracks_are_the_placed_images_and_gaps_the_others():
+    result = FlightResult((pose(0), pose(1), pose(2, 1), pose(3), pose(4, 2), pose(5, 2)))
+    assert [[p.number for p in track] for track in result.tracks] == [[2], [4, 5]]
+    assert result.gaps == (Gap(0, 1, LOST), Gap(3, 3, LOST))
+
+
+def test_a_pose_is_told_like_the_result_of_an_image():
+    own = Localization(Status.FIX, Method.CONSTELLATION, 12, best=Place((0.0, 0.0), 0.0, 1.0))
+    told = pose(3, 1, source=PoseSource.FLIGHT, own=own, is_outvoted=True).localization()
+    assert told.position == (30.0, 0.0)
+    assert (told.confidence, told.error_95_m) == (pytest.approx(0.99), 2.45)
+    assert told.footprint.mean(axis=0) == pytest.approx((30.0, 0.0))
+    assert told.references == 12
+
+
+def test_an_own_fix_that_the_flight_does_not_take_is_no_fix():
+    own = Localization(Status.FIX, Method.CONSTELLATION, 12, best=Place((0.0, 0.0), 0.0, 1.0), confidence=1.0)
+    told = FlightPose("a", 0, Status.NO_MATCH, LOST, own=own).localization()
+    assert not told.is_fix and told.confidence is None and told.reason == LOST
+
+
+def test_an_image_without_pixels_is_refused():
+    with pytest.raises(ParameterError, match=r"a\.png"):
+        FlightImage("a.png", np.zeros((0, 3), np.uint8))
