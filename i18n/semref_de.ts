@@ -2864,7 +2864,7 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Datenbank wurde ohne ihre Übersicht gelesen, die die Kartenkorrelation durchsucht.</translation>
   </message>
   <message>
-   <source>The deviations of the motion from image {first} to image {second} contradict each other.</source>
+   <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Die Abweichungen der Bewegung von Bild {first} zu Bild {second} widersprechen einander.</translation>
   </message>
   <message>

@@ -2864,7 +2864,7 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La base de datos se leyó sin su vista general, en la que busca la correlación de mapas.</translation>
   </message>
   <message>
-   <source>The deviations of the motion from image {first} to image {second} contradict each other.</source>
+   <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Las desviaciones del movimiento de la imagen {first} a la imagen {second} se contradicen.</translation>
   </message>
   <message>

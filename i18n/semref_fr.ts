@@ -2864,7 +2864,7 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La base de données a été lue sans sa vue d’ensemble, que parcourt la corrélation de cartes.</translation>
   </message>
   <message>
-   <source>The deviations of the motion from image {first} to image {second} contradict each other.</source>
+   <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Les écarts du mouvement de l’image {first} à l’image {second} se contredisent.</translation>
   </message>
   <message>

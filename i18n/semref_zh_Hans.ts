@@ -2864,7 +2864,7 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>读取数据库时未包含概览图，而地图相关需要在其中搜索。</translation>
   </message>
   <message>
-   <source>The deviations of the motion from image {first} to image {second} contradict each other.</source>
+   <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>从图像 {first} 到图像 {second} 的运动偏差相互矛盾。</translation>
   </message>
   <message>

@@ -3,7 +3,9 @@
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS_WITH_SENTENCES = ("assessment", "database", "flight", "geometry", "labels", "localization", "onboard", "segmentation")
+ROOMS_WITH_SENTENCES = (
+    *("assessment", "database", "flight", "geometry", "labels", "localization", "onboard", "segmentation"),
+)
 DATA_ONLY = {
     "geometry/error_settings.py",
     *(f"{solver}/settings.py" for solver in ("constellation", "correlation", "localizer")),
