@@ -8,6 +8,18 @@
    <translation>%v von %m erledigt</translation>
   </message>
   <message>
+   <source>--camera-yaw is {yaw:g}; it must be an angle of at most 360 degrees.</source>
+   <translation>--camera-yaw ist {yaw:g}; es muss ein Winkel von höchstens 360 Grad sein.</translation>
+  </message>
+  <message>
+   <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
+   <translation>--mavlink-origin ist {latitude:g} {longitude:g}; es müssen eine geografische Breite und eine Länge in Grad sein.</translation>
+  </message>
+  <message>
+   <source>--mavlink-system is {system}; it must be from 1 to {most}.</source>
+   <translation>--mavlink-system ist {system}; es muss von 1 bis {most} sein.</translation>
+  </message>
+  <message>
    <source>--near is {near}; it must be three numbers up to {most:g}.</source>
    <translation>--near ist {near}; es müssen drei Zahlen bis {most:g} sein.</translation>
   </message>
@@ -4384,8 +4396,8 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{crs} misst nicht in Metern; ein projiziertes KBS in Metern als TARGET_CRS wählen.</translation>
   </message>
   <message>
-   <source>{database} can't tell longitude and latitude, which GGA sentences need.</source>
-   <translation>{database} kann Länge und Breite nicht angeben, die GGA-Sätze brauchen.</translation>
+   <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
+   <translation>{database} gibt keine geografische Länge und Breite her, die GGA-Sätze und MAVLink brauchen.</translation>
   </message>
   <message>
    <source>{database} has no overview, which map correlation searches; export it with one.</source>
@@ -4586,6 +4598,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} Objekte von {name}, die sich berühren, sind ein Polygon mit den Attributen von Objekt {id}.</translation>
+  </message>
+  <message>
+   <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
+   <translation>{option} braucht das Python-Paket {package}; installieren Sie es: pip install {package}.</translation>
   </message>
   <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
@@ -5310,6 +5326,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
    <translation>„{where}“ ist kein UDP-Port dieses Rechners; udp:PORT schreiben, mit PORT von 1 bis 65535.</translation>
+  </message>
+  <message>
+   <source>“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.</source>
+   <translation>„{where}“ ist kein Ziel für MAVLink; schreiben Sie udp:PORT, udp:HOST:PORT, serial:DEVICE oder serial:DEVICE:BAUD.</translation>
   </message>
  </context>
 </TS>

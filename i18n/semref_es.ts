@@ -8,6 +8,18 @@
    <translation>%v de %m hechos</translation>
   </message>
   <message>
+   <source>--camera-yaw is {yaw:g}; it must be an angle of at most 360 degrees.</source>
+   <translation>--camera-yaw es {yaw:g}; debe ser un ángulo de 360 grados como máximo.</translation>
+  </message>
+  <message>
+   <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
+   <translation>--mavlink-origin es {latitude:g} {longitude:g}; deben ser una latitud y una longitud en grados.</translation>
+  </message>
+  <message>
+   <source>--mavlink-system is {system}; it must be from 1 to {most}.</source>
+   <translation>--mavlink-system es {system}; debe estar entre 1 y {most}.</translation>
+  </message>
+  <message>
    <source>--near is {near}; it must be three numbers up to {most:g}.</source>
    <translation>--near es {near}; deben ser tres números de hasta {most:g}.</translation>
   </message>
@@ -4384,8 +4396,8 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{crs} no mide en metros; elija un SRC proyectado en metros como TARGET_CRS.</translation>
   </message>
   <message>
-   <source>{database} can't tell longitude and latitude, which GGA sentences need.</source>
-   <translation>{database} no puede indicar la longitud y la latitud que necesitan las sentencias GGA.</translation>
+   <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
+   <translation>{database} no puede indicar longitud y latitud, que las sentencias GGA y MAVLink necesitan.</translation>
   </message>
   <message>
    <source>{database} has no overview, which map correlation searches; export it with one.</source>
@@ -4586,6 +4598,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} objetos espaciales de {name} que se tocan son un solo polígono con los atributos del objeto espacial {id}.</translation>
+  </message>
+  <message>
+   <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
+   <translation>{option} necesita el paquete de Python {package}; instálelo: pip install {package}.</translation>
   </message>
   <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
@@ -5310,6 +5326,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
    <translation>«{where}» no es un puerto UDP de este equipo; escriba udp:PORT, con PORT de 1 a 65535.</translation>
+  </message>
+  <message>
+   <source>“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.</source>
+   <translation>«{where}» no es un destino para MAVLink; escriba udp:PORT, udp:HOST:PORT, serial:DEVICE o serial:DEVICE:BAUD.</translation>
   </message>
  </context>
 </TS>

@@ -8,6 +8,18 @@
    <translation>%v sur %m terminés</translation>
   </message>
   <message>
+   <source>--camera-yaw is {yaw:g}; it must be an angle of at most 360 degrees.</source>
+   <translation>--camera-yaw vaut {yaw:g} ; ce doit être un angle d’au plus 360 degrés.</translation>
+  </message>
+  <message>
+   <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
+   <translation>--mavlink-origin vaut {latitude:g} {longitude:g} ; il faut une latitude et une longitude en degrés.</translation>
+  </message>
+  <message>
+   <source>--mavlink-system is {system}; it must be from 1 to {most}.</source>
+   <translation>--mavlink-system vaut {system} ; il doit être compris entre 1 et {most}.</translation>
+  </message>
+  <message>
    <source>--near is {near}; it must be three numbers up to {most:g}.</source>
    <translation>--near vaut {near} ; il faut trois nombres d’au plus {most:g}.</translation>
   </message>
@@ -4384,8 +4396,8 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{crs} ne mesure pas en mètres ; choisissez un SCR projeté en mètres comme TARGET_CRS.</translation>
   </message>
   <message>
-   <source>{database} can't tell longitude and latitude, which GGA sentences need.</source>
-   <translation>{database} ne peut donner ni la longitude ni la latitude, dont les phrases GGA ont besoin.</translation>
+   <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
+   <translation>{database} ne peut pas donner la longitude et la latitude, dont les phrases GGA et MAVLink ont besoin.</translation>
   </message>
   <message>
    <source>{database} has no overview, which map correlation searches; export it with one.</source>
@@ -4586,6 +4598,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} entités de {name} qui se touchent forment un seul polygone avec les attributs de l’entité {id}.</translation>
+  </message>
+  <message>
+   <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
+   <translation>{option} a besoin du paquet Python {package} ; installez-le : pip install {package}.</translation>
   </message>
   <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
@@ -5310,6 +5326,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
    <translation>« {where} » n’est pas un port UDP de cet ordinateur ; écrivez udp:PORT, avec PORT de 1 à 65535.</translation>
+  </message>
+  <message>
+   <source>“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.</source>
+   <translation>« {where} » n’est pas une destination pour MAVLink ; écrivez udp:PORT, udp:HOST:PORT, serial:DEVICE ou serial:DEVICE:BAUD.</translation>
   </message>
  </context>
 </TS>

@@ -8,6 +8,18 @@
    <translation>已完成 %v / %m</translation>
   </message>
   <message>
+   <source>--camera-yaw is {yaw:g}; it must be an angle of at most 360 degrees.</source>
+   <translation>--camera-yaw 为 {yaw:g}；必须是不超过 360 度的角度。</translation>
+  </message>
+  <message>
+   <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
+   <translation>--mavlink-origin 为 {latitude:g} {longitude:g}；必须是以度为单位的纬度和经度。</translation>
+  </message>
+  <message>
+   <source>--mavlink-system is {system}; it must be from 1 to {most}.</source>
+   <translation>--mavlink-system 为 {system}；必须在 1 到 {most} 之间。</translation>
+  </message>
+  <message>
    <source>--near is {near}; it must be three numbers up to {most:g}.</source>
    <translation>--near 为 {near}；必须是三个绝对值不超过 {most:g} 的数。</translation>
   </message>
@@ -4384,8 +4396,8 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{crs} 不以米为单位；请选择以米为单位的投影坐标参照系作为 TARGET_CRS。</translation>
   </message>
   <message>
-   <source>{database} can't tell longitude and latitude, which GGA sentences need.</source>
-   <translation>{database} 无法给出 GGA 语句所需的经纬度。</translation>
+   <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
+   <translation>{database} 无法给出经纬度，而 GGA 语句和 MAVLink 需要它们。</translation>
   </message>
   <message>
    <source>{database} has no overview, which map correlation searches; export it with one.</source>
@@ -4586,6 +4598,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{name} 的 {number:.0f} 个相接要素合并为一个多边形，采用要素 {id} 的属性。</translation>
+  </message>
+  <message>
+   <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
+   <translation>{option} 需要 Python 包 {package}；请安装：pip install {package}。</translation>
   </message>
   <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
@@ -5310,6 +5326,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
    <translation>“{where}”不是本机的 UDP 端口；请写成 udp:PORT，PORT 为 1 到 65535。</translation>
+  </message>
+  <message>
+   <source>“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.</source>
+   <translation>“{where}”不是 MAVLink 的目标；请写成 udp:PORT、udp:HOST:PORT、serial:DEVICE 或 serial:DEVICE:BAUD。</translation>
   </message>
  </context>
 </TS>

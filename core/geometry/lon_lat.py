@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Callable
@@ -22,6 +23,12 @@ _CHECKED = 41
 
 _EQUATOR_M, _MERIDIAN_M = 111_319.5, 110_574.3
 """Meters a degree of longitude and the shortest meters a degree of latitude, at WGS 84's equator."""
+
+_SEMI_MAJOR_M, _SQUARED_ECCENTRICITY = 6_378_137.0, 0.00669437999014
+"""Of the ellipsoid of WGS 84."""
+
+_STEP = 1.0
+"""Map units that axes are measured over."""
 
 Transform = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
@@ -100,6 +107,34 @@ def fit_lon_lat(transform: Transform, extent: tuple[float, float, float, float])
         if error <= WANTED_ERROR_M:
             break
     return best if best is not None and best.error_m <= LARGEST_ERROR_M else None
+
+
+def meters_from(origin: tuple[float, float], place: tuple[float, float]) -> tuple[float, float]:
+    """(north, east) in meters of a place from an origin, by the ellipsoid's curvatures halfway between.
+
+    Args:
+        origin: (latitude, longitude), degrees.
+        place: (latitude, longitude), degrees.
+    """
+    middle = math.radians((origin[0] + place[0]) / 2)
+    root = 1 - _SQUARED_ECCENTRICITY * math.sin(middle) ** 2
+    meridian, across = _SEMI_MAJOR_M * (1 - _SQUARED_ECCENTRICITY) / root**1.5, _SEMI_MAJOR_M / math.sqrt(root)
+    around = (place[1] - origin[1] + 180) % 360 - 180
+    return meridian * math.radians(place[0] - origin[0]), across * math.cos(middle) * math.radians(around)
+
+
+def local_axes(lon_lat: LonLatPolynomial, position: tuple[float, float]) -> np.ndarray:
+    """(2, 2): east and north, in meters, of a step of one map unit along the map's x, and of one along its y.
+
+    Args:
+        lon_lat: Of the map.
+        position: Map (x, y).
+    """
+    x, y = position
+    ends = np.array([(x - _STEP, y), (x + _STEP, y), (x, y - _STEP), (x, y + _STEP)])
+    longitudes, latitudes = (values.tolist() for values in lon_lat(ends))
+    steps = (meters_from((latitudes[n], longitudes[n]), (latitudes[n + 1], longitudes[n + 1])) for n in (0, 2))
+    return np.array([(east, north) for north, east in steps]) / (2 * _STEP)
 
 
 def term_count(degree: int) -> int:

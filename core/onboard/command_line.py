@@ -29,6 +29,7 @@ from ..segmentation.class_bias import KnownBiases, known_biases
 from ..sentences import english
 from .format import OnboardDatabase
 from .log import json_line, say, start_log
+from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_place
 from .read import read_onboard
 from .sinks import is_udp, udp_port
 from .watch import watch
@@ -47,6 +48,9 @@ MOST_THREADS = 256
 
 MOST_RISK = 0.5
 """A place that is more likely wrong than right is no fix."""
+
+MOST_SYSTEMS = 255
+"""MAVLink counts aircraft from 1 to this."""
 
 FARTHEST = 1e9
 """Map coordinates and radii beyond are no place on Earth, in any unit of a map."""
@@ -113,6 +117,21 @@ def _check_values(options: argparse.Namespace) -> None:
     for where in (getattr(options, "fixes", None), getattr(options, "gga", None)):
         if is_udp(where):
             udp_port(str(where))
+    if getattr(options, "mavlink", None):
+        _check_mavlink(options)
+
+
+def _check_mavlink(options: argparse.Namespace) -> None:
+    """Refuses what can't be said to an autopilot; raises ParameterError."""
+    check_place(options.mavlink)
+    if not 1 <= options.mavlink_system <= MOST_SYSTEMS:
+        raise ParameterError("onboard.mavlink_system", system=options.mavlink_system, most=MOST_SYSTEMS)
+    if options.mavlink_origin is not None:
+        latitude, longitude = options.mavlink_origin
+        if not (abs(latitude) <= 90 and abs(longitude) <= 180):
+            raise ParameterError("onboard.mavlink_origin", latitude=latitude, longitude=longitude)
+    if not abs(options.camera_yaw) <= 360:
+        raise ParameterError("onboard.camera_yaw", yaw=options.camera_yaw)
 
 
 def _write(text: str) -> None:
@@ -148,6 +167,7 @@ def _parser() -> argparse.ArgumentParser:
     where = "a file to append to, “-” for stdout, or udp:PORT on this computer (127.0.0.1)"
     watch.add_argument("--fixes", metavar="WHERE", default="-", help=f"JSON lines: {where} (default: stdout)")
     watch.add_argument("--gga", metavar="WHERE", help=f"NMEA GGA sentences: {where}")
+    _add_mavlink(watch)
     watch.add_argument("--once", action="store_true", help="end when the images that are there are done")
     watch.set_defaults(command=_watch)
     for command in (localize, watch):
@@ -169,6 +189,18 @@ def _parser() -> argparse.ArgumentParser:
         text = "least severe of the JSON lines of the log on stderr (default: warning)"
         command.add_argument("--log-level", choices=levels, default="warning", help=text)
     return parser
+
+
+def _add_mavlink(watch: argparse.ArgumentParser) -> None:
+    where = "udp:PORT of this computer, udp:HOST:PORT, or serial:DEVICE[:BAUD]"
+    watch.add_argument("--mavlink", metavar="WHERE", help=f"positions for an autopilot (needs pymavlink): {where}")
+    text = f"message that a position is sent as (default: {MESSAGES[0]})"
+    watch.add_argument("--mavlink-as", choices=MESSAGES, default=MESSAGES[0], help=text)
+    watch.add_argument("--mavlink-system", type=int, default=1, metavar="N", help="number of the aircraft (default: 1)")
+    text = "the autopilot's own origin, degrees; without it, it is told the middle of the map"
+    watch.add_argument("--mavlink-origin", nargs=2, type=float, metavar=("LAT", "LON"), help=text)
+    text = "where the image's top points to, degrees clockwise from the aircraft's nose (default: 0)"
+    watch.add_argument("--camera-yaw", type=float, default=0.0, metavar="DEG", help=text)
 
 
 def _option(method: Method) -> str:
@@ -337,7 +369,18 @@ def _watch(options: argparse.Namespace) -> int:
         raise ParameterError("onboard.no_folder", folder=options.folder)
     onboard = read_onboard(options.database, key_file=options.require_signature)
     find = _finder(options, onboard)
-    if options.gga and onboard.lon_lat is None:
+    if (options.gga or options.mavlink) and onboard.lon_lat is None:
         raise DatabaseError("onboard.no_lon_lat", database=options.database)
-    statuses, lost = watch(options.folder, options.once, find, options.fixes, options.gga)
+    statuses, lost = watch(
+        options.folder, options.once, find, options.fixes, options.gga, _mavlink_sink(options, onboard)
+    )
     return REFUSED if lost else _exit_code(statuses)
+
+
+def _mavlink_sink(options: argparse.Namespace, onboard: OnboardDatabase) -> MavlinkSink | None:
+    """The autopilot that is to be told; None without one."""
+    if not options.mavlink or onboard.lon_lat is None:
+        return None
+    origin = tuple(options.mavlink_origin) if options.mavlink_origin else None
+    told = MavlinkOptions(options.mavlink, options.mavlink_as, options.mavlink_system, origin, options.camera_yaw)
+    return MavlinkSink(told, onboard.lon_lat)

@@ -10,6 +10,7 @@ import logging
 import os
 import socket
 import sys
+from typing import Callable
 
 from ..errors import ParameterError
 from .log import say
@@ -34,8 +35,12 @@ class Sink:
 
     def send(self, line: str) -> None:
         """Sends one line with its end; one that can't be sent is lost, counted and told."""
+        self.attempt(lambda: self._take(line))
+
+    def attempt(self, send: Callable[[], None]) -> None:
+        """Calls what sends; what it can't send is lost, counted and told."""
         try:
-            self._take(line)
+            send()
         except OSError as error:
             self.lost += 1
             if not self._fails:

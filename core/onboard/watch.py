@@ -9,15 +9,18 @@ import logging
 import os
 import time
 from collections.abc import Iterator
-from contextlib import closing
+from contextlib import ExitStack, closing
 from datetime import datetime, timezone
-from typing import Any, Callable
+from typing import TYPE_CHECKING, Any, Callable
 
 from ..errors import ParameterError
 from ..labels.image_files import is_image_name
 from ..localizer.record import gga_sentence
 from .log import json_line, say
 from .sinks import opened
+
+if TYPE_CHECKING:
+    from .mavlink import MavlinkSink
 
 LOOK_EVERY_S = 0.2
 """How often a folder is looked into; an image is taken when it has not changed from one look to the next."""
@@ -26,8 +29,13 @@ State = tuple[int, int]
 """(time of change in ns, bytes) of an image."""
 
 
-def watch(
-    folder: str, once: bool, find: Callable[[str], dict[str, Any]], fixes: str | None, gga: str | None
+def watch(  # noqa: PLR0913 - each sink is a place of its own
+    folder: str,
+    once: bool,
+    find: Callable[[str], dict[str, Any]],
+    fixes: str | None,
+    gga: str | None,
+    mavlink: MavlinkSink | None = None,
 ) -> tuple[set[str], int]:
     """Localizes a folder's images as they come, without end unless ``once``.
 
@@ -37,6 +45,7 @@ def watch(
         find: Path → record of an image.
         fixes: Where a JSON line for each image goes, see ``sinks.opened``.
         gga: Where a GGA sentence for each image goes.
+        mavlink: An autopilot that is told; closed at the end.
 
     Returns:
         The statuses that images had, and how many lines could not be sent.
@@ -45,13 +54,19 @@ def watch(
         ParameterError: A sink can't be opened, or with ``once`` the folder can't be looked into.
     """
     statuses = set()
-    with closing(opened(fixes)) as fix_sink, closing(opened(gga)) as gga_sink:
+    with ExitStack() as stack:
+        fix_sink, gga_sink = (stack.enter_context(closing(opened(where))) for where in (fixes, gga))
+        if mavlink is not None:
+            stack.enter_context(closing(mavlink))
         for path in arriving(folder, once):
             found = find(path)
+            # The autopilot first: it flies by it.
+            if mavlink is not None:
+                mavlink.send_found(found)
             fix_sink.send(json_line(found) + "\n")
             gga_sink.send(_gga(found) + "\r\n")
             statuses.add(found["status"])
-    return statuses, fix_sink.lost + gga_sink.lost
+    return statuses, fix_sink.lost + gga_sink.lost + (0 if mavlink is None else mavlink.lost)
 
 
 def _gga(found: dict[str, Any]) -> str:

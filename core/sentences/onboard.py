@@ -8,10 +8,19 @@ SENTENCES = {
     "onboard.risk": "--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.",
     "onboard.no_overview": "{database} has no overview, which map correlation searches; export it with one.",
     "onboard.no_folder": "There is no folder {folder}; create it or watch another one.",
-    "onboard.no_lon_lat": "{database} can't tell longitude and latitude, which GGA sentences need.",
+    "onboard.no_lon_lat": "{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.",
     "onboard.folder_gone": "The folder {folder} can't be looked into ({reason}); start again when it can.",
     "onboard.unwritable": "{where} can't be written: {reason}; choose another place.",
     "onboard.no_udp_port": "“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.",
+    "onboard.no_mavlink_place": (
+        "“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD."
+    ),
+    "onboard.mavlink_system": "--mavlink-system is {system}; it must be from 1 to {most}.",
+    "onboard.mavlink_origin": (
+        "--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees."
+    ),
+    "onboard.camera_yaw": "--camera-yaw is {yaw:g}; it must be an angle of at most 360 degrees.",
+    "onboard.package_missing": "{option} needs the Python package {package}; install it: pip install {package}.",
     "onboard.no_file": "There is no file {path}; export one or choose another.",
     "onboard.unreadable": "{path} can't be read: {reason}.",
     "onboard.foreign": "{path} is no onboard file of SemRef; choose one that SemRef exported.",

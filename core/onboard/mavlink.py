@@ -1,0 +1,281 @@
+"""Positions for an autopilot: MAVLink 2 over UDP or a serial line, by pymavlink, which only this file needs.
+
+Autopilots reckon in meters north and east of an origin. It is the middle of the map unless it is stated, so that it
+is the same after a restart; an autopilot that has none takes the one that is sent. What an image can't tell – height,
+roll, pitch – is 0 with a deviation of ``UNKNOWN``. Told in docs/guide/flights.md#mavlink.
+"""
+
+from __future__ import annotations
+
+import math
+import socket
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import datetime, timezone
+from typing import Any, Protocol
+
+import numpy as np
+
+from ..errors import ParameterError
+from ..geometry.lon_lat import LonLatPolynomial, local_axes, meters_from
+from .sinks import LOOPBACK, Sink
+
+MESSAGES = ("odometry", "vision", "external")
+"""What a position may be sent as: ODOMETRY, VISION_POSITION_ESTIMATE, MAV_CMD_EXTERNAL_POSITION_ESTIMATE."""
+
+UDP, SERIAL = "udp:", "serial:"
+BAUD = 115_200
+"""Of a serial line, unless told."""
+
+UNKNOWN = 100.0
+"""Standard deviation of what is not known: meters of height, radians of roll and pitch."""
+
+HEARTBEAT_S = 1.0
+"""How often a component says that it is there, as MAVLink wants it."""
+
+WRAP_S = 200.0
+"""The time of a command wraps around: the 32 bits of its field then resolve 15 µs."""
+
+
+@dataclass(frozen=True)
+class MavlinkOptions:
+    """How positions are sent.
+
+    Attributes:
+        where: ``udp:PORT`` of this computer, ``udp:HOST:PORT``, ``serial:DEVICE`` or ``serial:DEVICE:BAUD``.
+        message: One of ``MESSAGES``.
+        system: Number of the aircraft.
+        origin: (latitude, longitude) in degrees of the autopilot's own origin; None where it takes the map's middle.
+        camera_yaw_deg: Where the image's top points to, clockwise from the aircraft's nose.
+    """
+
+    where: str
+    message: str = MESSAGES[0]
+    system: int = 1
+    origin: tuple[float, float] | None = None
+    camera_yaw_deg: float = 0.0
+
+
+class _Line(Protocol):
+    def write(self, data: bytes) -> object: ...
+
+    def close(self) -> None: ...
+
+
+class _Udp:
+    def __init__(self, host: str, port: int) -> None:
+        self._to = host, port
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+
+    def write(self, data: bytes) -> None:
+        self._socket.sendto(data, self._to)
+
+    def close(self) -> None:
+        self._socket.close()
+
+
+class MavlinkSink(Sink):
+    """Takes records of images; those without a position are a sign of life alone.
+
+    So are those without a heading, which only commands can do without.
+    """
+
+    def __init__(self, options: MavlinkOptions, lon_lat: LonLatPolynomial) -> None:
+        """Opens the line.
+
+        Args:
+            options: Where to, and how.
+            lon_lat: Of the database.
+
+        Raises:
+            ParameterError: The place is none, can't be opened, or a package is missing.
+        """
+        super().__init__(options.where)
+        self._options, self._lon_lat = options, lon_lat
+        self._dialect = _dialect()
+        self._line = _opened(options.where)
+        component = self._dialect.MAV_COMP_ID_VISUAL_INERTIAL_ODOMETRY
+        self._mavlink = self._dialect.MAVLink(self._line, srcSystem=options.system, srcComponent=component)
+        self._heard = -math.inf
+        if options.origin is None:
+            longitudes, latitudes = lon_lat(np.array([lon_lat.center]))
+            self._origin, self._is_told = (float(latitudes[0]), float(longitudes[0])), False
+        else:
+            self._origin, self._is_told = options.origin, True
+
+    def send_found(self, found: dict[str, Any]) -> None:
+        """Sends what was found for an image, by the columns of its record."""
+        self.attempt(lambda: self._send(found))
+
+    def close(self) -> None:
+        """Lets go of the line."""
+        self._line.close()
+
+    def _send(self, found: dict[str, Any]) -> None:
+        now = time.monotonic()
+        if now - self._heard >= HEARTBEAT_S:
+            dialect = self._dialect
+            kind, pilot = dialect.MAV_TYPE_ONBOARD_CONTROLLER, dialect.MAV_AUTOPILOT_INVALID
+            self._mavlink.heartbeat_send(kind, pilot, 0, 0, dialect.MAV_STATE_ACTIVE)
+            self._heard = now
+        is_external = self._options.message == "external"
+        if found.get("longitude") is None or (found.get("heading") is None and not is_external):
+            return
+        taken = datetime.fromisoformat(found["time"]) if found.get("time") else datetime.now(timezone.utc)
+        place = _placed(found, self._lon_lat, self._origin, self._options.camera_yaw_deg)
+        if is_external:
+            self._send_external(place, taken)
+            return
+        if not self._is_told:
+            latitude, longitude = self._origin
+            where = round(latitude * 1e7), round(longitude * 1e7)
+            self._mavlink.set_gps_global_origin_send(self._options.system, *where, 0, _microseconds(taken))
+            self._is_told = True
+        (self._send_odometry if self._options.message == "odometry" else self._send_vision)(place, taken)
+
+    def _send_odometry(self, place: _Placed, taken: datetime) -> None:
+        dialect, unknown = self._dialect, math.nan
+        half = place.yaw / 2
+        self._mavlink.odometry_send(
+            _microseconds(taken),
+            dialect.MAV_FRAME_LOCAL_NED,
+            dialect.MAV_FRAME_BODY_FRD,
+            *(place.north, place.east, 0.0),
+            [math.cos(half), 0.0, 0.0, math.sin(half)],
+            *[unknown] * 6,
+            place.covariance,
+            [unknown] * 21,
+            place.resets,
+            dialect.MAV_ESTIMATOR_TYPE_VISION,
+            place.quality,
+        )
+
+    def _send_vision(self, place: _Placed, taken: datetime) -> None:
+        position, angles = (place.north, place.east, 0.0), (0.0, 0.0, place.yaw)
+        self._mavlink.vision_position_estimate_send(
+            _microseconds(taken), *position, *angles, place.covariance, place.resets
+        )
+
+    def _send_external(self, place: _Placed, taken: datetime) -> None:
+        dialect = self._dialect
+        now = datetime.now(timezone.utc)
+        # An image of another day was not worked on since then: its clock is not this computer's.
+        age = (now - taken).total_seconds()
+        worked = age if 0 <= age < WRAP_S else 0.0
+        self._mavlink.command_int_send(
+            self._options.system,
+            dialect.MAV_COMP_ID_AUTOPILOT1,
+            dialect.MAV_FRAME_GLOBAL,
+            dialect.MAV_CMD_EXTERNAL_POSITION_ESTIMATE,
+            *(0, 0),
+            *(now.timestamp() % WRAP_S, worked, place.deviation, math.nan),
+            *(round(place.latitude * 1e7), round(place.longitude * 1e7), math.nan),
+        )
+
+
+@dataclass(frozen=True)
+class _Placed:
+    """A position as autopilots have it.
+
+    Attributes:
+        latitude: Degrees.
+        longitude: Degrees.
+        north: Meters from the origin.
+        east: Meters from the origin.
+        yaw: Of the aircraft's nose, radians clockwise from true north, −π to π.
+        covariance: 21 numbers: the upper right of (north, east, down, roll, pitch, yaw), row by row.
+        deviation: Standard deviation along the axis where it is largest, meters; NaN where unknown.
+        resets: Changes when what comes next does not continue what came before: the number of the track, 0 to 255.
+        quality: 1 to 100 %, 0 where unknown.
+    """
+
+    latitude: float
+    longitude: float
+    north: float
+    east: float
+    yaw: float
+    covariance: Sequence[float]
+    deviation: float
+    resets: int
+    quality: int
+
+
+def _placed(
+    found: dict[str, Any], lon_lat: LonLatPolynomial, origin: tuple[float, float], camera_yaw_deg: float
+) -> _Placed:
+    """A record with a position, from the map's grid to true north and meters on the ellipsoid."""
+    latitude, longitude = found["latitude"], found["longitude"]
+    north, east = meters_from(origin, (latitude, longitude))
+    axes = local_axes(lon_lat, (found["x"], found["y"]))
+    convergence = math.atan2(axes[1, 0], axes[1, 1])
+    heading = math.radians((found.get("heading") or 0.0) - camera_yaw_deg) + convergence
+    covariance, deviation = [math.nan] * 21, math.nan
+    if found.get("sigma_east") is not None:
+        sigma_x, sigma_y, together = found["sigma_east"], found["sigma_north"], found["correlation"]
+        on_map = np.array([[sigma_x**2, together * sigma_x * sigma_y], [together * sigma_x * sigma_y, sigma_y**2]])
+        # As rows of (east, north).
+        true = axes.T @ on_map @ axes
+        deviation = math.sqrt(float(np.linalg.eigvalsh(true)[-1]))
+        turn = math.radians(found["sigma_heading"]) if found.get("sigma_heading") is not None else UNKNOWN
+        full = np.diag([true[1, 1], true[0, 0], *[UNKNOWN**2] * 3, turn**2])
+        full[0, 1] = full[1, 0] = true[0, 1]
+        covariance = full[np.triu_indices(6)].tolist()
+    confidence = found.get("confidence")
+    return _Placed(
+        latitude,
+        longitude,
+        north,
+        east,
+        math.atan2(math.sin(heading), math.cos(heading)),
+        covariance,
+        deviation,
+        int(found.get("track") or 0) % 256,
+        0 if confidence is None else max(1, min(100, round(100 * confidence))),
+    )
+
+
+def _microseconds(moment: datetime) -> int:
+    return round(moment.timestamp() * 1e6)
+
+
+def check_place(where: str) -> None:
+    """Raises ParameterError for what is no place that messages can go to."""
+    _split(where)
+
+
+def _split(where: str) -> tuple[str, str, int]:
+    """(kind, host or device, port or rate) of a place. Raises ParameterError."""
+    kind = next((kind for kind in (UDP, SERIAL) if where.startswith(kind)), "")
+    first, _, last = where[len(kind) :].rpartition(":")
+    if kind == UDP and last.isdecimal() and len(last) <= 5 and 0 < int(last) < 65_536:
+        return kind, first or LOOPBACK, int(last)
+    if kind == SERIAL and first and last.isdecimal() and 0 < len(last) <= 8:
+        return kind, first, int(last)
+    if kind == SERIAL and last and not last.isdecimal():
+        return kind, where[len(kind) :], BAUD
+    raise ParameterError("onboard.no_mavlink_place", where=where)
+
+
+def _opened(where: str) -> _Line:
+    kind, name, number = _split(where)
+    try:
+        if kind == UDP:
+            return _Udp(name, number)
+        try:
+            from serial import Serial
+        except ImportError:
+            raise ParameterError("onboard.package_missing", package="pyserial", option="--mavlink serial:") from None
+        return Serial(name, number, write_timeout=1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise ParameterError("onboard.unwritable", where=where, reason=reason) from None
+
+
+def _dialect() -> Any:  # noqa: ANN401 - a module without types
+    """The messages of pymavlink. Raises ParameterError when it is missing."""
+    try:
+        from pymavlink.dialects.v20 import ardupilotmega
+    except ImportError:
+        raise ParameterError("onboard.package_missing", package="pymavlink", option="--mavlink") from None
+    return ardupilotmega

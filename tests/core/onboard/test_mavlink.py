@@ -1,0 +1,248 @@
+"""``python -m core watch --mavlink``: what an autopilot hears, read by pymavlink's own receiver."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import select
+from datetime import datetime, timezone
+
+import cv2
+import numpy as np
+import pytest
+from onboard_area import CENTER, HERE, linear, write_area
+
+from semref.core.errors import ParameterError
+from semref.core.geometry.lon_lat import fit_lon_lat, local_axes, meters_from
+from semref.core.onboard.command_line import ALL_FIXED, REFUSED, WRONG_USAGE, main
+from semref.core.onboard.mavlink import UNKNOWN, MavlinkOptions, MavlinkSink
+
+EXTENT = (600000.0, 5199300.0, 600700.0, 5200000.0)
+TAKEN = "2026-05-01T10:00:00.250000+00:00"
+
+
+@pytest.fixture(scope="module")
+def mavutil():
+    os.environ["MAVLINK20"] = "1"
+    return pytest.importorskip("pymavlink.mavutil", reason="pymavlink is not here")
+
+
+@pytest.fixture
+def autopilot(mavutil):
+    """(where it listens, `heard(kind, wait=3)`: its next message of that kind, None after so many seconds)."""
+    connection = mavutil.mavlink_connection("udpin:127.0.0.1:0", dialect="ardupilotmega")
+    port = connection.port.getsockname()[1]
+    yield f"udp:{port}", lambda kind, wait=3: connection.recv_match(type=kind, blocking=True, timeout=wait)
+    connection.close()
+
+
+@pytest.fixture(scope="module")
+def lon_lat():
+    return fit_lon_lat(linear, EXTENT)
+
+
+def record(**values):
+    longitude, latitude = (float(v[0]) for v in linear(np.array([CENTER])))
+    return {
+        "time": TAKEN,
+        "status": "fix",
+        "x": CENTER[0],
+        "y": CENTER[1],
+        "longitude": longitude,
+        "latitude": latitude,
+        "heading": 30.0,
+        "confidence": 0.98,
+        "sigma_east": 3.0,
+        "sigma_north": 2.0,
+        "correlation": 0.5,
+        "sigma_heading": 1.5,
+        "track": 2,
+        **values,
+    }
+
+
+def sent(autopilot, lon_lat, kind, message, *records, **options):
+    where, heard = autopilot
+    sink = MavlinkSink(MavlinkOptions(where, message, **options), lon_lat)
+    for one in records:
+        sink.send_found(one)
+    sink.close()
+    assert sink.lost == 0
+    return heard(kind)
+
+
+def middle_of_map():
+    return 600350.0, 5199650.0
+
+
+def test_odometry_has_meters_from_the_middle_of_the_map_and_the_heading(autopilot, lon_lat):
+    found = sent(autopilot, lon_lat, "ODOMETRY", "odometry", record())
+    scale = 111_319.5 * math.cos(math.radians(46.997)) / 80_000
+    x, y = middle_of_map()
+    assert found.y == pytest.approx((CENTER[0] - x) * scale, rel=0.005)
+    assert found.x == pytest.approx((CENTER[1] - y) * 111_170 / 111_000, rel=0.005)
+    assert (found.frame_id, found.child_frame_id) == (1, 12)
+    yaw = 2 * math.atan2(found.q[3], found.q[0])
+    assert math.degrees(yaw) == pytest.approx(30, abs=0.5)
+    assert found.time_usec == round(datetime.fromisoformat(TAKEN).timestamp() * 1e6)
+    assert (found.reset_counter, found.quality, found.estimator_type) == (2, 98, 2)
+    assert math.isnan(found.vx) and math.isnan(found.velocity_covariance[0])
+
+
+def test_its_covariance_is_that_of_the_record_with_what_is_not_known(autopilot, lon_lat):
+    found = sent(autopilot, lon_lat, "ODOMETRY", "odometry", record())
+    full = np.zeros((6, 6))
+    full[np.triu_indices(6)] = found.pose_covariance
+    axes = local_axes(lon_lat, CENTER)
+    # North first; the map's axes are scaled here, not turned.
+    assert full[0, 0] == pytest.approx((2 * axes[1, 1]) ** 2, rel=1e-3)
+    assert full[1, 1] == pytest.approx((3 * axes[0, 0]) ** 2, rel=1e-3)
+    assert full[0, 1] == pytest.approx(0.5 * 2 * 3 * axes[0, 0] * axes[1, 1], rel=1e-3)
+    assert full[2, 2] == full[3, 3] == pytest.approx(UNKNOWN**2)
+    assert full[5, 5] == pytest.approx(math.radians(1.5) ** 2, rel=1e-3)
+
+
+def test_an_autopilot_without_an_origin_is_told_the_middle_of_the_map(autopilot, lon_lat):
+    found = sent(autopilot, lon_lat, ["GPS_GLOBAL_ORIGIN", "SET_GPS_GLOBAL_ORIGIN"], "odometry", record())
+    longitude, latitude = (float(v[0]) for v in linear(np.array([middle_of_map()])))
+    assert (found.latitude, found.longitude) == (round(latitude * 1e7), round(longitude * 1e7))
+
+
+def test_an_origin_of_its_own_is_reckoned_from_and_not_told(autopilot, lon_lat):
+    origin = record()["latitude"], record()["longitude"]
+    where, heard = autopilot
+    sink = MavlinkSink(MavlinkOptions(where, "vision", origin=origin), lon_lat)
+    sink.send_found(record())
+    sink.close()
+    kinds = [heard(None).get_type() for _ in range(2)]
+    assert kinds == ["HEARTBEAT", "VISION_POSITION_ESTIMATE"]
+
+
+def test_a_vision_estimate_has_the_same_pose_and_heeds_how_the_camera_is_mounted(autopilot, lon_lat):
+    found = sent(autopilot, lon_lat, "VISION_POSITION_ESTIMATE", "vision", record(heading=350.0), camera_yaw_deg=-90.0)
+    assert math.degrees(found.yaw) == pytest.approx(80, abs=0.5)
+    assert (found.z, found.roll, found.pitch, found.reset_counter) == (0, 0, 0, 2)
+    assert found.covariance[0] == pytest.approx(4, rel=0.02)
+
+
+def test_a_slow_fix_is_a_command_with_longitude_latitude_and_accuracy(autopilot, lon_lat):
+    now = datetime.now(timezone.utc)
+    found = sent(autopilot, lon_lat, "COMMAND_INT", "external", record(time=now.isoformat(), heading=None))
+    assert (found.command, found.frame, found.target_system, found.target_component) == (43003, 0, 1, 1)
+    assert (found.x, found.y) == (round(record()["latitude"] * 1e7), round(record()["longitude"] * 1e7))
+    assert 0 <= found.param2 < 5 and math.isnan(found.z)
+    # The larger semi-axis of one standard deviation.
+    expected = math.sqrt(np.linalg.eigvalsh([[9, 3], [3, 4]])[-1])
+    assert found.param3 == pytest.approx(expected, rel=0.06)
+
+
+@pytest.mark.parametrize("message", ["odometry", "vision"])
+@pytest.mark.parametrize("lacking", ["x", "heading"])
+def test_without_a_pose_there_is_a_sign_of_life_alone(autopilot, lon_lat, message, lacking):
+    missing = {"x": None, "longitude": None} if lacking == "x" else {"heading": None}
+    where, heard = autopilot
+    sink = MavlinkSink(MavlinkOptions(where, message), lon_lat)
+    sink.send_found(record(**missing))
+    sink.close()
+    found = heard(None)
+    assert (found.get_type(), found.get_srcSystem(), found.get_srcComponent()) == ("HEARTBEAT", 1, 197)
+    assert heard(["ODOMETRY", "VISION_POSITION_ESTIMATE"], 0.2) is None
+
+
+def test_a_turned_grid_turns_heading_and_covariance():
+    """A map whose y points north-east."""
+
+    def transform(points_xy):
+        u, v = (points_xy - [1000.0, 1000.0]).T
+        east, north = (u + v) / math.sqrt(2), (v - u) / math.sqrt(2)
+        return 9 + east / (111_319.5 * math.cos(math.radians(47))), 47 + north / 111_170
+
+    axes = local_axes(fit_lon_lat(transform, (0.0, 0.0, 2000.0, 2000.0)), (1000.0, 1000.0))
+    assert math.degrees(math.atan2(axes[1, 0], axes[1, 1])) == pytest.approx(45, abs=0.2)
+    assert np.hypot(*axes.T) == pytest.approx([1, 1], rel=0.004)
+
+
+def test_meters_on_the_ellipsoid():
+    """A degree of latitude and of longitude at 45°, after the tables of WGS 84."""
+    assert meters_from((44.5, 9.0), (45.5, 9.0)) == pytest.approx((111_132, 0), abs=3)
+    assert meters_from((45.0, 179.5), (45.0, -179.5)) == pytest.approx((0, 78_847), abs=3)
+
+
+def test_a_serial_line_hears_it(mavutil, lon_lat):
+    pytest.importorskip("serial", reason="pyserial is not here")
+    pty = pytest.importorskip("pty")
+    ours, theirs = pty.openpty()
+    sink = MavlinkSink(MavlinkOptions(f"serial:{os.ttyname(theirs)}:57600"), lon_lat)
+    sink.send_found(record())
+    data = b""
+    while select.select([ours], [], [], 0.5)[0]:
+        data += os.read(ours, 4000)
+    sink.close()
+    os.close(ours)
+    os.close(theirs)
+    from pymavlink.dialects.v20 import ardupilotmega
+
+    kinds = [message.get_type() for message in ardupilotmega.MAVLink(None).parse_buffer(data)]
+    assert kinds == ["HEARTBEAT", "SET_GPS_GLOBAL_ORIGIN", "ODOMETRY"]
+
+
+# --- the command line ---
+
+
+@pytest.fixture(scope="module")
+def database(tmp_path_factory):
+    path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
+    write_area(path)
+    return path
+
+
+def test_watch_tells_an_autopilot_where_it_is(database, autopilot, tmp_path):
+    folder = tmp_path / "incoming"
+    folder.mkdir()
+    cv2.imwrite(str(folder / "a.png"), HERE)
+    where, heard = autopilot
+    fixes = tmp_path / "fixes"
+    arguments = ["watch", str(folder), "--database", database, "--once", "--fixes", str(fixes), "--mavlink", where]
+    assert main([*arguments, "--mavlink-as", "external"]) == ALL_FIXED
+    row, found = json.loads(fixes.read_text()), heard("COMMAND_INT")
+    assert found.x == pytest.approx(row["latitude"] * 1e7, abs=1)
+    assert found.y == pytest.approx(row["longitude"] * 1e7, abs=1)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["--mavlink", "udp:0"], "no place for MAVLink"),
+        (["--mavlink", "tcp:1.2.3.4:5"], "no place for MAVLink"),
+        (["--mavlink", "serial:"], "no place for MAVLink"),
+        (["--mavlink", "udp:14550", "--mavlink-system", "256"], "--mavlink-system is 256"),
+        (["--mavlink", "udp:14550", "--mavlink-origin", "91", "0"], "--mavlink-origin is 91 0"),
+        (["--mavlink", "udp:14550", "--mavlink-origin", "nan", "0"], "--mavlink-origin is nan 0"),
+        (["--mavlink", "udp:14550", "--camera-yaw", "361"], "--camera-yaw is 361"),
+    ],
+)
+def test_what_can_not_be_is_refused_before_any_work(database, tmp_path, capsys, arguments, sentence):
+    assert main(["watch", str(tmp_path), "--database", database, "--once", *arguments]) == WRONG_USAGE
+    assert sentence in capsys.readouterr().err
+
+
+def test_a_line_that_is_not_there_is_refused_by_name(mavutil, database, tmp_path, capsys):
+    pytest.importorskip("serial", reason="pyserial is not here")
+    arguments = ["watch", str(tmp_path), "--database", database, "--once", "--mavlink", "serial:/dev/none"]
+    assert main(arguments) == REFUSED
+    assert "serial:/dev/none can't be written" in capsys.readouterr().err
+
+
+def test_without_pymavlink_it_says_what_to_install(monkeypatch, lon_lat):
+    monkeypatch.setitem(__import__("sys").modules, "pymavlink.dialects.v20", None)
+    with pytest.raises(ParameterError, match="pip install pymavlink"):
+        MavlinkSink(MavlinkOptions("udp:14550"), lon_lat)
+
+
+def test_a_host_that_can_not_be_reached_is_told_and_counted(mavutil, lon_lat):
+    sink = MavlinkSink(MavlinkOptions("udp:256.1.1.1:14550"), lon_lat)
+    sink.send_found(record())
+    sink.send_found({"time": None, "x": None})
+    sink.close()
+    assert sink.lost >= 1
