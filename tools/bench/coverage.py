@@ -145,27 +145,38 @@ class Told:
 def measure(run: inputs.Run) -> dict[str, str]:
     if run.area.name == "sample":
         return {"coverage": "Not measured: the real data is not here."}
-    count = run.how_many(COUNT, QUICK_COUNT)
+    ground = Ground.of(run)
+    alone, with_areas = _table(run, ground, True), _table(run, ground, False)
+    sections = {}
+    if alone:
+        about = _ABOUT.format(half=run.half, displaced=DISPLACED_M, share=100 * RIGHT_SHARE, spread=NETWORK_SPREAD)
+        sections["coverage"] = f"{about}\n\n{page.table(COLUMNS, alone)}"
+    if with_areas:
+        about = _ABOUT_AREAS.format(radius=PRIOR_RADIUS_M)
+        sections["coverage of map correlation"] = f"{about}\n\n{page.table(COLUMNS, with_areas)}"
+    return sections
+
+
+def _table(run: inputs.Run, ground: Ground, is_alone: bool) -> list[list[str]]:
+    """Rows of the constellation alone, or of the roads that areas have a part in."""
     rows = []
-    for name, sizes, measured in _rows(run, count):
+    for name, sizes, measured in _rows(run, ground, run.how_many(COUNT, QUICK_COUNT)):
+        if name.startswith(Method.CONSTELLATION.key) != is_alone:
+            continue
         # What finds no place alone has no part in a row of the constellation, but for rendered photos.
-        alone = name.startswith(Method.CONSTELLATION.key) and coverage_sources.RENDERED not in name
-        packages = (*kept.OF_CONSTELLATION, "localizer") if alone else kept.OF_ALL
+        own = is_alone and coverage_sources.RENDERED not in name
+        packages = (*kept.OF_CONSTELLATION, "localizer") if own else kept.OF_ALL
         told = kept.row(run, "coverage", name, sizes, measured, packages)
         rows.append(cells(name, [Told(**one) for one in told]))
         print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
-    about = _ABOUT.format(
-        half=run.half, displaced=DISPLACED_M, radius=PRIOR_RADIUS_M, share=100 * RIGHT_SHARE, spread=NETWORK_SPREAD
-    )
-    return {"coverage": f"{about}\n\n{page.table(COLUMNS, rows)}"}
+    return rows
 
 
 Measured = Callable[[int, int], list]
 
 
-def _rows(run: inputs.Run, count: int) -> Iterator[tuple[str, list[int], Measured]]:
+def _rows(run: inputs.Run, ground: Ground, count: int) -> Iterator[tuple[str, list[int], Measured]]:
     """Name, images a part, and what measures a part, of every row that the run wants and has the data of."""
-    ground = Ground.of(run)
     for number, row in enumerate((*LEVEL, *CAMERAS, *SHIFTS, *AREAS, *BOTH)):
         name = f"{row.method.key}: {row.name}"
         if run.wants(name):
@@ -184,15 +195,18 @@ def _of_source(make: Callable[[int, int], Sequence[Trial]], part: int, size: int
 
 _ABOUT = """\
 Images of 1,280 px of Liechtenstein's {half}ern half at 0.8–1.25 m, ≥ 20 landmarks, 20 % missed, 20 % spurious, 5 %
-mislabeled, boundaries moved by σ 1.5 px unless said otherwise; map correlation: “modest” noise in meters. “Other date”:
-landmarks and background displaced by σ {displaced:g} m along each axis, with the correlation found between maps of two
-dates; shifts, leaning and displacement are simulated, constants were fitted on the northern half. Coverage: of right
-fixes (within {share:g} % of the footprint), by the ellipse of the told covariance. Goal: 93–97 % in the 95 % ellipse.
-Map correlation and automatic are told the position to {radius:g} m. The database is of the map's own date and states
-the default accuracy, so images of its own date have errors smaller than told. “Not stated”: a network made the labels
-whose metadata state no bias, so that {spread:g} m along each axis is added. Christchurch: label images of another date
-of LCDB v5.0, 10 m pixels, 6.4 km of ground, any number of landmarks. Photos: as under “photos of the sample area” and
-“real photos”; Dubai's with `--model`, in pixels."""
+mislabeled, boundaries moved by σ 1.5 px unless said otherwise. “Other date”: landmarks and background displaced by
+σ {displaced:g} m along each axis, with the correlation found between maps of two dates; shifts, leaning and
+displacement are simulated, constants were fitted on the northern half. Coverage: of right fixes (within {share:g} % of
+the footprint), by the ellipse of the told covariance. Goal: 93–97 % in the 95 % ellipse. The database is of the map's
+own date and states the default accuracy, so images of its own date have errors smaller than told. “Not stated”: a
+network made the labels whose metadata state no bias, so that {spread:g} m along each axis is added. Christchurch: label
+images of another date of LCDB v5.0, 10 m pixels, 6.4 km of ground, any number of landmarks. Photos: as under “photos of
+the sample area” and “real photos”; Dubai's with `--model`, in pixels."""
+
+_ABOUT_AREAS = """\
+Map correlation and automatic, told the position to {radius:g} m; otherwise as above. Map correlation: “modest” noise in
+meters."""
 
 
 def tried(ground: Ground, row: Row, count: int, rng: np.random.Generator) -> Iterator[Trial]:
