@@ -22,7 +22,7 @@ CHECKPOINT = "last.pt"
 """All that going on with a run needs, after each epoch."""
 
 FREE = (
-    *("output", "folder", "resume", "workers", "threads", "channels_last", "ground"),
+    *("output", "folder", "resume", "workers", "threads", "channels_last", "ground", "card", "tile_size"),
     *("epochs", "minutes", "patience", "processor_time"),
 )
 """What a run may be gone on with otherwise: places, the machine, and how long it goes."""
@@ -60,6 +60,10 @@ class Job:
         seed: Of all that is random.
         resume: Whether a run in the folder is gone on with.
         ground: What the metadata tell of the ground that was learned: sources, CRS, extent.
+        complete: Of folders of tiles the names of the classes that were drawn wherever they are; value 0 is then known
+            to be none of them (partial.py).
+        tile_size: Edge in pixels of the tiles that the model is to be shown, for the metadata; 0 for that of the tiles.
+        card: What else the model's card tells: name, licenses, what it is good for (metadata.py).
         fingerprint: What else a run must have alike to be gone on with: sizes and times of its sources.
     """
 
@@ -90,6 +94,9 @@ class Job:
     seed: int = 1671
     resume: bool = False
     ground: dict = field(default_factory=dict)
+    complete: dict = field(default_factory=dict)
+    tile_size: int = 0
+    card: dict = field(default_factory=dict)
     fingerprint: dict = field(default_factory=dict)
 
     def write(self, path: Path) -> None:

@@ -18,6 +18,7 @@ from ..core.errors import TrainingError
 from .augment import random_light, random_piece
 from .job import CHECKPOINT, FREE
 from .metrics import confusion_matrix, intersection_over_union
+from .partial import told_channels
 from .tiles import IGNORED, TileReader
 
 AVERAGING = 0.995  # largest share of the old weights in their running average, a step
@@ -72,13 +73,23 @@ class Trainer:
 
     Attributes:
         history: A row of the curves an epoch.
-        best_confusion: (K, K) pixels of each true and predicted class on the validation tiles, in the best epoch.
+        best_confusion: (L, K) pixels of each label and predicted class on the validation tiles, in the best epoch.
         stopped_by: ``epochs``, ``patience`` or ``minutes``.
     """
 
     def __init__(
-        self, network, mean, deviation, class_names, class_weights, settings: Settings, folder: Path, tell: Tell
+        self,
+        network,
+        mean,
+        deviation,
+        class_names,
+        class_weights,
+        allowed,
+        settings: Settings,
+        folder: Path,
+        tell: Tell,
     ) -> None:
+        """``class_weights``: (L,) of each label; ``allowed``: (L, K) the classes that each allows (partial.py)."""
         self.device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
         self.layout = torch.channels_last if settings.channels_last else torch.contiguous_format
         self.network = network.to(self.device, memory_format=self.layout)
@@ -87,13 +98,15 @@ class Trainer:
         self.deviation = torch.tensor(deviation, dtype=torch.float32, device=self.device).view(1, 3, 1, 1)
         self.class_names = class_names
         self.weights = torch.tensor(class_weights, dtype=torch.float32, device=self.device)
+        self.allowed = np.asarray(allowed, bool)
+        self._meanings = torch.tensor(self.allowed, device=self.device)
         self.settings, self.folder, self.tell = settings, folder, tell
         self.optimizer = torch.optim.AdamW(self.network.parameters(), settings.learning_rate, weight_decay=WEIGHT_DECAY)
         self.steps_an_epoch = max(1, settings.pieces // settings.batch)
         self.scaler = torch.amp.GradScaler("cuda", enabled=settings.mixed_precision and self.device.type == "cuda")
         self.epoch, self.step, self.best_score, self.best_epoch = 0, 0, -1.0, 0
         self.history: list[dict] = []
-        self.best_confusion = np.zeros((len(class_names), len(class_names)), np.int64)
+        self.best_confusion = np.zeros(self.allowed.shape, np.int64)
         self.stopped_by = ""
         self._seconds_before, self._told = 0.0, 0.0
         self._clock = time.process_time if settings.processor_time else time.monotonic
@@ -166,7 +179,7 @@ class Trainer:
         self.optimizer.zero_grad(set_to_none=True)
         with torch.autocast(self.device.type, self._half, enabled=self.settings.mixed_precision):
             logits = self.network(self._standardized(images))
-        loss = segmentation_loss(logits.float(), labels, self.weights)
+        loss = segmentation_loss(logits.float(), labels, self.weights, self._meanings)
         self.scaler.scale(loss).backward()
         self.scaler.unscale_(self.optimizer)
         torch.nn.utils.clip_grad_norm_(self.network.parameters(), LARGEST_GRADIENT)
@@ -184,21 +197,22 @@ class Trainer:
         return ((images - self.mean) / self.deviation).contiguous(memory_format=self.layout)
 
     def confusion(self, network: torch.nn.Module, reader: TileReader) -> np.ndarray:
-        """(K, K) pixels of each true and predicted class, on whole tiles."""
+        """(L, K) pixels of each label and predicted class, on whole tiles."""
         network.eval()
         count = len(self.class_names)
-        confusion = np.zeros((count, count), np.int64)
+        sets = len(self.allowed) - count
+        confusion = np.zeros((count + sets, count), np.int64)
         with torch.inference_mode():
             for index in range(len(reader)):
                 image, labels = reader(index)
                 batch = torch.from_numpy(image.transpose(2, 0, 1)[None].copy()).to(self.device)
                 predicted = network(self._standardized(batch)).argmax(1)[0].cpu().numpy()
-                confusion += confusion_matrix(labels, predicted, count)
+                confusion += confusion_matrix(labels, predicted, count, sets)
         return confusion
 
     def _shown(self, confusion: np.ndarray) -> dict:
         """Intersection over union a class; without tiles all of it is 0."""
-        iou = intersection_over_union(confusion)
+        iou = intersection_over_union(confusion, self.allowed)
         shown = {f"iou_{name}": round(float(v), 4) for name, v in zip(self.class_names, iou) if np.isfinite(v)}
         return {"mean_iou": round(float(np.nanmean(iou)), 4) if shown else 0.0} | shown
 
@@ -258,18 +272,30 @@ def running_average(old: torch.Tensor, new: torch.Tensor, count: torch.Tensor) -
     return old + (new - old) * torch.clamp(10 / (count + 10), min=1 - AVERAGING)
 
 
-def segmentation_loss(logits: torch.Tensor, labels: torch.Tensor, weights: torch.Tensor) -> torch.Tensor:
+def segmentation_loss(
+    logits: torch.Tensor, labels: torch.Tensor, weights: torch.Tensor, allowed: torch.Tensor
+) -> torch.Tensor:
     """Weighted cross-entropy plus soft Dice (Milletari et al. 2016) over the classes in the batch.
 
-    logits: (N, K, H, W); labels: (N, H, W) int64, IGNORED where nothing is known.
+    logits: (N, K, H, W); labels: (N, H, W) int64, IGNORED where nothing is known; weights: (L,) of each label;
+    allowed: (L, K) bool, the classes that each label allows (partial.py).
     """
     known = labels != IGNORED
     if not known.any():
         return logits.sum() * 0.0
-    entropy = functional.cross_entropy(logits, labels, weights, ignore_index=IGNORED)
-    shares = logits.softmax(1) * known[:, None]
-    truth = functional.one_hot(labels.where(known, 0), logits.shape[1]).movedim(-1, 1) * known[:, None]
+    count, index = logits.shape[1], labels.where(known, 0)
+    logs = logits.log_softmax(1)
+    right = logs.gather(1, index.clamp(max=count - 1)[:, None])[:, 0]
+    told = known[:, None]
+    for number in range(count, len(allowed)):
+        right = right.where(labels != number, logs[:, allowed[number]].logsumexp(1))
+    if len(allowed) > count:
+        told = told & told_channels(allowed)[index].movedim(-1, 1)
+    weight = weights[index] * known
+    entropy = -(right * weight).sum() / weight.sum()
+    shares = logs.exp() * told
+    truth = functional.one_hot(index, len(allowed)).movedim(-1, 1)[:, :count] * known[:, None]
     both, either = (shares * truth).sum((0, 2, 3)), (shares + truth).sum((0, 2, 3))
     present = truth.sum((0, 2, 3)) > 0
-    dice = 1 - ((2 * both + 1) / (either + 1))[present].mean()
+    dice = 1 - ((2 * both + 1) / (either + 1))[present].mean() if present.any() else 0.0
     return entropy + 0.5 * dice

@@ -17,8 +17,9 @@ def entries(
     overlap: int,
     pixel_size: float | None,
     architecture: dict,
-    confusion: np.ndarray | None = None,
+    validation: tuple[np.ndarray, np.ndarray] | None = None,
     ground: dict | None = None,
+    card: dict | None = None,
 ) -> dict:
     """Metadata by key, as the Deepness plugin names them where it has a name, and what SemRef adds.
 
@@ -29,8 +30,10 @@ def entries(
         overlap: Percent of a tile.
         pixel_size: Meters; None leaves the resolution out.
         architecture: What the network was built of, so that it can be trained further.
-        confusion: (K, K) pixels of each true and predicted class on validation tiles.
+        validation: (L, K) pixels of each label and predicted class on validation tiles, and which classes each label
+            allows (partial.py).
         ground: Where it was trained.
+        card: What people should know before they use it (docs/file-formats.md#model-card).
     """
     mean, deviation = standardization
     found: dict = {
@@ -47,10 +50,14 @@ def entries(
     }
     if pixel_size:
         found["resolution"] = round(100 * pixel_size, 3)
-    if confusion is not None and confusion.any():
-        iou = intersection_over_union(confusion)
+    if validation is not None and validation[0].any():
+        confusion, allowed = validation
+        iou = intersection_over_union(confusion, allowed)
         found["validation_iou"] = {c.name: round(float(v), 4) for c, v in zip(classes, iou) if np.isfinite(v)}
-        found["validation_confusion"] = [[round(float(v), 4) for v in row] for row in rates(confusion)]
+        shares = rates(confusion[: len(classes)])
+        found["validation_confusion"] = [[round(float(v), 4) for v in row] for row in shares]
     if ground:
         found["training_ground"] = ground
+    if card:
+        found["model_card"] = card
     return found

@@ -18,18 +18,27 @@ def class_weights(pixels: np.ndarray) -> np.ndarray:
     return weights
 
 
-def confusion_matrix(labels: np.ndarray, predicted: np.ndarray, count: int) -> np.ndarray:
-    """(count, count) pixels of each true (row) and predicted (column) class, IGNORED left out."""
+def confusion_matrix(labels: np.ndarray, predicted: np.ndarray, count: int, sets: int = 0) -> np.ndarray:
+    """(count + sets, count) pixels of each label (row) and predicted class (column), IGNORED left out.
+
+    sets: how many labels beyond the classes stand for several of them (partial.py).
+    """
     known = labels != IGNORED
     pairs = labels[known].astype(np.int64) * count + predicted[known]
-    return np.bincount(pairs, minlength=count * count).reshape(count, count)
+    return np.bincount(pairs, minlength=(count + sets) * count).reshape(count + sets, count)
 
 
-def intersection_over_union(confusion: np.ndarray) -> np.ndarray:
-    """(count,) intersection over union of each class; NaN for a class that has no true pixel."""
-    truth = confusion.sum(axis=1)
-    either = truth + confusion.sum(axis=0) - np.diag(confusion)
-    return np.where(truth > 0, np.diag(confusion) / np.maximum(either, 1), np.nan)
+def intersection_over_union(confusion: np.ndarray, allowed: np.ndarray | None = None) -> np.ndarray:
+    """(count,) intersection over union of each class; NaN for a class that has no true pixel.
+
+    confusion: (count + sets, count). allowed: which classes each label allows (partial.py); a pixel of a set counts
+    against the classes that it excludes, and not at all for those that it may be.
+    """
+    count = confusion.shape[1]
+    allowed = np.eye(count, dtype=bool) if allowed is None else allowed
+    truth = confusion.sum(axis=1)[:count]
+    wrongly = np.where(allowed, 0, confusion).sum(axis=0)
+    return np.where(truth > 0, np.diag(confusion) / np.maximum(truth + wrongly, 1), np.nan)
 
 
 def rates(confusion: np.ndarray) -> np.ndarray:

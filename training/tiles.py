@@ -27,12 +27,22 @@ class ClassRow:
 
 @dataclass(frozen=True)
 class TilePair:
-    """The files of a tile, which bands (from 1) are red, green and blue, and which values become 0 and 1 (or None)."""
+    """A tile.
+
+    Attributes:
+        image: Its file.
+        labels: The file of its labels.
+        bands: Numbers, from 1, of red, green and blue.
+        stretch: Which values become 0 and 1, or None.
+        unlabeled: What value 0 stands for: a channel, a set of them (partial.py) or IGNORED; None for what the reader
+            is told.
+    """
 
     image: Path
     labels: Path
     bands: tuple[int, int, int]
     stretch: tuple | None
+    unlabeled: int | None = None
 
 
 @dataclass(frozen=True)
@@ -130,12 +140,19 @@ class TileReader:
             image, labels = read_image(pair), cv2.imread(str(pair.labels), cv2.IMREAD_UNCHANGED)
             if labels is None or labels.shape != image.shape[:2]:
                 raise TrainingError("training.no_labels_of_tile", path=pair.labels)
+            channels = self._channels(pair, labels)
             if image.nbytes + labels.nbytes > self._free:
-                return image / np.float32(255), self._channel[labels]
+                return image / np.float32(255), channels
             self._free -= image.nbytes + labels.nbytes
-            self._kept[index] = image, self._channel[labels]
+            self._kept[index] = image, channels
         image, labels = self._kept[index]
         return image / np.float32(255), labels
+
+    def _channels(self, pair: TilePair, labels: np.ndarray) -> np.ndarray:
+        channels = self._channel[labels]
+        if pair.unlabeled is not None:
+            channels[labels == 0] = pair.unlabeled
+        return channels
 
 
 def spread(count: int, most: int) -> list[int]:

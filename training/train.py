@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from datetime import date
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from ..core.errors import TrainingError
 from ..core.segmentation.class_bias import KEY, class_bias_text
 from . import base_weights, class_bias, encoder_weights, examples, export, loop, metadata, metrics, network, tiles
 from .job import CHECKPOINT, EXAMPLES, NETWORK, PACKAGED, RESULT, Job
+from .partial import partial_labels
 
 FROM_SCRATCH, FROM_WEIGHTS, FROM_BASE = 3e-3, 1e-3, 5e-4
 """Learning rates that suit random weights, an encoder that knows photos, and a network that knows the classes."""
@@ -34,12 +36,25 @@ RESTORING_BATCHES = 8
 
 @dataclass(frozen=True)
 class Ground:
-    """What is learned from: classes by channel, their values, readers of tiles, pixels of each class."""
+    """What is learned from.
+
+    Attributes:
+        classes: By channel.
+        training: Reads tiles.
+        validation: Reads those that were set aside.
+        pixels: (L,) of each label.
+        allowed: (L, K) the classes that each label allows (partial.py).
+        tile_size: Edge, pixels.
+        pixel_size: Meters, None where it is not known.
+        mean: (3,) of red, green and blue.
+        deviation: (3,) of the same.
+    """
 
     classes: list[tiles.ClassRow]
     training: tiles.TileReader
     validation: tiles.TileReader
     pixels: np.ndarray
+    allowed: np.ndarray
     tile_size: int
     pixel_size: float | None
     mean: np.ndarray
@@ -77,7 +92,8 @@ def run(job: Job, tell: loop.Tell) -> loop.Trainer:
     settings = loop.Settings(**{**settings.__dict__, "learning_rate": start.learning_rate})
     weights = metrics.class_weights(ground.pixels)
     trainer = loop.Trainer(
-        start.network, start.mean, start.deviation, ground.class_names, weights, settings, folder, tell
+        *(start.network, start.mean, start.deviation, ground.class_names),
+        *(weights, ground.allowed, settings, folder, tell),
     )
     tell(
         "begun",
@@ -105,13 +121,24 @@ def read_ground(job: Job) -> Ground:
     if job.learn_unlabeled:
         classes[0] = tiles.ClassRow(0, "other", "#000000", "background")
     values = [c.value for c in classes]
-    pixels = np.array([sum(folder.class_pixels("train").get(str(v), 0) for folder in folders) for v in values])
-    if not job.learn_unlabeled:
-        pixels[0] = 0
+    names, complete = [c.name for c in classes], {Path(path): known for path, known in job.complete.items()}
+    excluded = {f.path: [names.index(name) for name in complete[f.path]] for f in folders if f.path in complete}
+    allowed, zeros = partial_labels(len(classes), excluded)
+    pixels = np.zeros(len(allowed), np.int64)
+    for folder in folders:
+        counts = folder.class_pixels("train")
+        pixels[1 : len(values)] += [counts.get(str(v), 0) for v in values[1:]]
+        zero = zeros.get(folder.path, 0 if job.learn_unlabeled else None)
+        if zero not in (None, tiles.IGNORED):
+            pixels[zero] += counts.get("0", 0)
     if np.count_nonzero(pixels) < 2:
         raise TrainingError("training.one_class", name=classes[int(np.argmax(pixels))].name)
     training, validation = (
-        tiles.TileReader([p for f in folders for p in f.tiles(subset)], values, job.learn_unlabeled)
+        tiles.TileReader(
+            [replace(p, unlabeled=zeros.get(f.path)) for f in folders for p in f.tiles(subset)],
+            values,
+            job.learn_unlabeled,
+        )
         for subset in ("train", "validation")
     )
     sizes = {folder.manifest["pixel_size"] for folder in folders}
@@ -120,6 +147,7 @@ def read_ground(job: Job) -> Ground:
         training,
         validation,
         pixels,
+        allowed,
         min(folder.manifest["tile_size"] for folder in folders),
         job.resolution or (sizes.pop() if len(sizes) == 1 else None),
         *tiles.band_statistics(folders),
@@ -185,12 +213,13 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: 
     entries = metadata.entries(
         ground.classes,
         (start.mean, start.deviation),
-        ground.tile_size,
+        job.tile_size or ground.tile_size,
         job.overlap,
         ground.pixel_size,
         start.architecture,
-        trainer.best_confusion,
+        (trainer.best_confusion, ground.allowed),
         job.ground,
+        {**training_facts(job, trainer, ground), **job.card},
     )
     turned = ground.validation.spread(TURNED_TILES) if job.minutes else ground.validation
     entries |= _biases(export.answering(temporary, start.mean, start.deviation), ground, turned)
@@ -206,8 +235,8 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: 
         "classes": [c.__dict__ for c in ground.classes],
         "history": trainer.history,
         "best_epoch": trainer.best_epoch,
-        "mean_iou": mean_iou(trainer.best_confusion),
-        "confusion": trainer.best_confusion.tolist(),
+        "mean_iou": mean_iou(trainer.best_confusion, ground.allowed),
+        "confusion": trainer.best_confusion[: len(ground.classes)].tolist(),
         "stopped_by": trainer.stopped_by,
         "seconds": round(trainer.seconds, 1),
         "device": _device_name(trainer.device),
@@ -228,9 +257,25 @@ def _biases(answer: Callable[[np.ndarray], np.ndarray], ground: Ground, reader: 
     return {KEY: class_bias_text(biases)} if biases else {}
 
 
-def mean_iou(confusion: np.ndarray) -> float:
+def training_facts(job: Job, trainer: loop.Trainer, ground: Ground) -> dict:
+    """What a model's card tells of any training."""
+    return {
+        "date": date.today().isoformat(),
+        "training": {
+            "minutes": round(trainer.seconds / 60, 1),
+            "pieces": trainer.step * job.batch,
+            "piece_size": trainer.settings.piece_size,
+            "tiles": len(ground.training),
+            "validation_tiles": len(ground.validation),
+            "seed": job.seed,
+            "start": Path(job.base_model).name or job.encoder,
+        },
+    }
+
+
+def mean_iou(confusion: np.ndarray, allowed: np.ndarray) -> float:
     """Of the classes that have a true pixel; 0 without any."""
-    found = metrics.intersection_over_union(confusion)
+    found = metrics.intersection_over_union(confusion, allowed)
     return round(float(np.nanmean(found)), 4) if np.isfinite(found).any() else 0.0
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import TrainingError
-from semref.training import augment, class_bias, metrics, tiles
+from semref.training import augment, class_bias, metrics, partial, tiles
 
 IGNORED = tiles.IGNORED
 
@@ -170,3 +170,32 @@ def test_some_of_many_tiles_are_evenly_apart(count, most, expected):
 def test_tiles_that_overlap_count_once():
     pairs = [tiles.TilePair(tiles.Path(f"{c}_{r}.png"), "labels", (1, 2, 3), None) for c in (0, 4, 8) for r in (0, 4)]
     assert [pair.image.stem for pair in tiles.apart(pairs, 8)] == ["0_0", "8_0"]
+
+
+def test_ground_where_only_one_class_was_drawn_allows_all_the_others_but_not_what_is_unlabeled():
+    first, second, full = (tiles.Path(name) for name in ("a", "b", "c"))
+    allowed, labels = partial.partial_labels(4, {first: [1], second: [1], full: [1, 2, 3]})
+    assert labels == {first: 4, second: 4, full: IGNORED}
+    np.testing.assert_array_equal(allowed, [*np.eye(4), [0, 0, 1, 1]])
+    told = partial.told_channels(allowed)
+    np.testing.assert_array_equal(told[4], [True, True, False, False])
+    assert told[:4].all()
+
+
+def test_a_pixel_of_a_set_counts_against_the_classes_that_it_excludes_alone():
+    allowed, _ = partial.partial_labels(4, {tiles.Path("a"): [1]})
+    labels, predicted = np.array([1, 1, 2, 4, 4, 4], np.uint8), np.array([1, 2, 2, 1, 2, 3])
+    confusion = metrics.confusion_matrix(labels, predicted, 4, 1)
+    iou = metrics.intersection_over_union(confusion, allowed)
+    np.testing.assert_allclose(iou[1:3], [1 / 3, 1 / 2])
+    assert np.isnan(iou[3])
+
+
+def test_the_ground_without_a_label_of_each_folder_is_what_its_folder_says(tmp_path):
+    cv2.imwrite(str(tmp_path / "image.png"), np.zeros((1, 3, 3), np.uint8))
+    cv2.imwrite(str(tmp_path / "labels.png"), np.array([[0, 7, 9]], np.uint8))
+    pairs = [
+        tiles.TilePair(tmp_path / "image.png", tmp_path / "labels.png", (1, 2, 3), None, label) for label in (None, 2)
+    ]
+    reader = tiles.TileReader(pairs, [0, 7], False)
+    assert [reader(n)[1][0].tolist() for n in (0, 1)] == [[IGNORED, 1, IGNORED], [2, 1, IGNORED]]

@@ -15,6 +15,7 @@ import pytest
 
 from semref.core.labels.image_source import ArrayImage
 from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.model_card import read_card
 from semref.core.segmentation.photo_labels import PhotoLabels
 from semref.training.job import Job, read_job
 
@@ -102,6 +103,25 @@ def test_the_model_is_one_that_semref_segments_with(first):
     assert model.classes.names == ("other", "building", "water") and model.classes.values == (0, 1, 2)
     photo = np.broadcast_to(np.uint8(COLORS[1]), (160, 200, 3)).copy()
     assert PhotoLabels(model, ArrayImage(photo), model.classes.values).found().shape == (160, 200)
+
+
+def test_the_model_carries_a_card(first):
+    job, _ = first
+    card = read_card(job.output)
+    assert (card.fault, card.classes, card.resolution_m) == (None, ("other", "building", "water"), 0.5)
+    assert [ground.place for ground in card.trained_on] == ["made up"]
+    assert set(card.validation_iou) == set(card.classes) and len(card.confusion) == 3
+    assert len(card.date) == 10 and card.minutes > 0
+
+
+def test_ground_where_only_buildings_were_drawn_is_learned_from_beside_others(training_python, tiles, tmp_path):
+    """Its ground without a label is a label of its own, which the report's matrix does not show."""
+    job = job_of(tiles, tmp_path, learn_unlabeled=False, complete={str(tiles): ["building"]}, card={"name": "a name"})
+    events = trained(training_python, job)
+    assert len(events[0]["class_weights"]) == 4 and events[-1]["event"] == "done"
+    result = json.loads((Path(job.folder) / "result.json").read_text())
+    assert np.shape(result["confusion"]) == (3, 3)
+    assert read_card(job.output).name == "a name"
 
 
 @pytest.mark.slow

@@ -11,6 +11,7 @@ in torch and in onnxruntime. Set-up: bash tools/training/setup_training.sh; docs
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from pathlib import Path
 
@@ -52,6 +53,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--learn-unlabeled", action="store_true", help="value 0 is a class of its own, not unknown")
     parser.add_argument("--epochs", type=int, default=60)
     parser.add_argument("--minutes", type=float, default=0.0, help="stop after so many; default: no limit")
+    parser.add_argument("--processor-time", action="store_true", help="minutes of the processor, not of the clock")
     parser.add_argument("--pieces", type=int, default=0, help="an epoch; default: as many as cover the tiles once")
     parser.add_argument("--piece-size", type=int, default=256, help="pixels, a multiple of 32; default %(default)s")
     parser.add_argument("--batch", type=int, default=8)
@@ -65,6 +67,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--workers", type=int, default=0, help="processes that read tiles")
     parser.add_argument("--threads", type=int, default=0, help="of torch on the CPU")
     parser.add_argument("--seed", type=int, default=1671)
+    parser.add_argument("--card", type=Path, metavar="FILE", help="JSON: what else the model's card tells")
     parser.add_argument("--resume", action="store_true", help="go on with the run beside the output")
     options = parser.parse_args(arguments)
     if options.pretrained and options.encoder_weights:
@@ -78,6 +81,7 @@ def train(options: argparse.Namespace) -> None:
     from semref.training.job import CHECKPOINT
 
     settings = {key: value for key, value in vars(options).items() if key not in ("tiles", "test", "output")}
+    settings["card"] = json.loads(options.card.read_text(encoding="utf-8")) if options.card else {}
     folder = options.output.with_suffix(".training")
     tiles = tuple(str(path) for path in options.tiles)
     job = Job(tiles, str(options.output), str(folder), **settings)

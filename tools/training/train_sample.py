@@ -10,6 +10,7 @@ OUTPUT_FOLDER/sample_area.onnx is the model.
 from __future__ import annotations
 
 import argparse
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -40,6 +41,16 @@ TRAINING = (
 )
 
 
+CARD = {
+    "name": "Sample area (made up)",
+    "trained_on": [{"place": "made-up areas, seeds 11 to 15", "about": "rendered photos: fields, woods, villages"}],
+    "good_for": "The sample area that SemRef makes up, to try everything with.",
+    "not_for": "Any photo of the real world: it has never seen one.",
+    "license": "That of SemRef; no foreign data went into it.",
+}
+"""What the model says of itself."""
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("output_folder", type=Path)
@@ -53,6 +64,8 @@ def main() -> None:
         parser.error(f"{options.python} is missing; run bash tools/training/setup_training.sh first")
     folder = options.output_folder.absolute()
     folder.mkdir(parents=True, exist_ok=True)
+    card = folder / "card.json"
+    card.write_text(json.dumps(CARD), encoding="utf-8")
     with qgis_session():
         tiles = [tiles_of(folder / f"area{seed}", seed) for seed in options.seeds]
     command = [
@@ -61,6 +74,8 @@ def main() -> None:
         *tiles,
         "--output",
         folder / MODEL,
+        "--card",
+        card,
         *TRAINING,
     ]
     sys.exit(subprocess.run([str(part) for part in [*command, *training]]).returncode)

@@ -1,0 +1,88 @@
+"""What a model's file says of itself to people, also when it says nonsense."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from semref.core.segmentation.model_card import KEY, card_of_texts, read_card
+from semref.core.segmentation.onnx_file import smallest_model, with_metadata
+
+TOLD = {
+    "name": "Houses of two towns",
+    "date": "2026-11-22",
+    "trained_on": [{"place": "one town", "about": "old", "classes": ["building"]}, {"place": "another"}],
+    "tested_on": [
+        {"place": "a third", "how": "left out", "iou": {"building": 0.6}},
+        {"place": "one town", "how": "set aside", "iou": {"building": 0.8}},
+    ],
+    "good_for": "houses",
+    "not_for": "ships",
+    "license": "free",
+    "training": {"minutes": 12.5},
+}
+TEXTS = {
+    "class_names": '{"0": "other", "1": "building"}',
+    "resolution": "25",
+    "validation_iou": '{"other": 0.9, "building": 0.7}',
+    "validation_confusion": "[[0.9, 0.1], [0.2, 0.8]]",
+    KEY: json.dumps(TOLD),
+}
+
+
+def test_a_card_tells_what_the_metadata_say():
+    card = card_of_texts(TEXTS, "model.onnx")
+    assert (card.fault, card.name, card.classes, card.resolution_m) == (None, TOLD["name"], ("other", "building"), 0.25)
+    assert [(one.place, one.about) for one in card.trained_on] == [("one town", "old"), ("another", "")]
+    assert [(one.is_left_out, one.iou["building"]) for one in card.tested_on] == [(True, 0.6), (False, 0.8)]
+    assert (card.good_for, card.not_for, card.license) == ("houses", "ships", "free")
+    assert (card.date, card.minutes) == ("2026-11-22", 12.5)
+    assert card.confusion == ((0.9, 0.1), (0.2, 0.8))
+
+
+def test_how_good_it_is_is_told_by_ground_that_was_left_out_where_there_is_any():
+    assert card_of_texts(TEXTS, "").mean_iou == pytest.approx(0.7)
+    aside = {key: text for key, text in TEXTS.items() if key != KEY}
+    assert card_of_texts(aside, "").mean_iou == pytest.approx(0.8)
+    assert card_of_texts({}, "").mean_iou is None
+
+
+def test_a_model_without_a_card_names_the_image_that_it_was_trained_on():
+    ground = {"image": "town.tif", "labels": "houses", "date": "2026-01-02"}
+    card = card_of_texts({"training_ground": json.dumps(ground)}, "")
+    assert [(one.place, one.about) for one in card.trained_on] == [("town.tif", "houses")]
+    assert card.date == "2026-01-02"
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "",
+        "[]",
+        "nonsense",
+        "{",
+        json.dumps(dict.fromkeys(TOLD, 7)),
+        json.dumps({key: [None, {"place": 3}, "x"] for key in TOLD}),
+        json.dumps({"training": {"minutes": True}, "tested_on": [{"place": "p", "iou": {"a": 7, "b": "x"}}]}),
+    ],
+)
+def test_what_is_of_another_shape_is_left_out(said):
+    texts = {KEY: said, "validation_iou": said, "validation_confusion": said, "training_ground": said}
+    card = card_of_texts(texts, "model.onnx")
+    assert (card.name, card.trained_on, card.license, card.minutes, card.mean_iou) == ("", (), "", None, None)
+    assert all(not one.iou for one in card.tested_on)
+
+
+def test_a_file_is_read_without_running_it(tmp_path):
+    path = tmp_path / "model.onnx"
+    path.write_bytes(with_metadata(smallest_model(4, 11), KEY, json.dumps(TOLD)))
+    assert read_card(str(path)).name == TOLD["name"]
+
+
+def test_a_file_that_is_no_model_says_so_and_so_does_one_for_other_work(tmp_path):
+    path = tmp_path / "model.onnx"
+    assert read_card(str(path)).fault.code == "segmentation.no_model_file"
+    path.write_bytes(b"no model")
+    assert read_card(str(path)).fault.code == "segmentation.no_onnx"
+    assert card_of_texts({"model_type": "Detector"}, "").fault.code == "segmentation.not_a_segmentor"
