@@ -540,6 +540,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Ein Segmentierungsmodell wählen</translation>
   </message>
   <message>
+   <source>Choose the folder of your models</source>
+   <translation>Ordner Ihrer Modelle wählen</translation>
+  </message>
+  <message>
    <source>Class</source>
    <translation>Klasse</translation>
   </message>
@@ -992,6 +996,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Weniger als drei Landmarken: Das Bild hat keinen Topologievektor.</translation>
   </message>
   <message>
+   <source>File</source>
+   <translation>Datei</translation>
+  </message>
+  <message>
    <source>File name of the image</source>
    <translation>Dateiname des Bildes</translation>
   </message>
@@ -1042,6 +1050,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Fixes by</source>
    <translation>Fixe durch</translation>
+  </message>
+  <message>
+   <source>Folder</source>
+   <translation>Ordner</translation>
   </message>
   <message>
    <source>Folder for the georeferenced images</source>
@@ -1188,6 +1200,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Gut genug ab (%)</translation>
   </message>
   <message>
+   <source>Good for</source>
+   <translation>Gut für</translation>
+  </message>
+  <message>
    <source>Ground that an image shows, as a multiple of the window size.</source>
    <translation>Gelände, das ein Bild zeigt, als Vielfaches der Fenstergröße.</translation>
   </message>
@@ -1256,12 +1272,20 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Wie weit man dem trauen kann</translation>
   </message>
   <message>
+   <source>How good (IoU)</source>
+   <translation>Wie gut (IoU)</translation>
+  </message>
+  <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
    <translation>Wie viele der Landmarken, die der Mitte am nächsten liegen, ein Vektor enthält.</translation>
   </message>
   <message>
    <source>How much farther out or in than it should the ground in the image’s corners is shown.</source>
    <translation>Wie viel weiter außen oder innen als richtig der Boden in den Bildecken gezeigt wird.</translation>
+  </message>
+  <message>
+   <source>How, and under which licenses</source>
+   <translation>Wie, und unter welchen Lizenzen</translation>
   </message>
   <message>
    <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
@@ -1370,6 +1394,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
    <translation>Mit {speed:g} Karteneinheiten pro Sekunde ist er von den Standorten davor und danach nicht zu erreichen.</translation>
+  </message>
+  <message>
+   <source>It does not say what it was trained on: try it on a photo of ground that you know.</source>
+   <translation>Es sagt nicht, woran es trainiert wurde: Probieren Sie es an einem Foto von Gelände, das Sie kennen.</translation>
   </message>
   <message>
    <source>It has no fix.</source>
@@ -1524,6 +1552,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Höhenstufen</translation>
   </message>
   <message>
+   <source>License</source>
+   <translation>Lizenz</translation>
+  </message>
+  <message>
    <source>Lists errors and warnings only: what has to be mended</source>
    <translation>Zeigt nur Fehler und Warnungen: was behoben werden muss</translation>
   </message>
@@ -1644,6 +1676,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>MODEL_OUTPUT ist eine Kopie des Modells; das Netz als MODEL angeben.</translation>
   </message>
   <message>
+   <source>Made</source>
+   <translation>Erstellt</translation>
+  </message>
+  <message>
    <source>Make environment</source>
    <translation>Umgebung anlegen</translation>
   </message>
@@ -1724,6 +1760,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Mittlere IoU {iou:.1%}, Gesamtgenauigkeit {accuracy:.1%} von {pixels} Pixeln.</translation>
   </message>
   <message>
+   <source>Mean over classes, on ground that was not trained on</source>
+   <translation>Mittel über die Klassen, auf Gelände, an dem nicht trainiert wurde</translation>
+  </message>
+  <message>
    <source>Median error</source>
    <translation>Medianer Fehler</translation>
   </message>
@@ -1784,12 +1824,24 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Modell, für Fotos</translation>
   </message>
   <message>
+   <source>Models at hand, and what they are good for…</source>
+   <translation>Vorhandene Modelle, und wofür sie gut sind…</translation>
+  </message>
+  <message>
+   <source>Models for photos</source>
+   <translation>Modelle für Fotos</translation>
+  </message>
+  <message>
    <source>Models that SemRef trained (*.onnx *.pt)</source>
    <translation>Von SemRef trainierte Modelle (*.onnx *.pt)</translation>
   </message>
   <message>
    <source>More make the intervals narrower; points near each other learn from each other.</source>
    <translation>Mehr machen die Intervalle schmaler; nahe Punkte lernen voneinander.</translation>
+  </message>
+  <message>
+   <source>More models: train one on your own ground (the button beside the model in the dock), make one from published photos, or take a segmentation model of the Deepness plugin. {how}</source>
+   <translation>Weitere Modelle: Trainieren Sie eines an eigenem Gelände (der Knopf neben dem Modell im Dock), machen Sie eines aus veröffentlichten Fotos, oder nehmen Sie ein Segmentierungsmodell des Plugins Deepness. {how}</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
@@ -1914,6 +1966,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>None: a fix is expected everywhere.</source>
    <translation>Keine: Überall wird ein Fix erwartet.</translation>
+  </message>
+  <message>
+   <source>Not good for</source>
+   <translation>Nicht gut für</translation>
   </message>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
@@ -2160,8 +2216,20 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Pixelgröße, mit der das Netz trainiert wurde; ohne Angabe die aus den Metadaten des Modells. Bilder ohne Georeferenz werden genommen, wie sie sind.</translation>
   </message>
   <message>
+   <source>Pixels</source>
+   <translation>Pixel</translation>
+  </message>
+  <message>
+   <source>Pixels it was trained on</source>
+   <translation>Pixel, an denen es trainiert wurde</translation>
+  </message>
+  <message>
    <source>Place before</source>
    <translation>Vorige Stelle</translation>
+  </message>
+  <message>
+   <source>Places are tested by networks that were trained without them.</source>
+   <translation>Orte werden mit Netzen geprüft, die ohne sie trainiert wurden.</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2580,6 +2648,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Anteil der Bilder der Karte mit einem Fix, der höchstens so weit daneben liegt, richtig oder falsch.</translation>
   </message>
   <message>
+   <source>Show models…</source>
+   <translation>Modelle zeigen…</translation>
+  </message>
+  <message>
    <source>Show or hide the SemRef dock: find where images were taken</source>
    <translation>SemRef-Bedienfeld ein- oder ausblenden: finden, wo Bilder aufgenommen wurden</translation>
   </message>
@@ -2922,6 +2994,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
    <translation>Die Brennweite ist {focal_length_px:g} Pixel; sie muss größer als 0 und höchstens {most:g} sein.</translation>
+  </message>
+  <message>
+   <source>The folder of your models, and what each is good for:</source>
+   <translation>Der Ordner Ihrer Modelle, und wofür jedes gut ist:</translation>
   </message>
   <message>
    <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
@@ -3448,6 +3524,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Modell trainieren</translation>
   </message>
   <message>
+   <source>Trained on</source>
+   <translation>Trainiert an</translation>
+  </message>
+  <message>
    <source>Training</source>
    <translation>Training</translation>
   </message>
@@ -3554,6 +3634,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Updated database</source>
    <translation>Aktualisierte Datenbank</translation>
+  </message>
+  <message>
+   <source>Use this model</source>
+   <translation>Dieses Modell verwenden</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -3936,6 +4020,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>von (m)</translation>
   </message>
   <message>
+   <source>ground set aside from training</source>
+   <translation>Gelände, das vom Training zurückgehalten wurde</translation>
+  </message>
+  <message>
    <source>hardly ever</source>
    <translation>kaum je</translation>
   </message>
@@ -4098,6 +4186,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>north</source>
    <translation>Nord</translation>
+  </message>
+  <message>
+   <source>not said</source>
+   <translation>keine Angabe</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -4526,6 +4618,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
    <translation>{method}: richtig {right}, falsch {wrong}, falsch angenommen {accepts}, medianer Fehler {error}</translation>
+  </message>
+  <message>
+   <source>{minutes:g} minutes of training</source>
+   <translation>{minutes:g} Minuten Training</translation>
   </message>
   <message>
    <source>{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.</source>
@@ -5022,6 +5118,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} wurde nicht mit dem Schlüssel {key} signiert oder seitdem geändert; holen Sie die Datei noch einmal von dort, wo sie exportiert wurde.</translation>
+  </message>
+  <message>
+   <source>{place}, set aside</source>
+   <translation>{place}, zurückgehalten</translation>
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>

@@ -540,6 +540,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Elegir un modelo de segmentación</translation>
   </message>
   <message>
+   <source>Choose the folder of your models</source>
+   <translation>Elija la carpeta de sus modelos</translation>
+  </message>
+  <message>
    <source>Class</source>
    <translation>Clase</translation>
   </message>
@@ -992,6 +996,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Menos de tres hitos: la imagen no tiene vector topológico.</translation>
   </message>
   <message>
+   <source>File</source>
+   <translation>Archivo</translation>
+  </message>
+  <message>
    <source>File name of the image</source>
    <translation>Nombre de archivo de la imagen</translation>
   </message>
@@ -1042,6 +1050,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Fixes by</source>
    <translation>Posiciones por</translation>
+  </message>
+  <message>
+   <source>Folder</source>
+   <translation>Carpeta</translation>
   </message>
   <message>
    <source>Folder for the georeferenced images</source>
@@ -1188,6 +1200,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Suficiente desde (%)</translation>
   </message>
   <message>
+   <source>Good for</source>
+   <translation>Sirve para</translation>
+  </message>
+  <message>
    <source>Ground that an image shows, as a multiple of the window size.</source>
    <translation>Terreno que muestra una imagen, como múltiplo del tamaño de ventana.</translation>
   </message>
@@ -1256,12 +1272,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Hasta qué punto es fiable</translation>
   </message>
   <message>
+   <source>How good (IoU)</source>
+   <translation>Qué tan bueno es (IoU)</translation>
+  </message>
+  <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
    <translation>Cuántos de los hitos más cercanos al centro contiene un vector.</translation>
   </message>
   <message>
    <source>How much farther out or in than it should the ground in the image’s corners is shown.</source>
    <translation>Cuánto más afuera o adentro de lo debido se muestra el terreno en las esquinas de la imagen.</translation>
+  </message>
+  <message>
+   <source>How, and under which licenses</source>
+   <translation>Cómo, y con qué licencias</translation>
   </message>
   <message>
    <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
@@ -1370,6 +1394,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
    <translation>No se puede alcanzar a {speed:g} unidades del mapa por segundo desde las posiciones encontradas antes y después.</translation>
+  </message>
+  <message>
+   <source>It does not say what it was trained on: try it on a photo of ground that you know.</source>
+   <translation>No dice con qué se entrenó: pruébelo con una foto de un terreno que conozca.</translation>
   </message>
   <message>
    <source>It has no fix.</source>
@@ -1524,6 +1552,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Niveles</translation>
   </message>
   <message>
+   <source>License</source>
+   <translation>Licencia</translation>
+  </message>
+  <message>
    <source>Lists errors and warnings only: what has to be mended</source>
    <translation>Muestra solo errores y advertencias: lo que hay que corregir</translation>
   </message>
@@ -1644,6 +1676,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>MODEL_OUTPUT es una copia del modelo; indique la red como MODEL.</translation>
   </message>
   <message>
+   <source>Made</source>
+   <translation>Creado</translation>
+  </message>
+  <message>
    <source>Make environment</source>
    <translation>Crear entorno</translation>
   </message>
@@ -1724,6 +1760,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>IoU medio {iou:.1%}, exactitud global {accuracy:.1%} de {pixels} píxeles.</translation>
   </message>
   <message>
+   <source>Mean over classes, on ground that was not trained on</source>
+   <translation>Media de las clases, en terreno con el que no se entrenó</translation>
+  </message>
+  <message>
    <source>Median error</source>
    <translation>Error mediano</translation>
   </message>
@@ -1784,12 +1824,24 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Modelo, para fotos</translation>
   </message>
   <message>
+   <source>Models at hand, and what they are good for…</source>
+   <translation>Modelos disponibles y para qué sirven…</translation>
+  </message>
+  <message>
+   <source>Models for photos</source>
+   <translation>Modelos para fotos</translation>
+  </message>
+  <message>
    <source>Models that SemRef trained (*.onnx *.pt)</source>
    <translation>Modelos entrenados por SemRef (*.onnx *.pt)</translation>
   </message>
   <message>
    <source>More make the intervals narrower; points near each other learn from each other.</source>
    <translation>Más imágenes estrechan los intervalos; los puntos cercanos aprenden unos de otros.</translation>
+  </message>
+  <message>
+   <source>More models: train one on your own ground (the button beside the model in the dock), make one from published photos, or take a segmentation model of the Deepness plugin. {how}</source>
+   <translation>Más modelos: entrene uno con su propio terreno (el botón junto al modelo en el panel), haga uno con fotos publicadas o tome un modelo de segmentación del complemento Deepness. {how}</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
@@ -1914,6 +1966,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>None: a fix is expected everywhere.</source>
    <translation>Ninguno: se espera una posición en todas partes.</translation>
+  </message>
+  <message>
+   <source>Not good for</source>
+   <translation>No sirve para</translation>
   </message>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
@@ -2160,8 +2216,20 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Tamaño de píxel con el que se entrenó la red; si se omite, el de los metadatos del modelo. Las imágenes sin georreferencia se toman tal cual.</translation>
   </message>
   <message>
+   <source>Pixels</source>
+   <translation>Píxeles</translation>
+  </message>
+  <message>
+   <source>Pixels it was trained on</source>
+   <translation>Píxeles con los que se entrenó</translation>
+  </message>
+  <message>
    <source>Place before</source>
    <translation>Lugar anterior</translation>
+  </message>
+  <message>
+   <source>Places are tested by networks that were trained without them.</source>
+   <translation>Los lugares se prueban con redes entrenadas sin ellos.</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2580,6 +2648,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Parte de las imágenes del mapa cuya posición encontrada tiene como mucho ese error, correcta o no.</translation>
   </message>
   <message>
+   <source>Show models…</source>
+   <translation>Mostrar modelos…</translation>
+  </message>
+  <message>
    <source>Show or hide the SemRef dock: find where images were taken</source>
    <translation>Mostrar u ocultar el panel SemRef: encontrar dónde se tomaron las imágenes</translation>
   </message>
@@ -2922,6 +2994,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
    <translation>La distancia focal es de {focal_length_px:g} píxeles; debe ser mayor que 0 y de {most:g} como máximo.</translation>
+  </message>
+  <message>
+   <source>The folder of your models, and what each is good for:</source>
+   <translation>La carpeta de sus modelos y para qué sirve cada uno:</translation>
   </message>
   <message>
    <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
@@ -3448,6 +3524,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Entrenar modelo</translation>
   </message>
   <message>
+   <source>Trained on</source>
+   <translation>Entrenado con</translation>
+  </message>
+  <message>
    <source>Training</source>
    <translation>Entrenamiento</translation>
   </message>
@@ -3554,6 +3634,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Updated database</source>
    <translation>Base de datos actualizada</translation>
+  </message>
+  <message>
+   <source>Use this model</source>
+   <translation>Usar este modelo</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -3936,6 +4020,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>desde (m)</translation>
   </message>
   <message>
+   <source>ground set aside from training</source>
+   <translation>terreno apartado del entrenamiento</translation>
+  </message>
+  <message>
    <source>hardly ever</source>
    <translation>casi nunca</translation>
   </message>
@@ -4098,6 +4186,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>north</source>
    <translation>norte</translation>
+  </message>
+  <message>
+   <source>not said</source>
+   <translation>no indicado</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -4526,6 +4618,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
    <translation>{method}: correctas {right}, erróneas {wrong}, falsas aceptaciones {accepts}, error mediano {error}</translation>
+  </message>
+  <message>
+   <source>{minutes:g} minutes of training</source>
+   <translation>{minutes:g} minutos de entrenamiento</translation>
   </message>
   <message>
    <source>{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.</source>
@@ -5022,6 +5118,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} no se firmó con la clave {key}, o se cambió después; obténgalo de nuevo de donde se exportó.</translation>
+  </message>
+  <message>
+   <source>{place}, set aside</source>
+   <translation>{place}, apartado</translation>
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>

@@ -540,6 +540,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Choisir un modèle de segmentation</translation>
   </message>
   <message>
+   <source>Choose the folder of your models</source>
+   <translation>Choisir le dossier de vos modèles</translation>
+  </message>
+  <message>
    <source>Class</source>
    <translation>Classe</translation>
   </message>
@@ -992,6 +996,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Moins de trois repères visuels : l’image n’a pas de vecteur topologique.</translation>
   </message>
   <message>
+   <source>File</source>
+   <translation>Fichier</translation>
+  </message>
+  <message>
    <source>File name of the image</source>
    <translation>Nom de fichier de l’image</translation>
   </message>
@@ -1042,6 +1050,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Fixes by</source>
    <translation>Positions par</translation>
+  </message>
+  <message>
+   <source>Folder</source>
+   <translation>Dossier</translation>
   </message>
   <message>
    <source>Folder for the georeferenced images</source>
@@ -1188,6 +1200,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Suffisant à partir de (%)</translation>
   </message>
   <message>
+   <source>Good for</source>
+   <translation>Convient pour</translation>
+  </message>
+  <message>
    <source>Ground that an image shows, as a multiple of the window size.</source>
    <translation>Terrain que montre une image, en multiple de la taille de fenêtre.</translation>
   </message>
@@ -1256,12 +1272,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Jusqu’où s’y fier</translation>
   </message>
   <message>
+   <source>How good (IoU)</source>
+   <translation>Qualité (IoU)</translation>
+  </message>
+  <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
    <translation>Combien des repères visuels les plus proches du centre un vecteur contient.</translation>
   </message>
   <message>
    <source>How much farther out or in than it should the ground in the image’s corners is shown.</source>
    <translation>De combien le sol dans les coins de l’image est montré trop loin ou trop près.</translation>
+  </message>
+  <message>
+   <source>How, and under which licenses</source>
+   <translation>Comment, et sous quelles licences</translation>
   </message>
   <message>
    <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
@@ -1370,6 +1394,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
    <translation>Elle ne peut pas être atteinte à {speed:g} unités de carte par seconde depuis les positions trouvées avant et après elle.</translation>
+  </message>
+  <message>
+   <source>It does not say what it was trained on: try it on a photo of ground that you know.</source>
+   <translation>Il ne dit pas sur quoi il a été entraîné : essayez-le sur une photo d’un terrain que vous connaissez.</translation>
   </message>
   <message>
    <source>It has no fix.</source>
@@ -1524,6 +1552,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Niveaux</translation>
   </message>
   <message>
+   <source>License</source>
+   <translation>Licence</translation>
+  </message>
+  <message>
    <source>Lists errors and warnings only: what has to be mended</source>
    <translation>N’affiche que les erreurs et les avertissements : ce qui est à corriger</translation>
   </message>
@@ -1644,6 +1676,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>MODEL_OUTPUT est une copie du modèle ; donnez le réseau comme MODEL.</translation>
   </message>
   <message>
+   <source>Made</source>
+   <translation>Créé</translation>
+  </message>
+  <message>
    <source>Make environment</source>
    <translation>Créer l’environnement</translation>
   </message>
@@ -1724,6 +1760,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>IoU moyen {iou:.1%}, exactitude globale {accuracy:.1%} sur {pixels} pixels.</translation>
   </message>
   <message>
+   <source>Mean over classes, on ground that was not trained on</source>
+   <translation>Moyenne des classes, sur un terrain qui n’a pas servi à l’entraînement</translation>
+  </message>
+  <message>
    <source>Median error</source>
    <translation>Erreur médiane</translation>
   </message>
@@ -1784,12 +1824,24 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Modèle, pour les photos</translation>
   </message>
   <message>
+   <source>Models at hand, and what they are good for…</source>
+   <translation>Modèles disponibles, et ce à quoi ils servent…</translation>
+  </message>
+  <message>
+   <source>Models for photos</source>
+   <translation>Modèles pour photos</translation>
+  </message>
+  <message>
    <source>Models that SemRef trained (*.onnx *.pt)</source>
    <translation>Modèles entraînés par SemRef (*.onnx *.pt)</translation>
   </message>
   <message>
    <source>More make the intervals narrower; points near each other learn from each other.</source>
    <translation>Davantage d’images resserrent les intervalles ; les points voisins apprennent les uns des autres.</translation>
+  </message>
+  <message>
+   <source>More models: train one on your own ground (the button beside the model in the dock), make one from published photos, or take a segmentation model of the Deepness plugin. {how}</source>
+   <translation>D’autres modèles : entraînez-en un sur votre propre terrain (le bouton à côté du modèle dans le panneau), faites-en un à partir de photos publiées, ou prenez un modèle de segmentation de l’extension Deepness. {how}</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
@@ -1914,6 +1966,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>None: a fix is expected everywhere.</source>
    <translation>Aucun : une position est attendue partout.</translation>
+  </message>
+  <message>
+   <source>Not good for</source>
+   <translation>Ne convient pas pour</translation>
   </message>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
@@ -2160,8 +2216,20 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Taille de pixel sur laquelle le réseau a été entraîné ; en cas d’omission, celle des métadonnées du modèle. Les images sans géoréférence sont prises telles quelles.</translation>
   </message>
   <message>
+   <source>Pixels</source>
+   <translation>Pixels</translation>
+  </message>
+  <message>
+   <source>Pixels it was trained on</source>
+   <translation>Pixels sur lesquels il a été entraîné</translation>
+  </message>
+  <message>
    <source>Place before</source>
    <translation>Endroit précédent</translation>
+  </message>
+  <message>
+   <source>Places are tested by networks that were trained without them.</source>
+   <translation>Les lieux sont testés par des réseaux entraînés sans eux.</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2580,6 +2648,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Part des images de la carte dont la position trouvée a au plus cet écart, correcte ou non.</translation>
   </message>
   <message>
+   <source>Show models…</source>
+   <translation>Afficher les modèles…</translation>
+  </message>
+  <message>
    <source>Show or hide the SemRef dock: find where images were taken</source>
    <translation>Afficher ou masquer le panneau SemRef : trouver où des images ont été prises</translation>
   </message>
@@ -2922,6 +2994,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
    <translation>La distance focale est de {focal_length_px:g} pixels ; elle doit être supérieure à 0 et d’au plus {most:g}.</translation>
+  </message>
+  <message>
+   <source>The folder of your models, and what each is good for:</source>
+   <translation>Le dossier de vos modèles, et ce à quoi chacun convient :</translation>
   </message>
   <message>
    <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
@@ -3448,6 +3524,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Entraîner un modèle</translation>
   </message>
   <message>
+   <source>Trained on</source>
+   <translation>Entraîné sur</translation>
+  </message>
+  <message>
    <source>Training</source>
    <translation>Entraînement</translation>
   </message>
@@ -3554,6 +3634,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Updated database</source>
    <translation>Base de données mise à jour</translation>
+  </message>
+  <message>
+   <source>Use this model</source>
+   <translation>Utiliser ce modèle</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -3936,6 +4020,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>de (m)</translation>
   </message>
   <message>
+   <source>ground set aside from training</source>
+   <translation>terrain mis de côté à l’entraînement</translation>
+  </message>
+  <message>
    <source>hardly ever</source>
    <translation>presque jamais</translation>
   </message>
@@ -4098,6 +4186,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>north</source>
    <translation>nord</translation>
+  </message>
+  <message>
+   <source>not said</source>
+   <translation>non indiqué</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -4526,6 +4618,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
    <translation>{method} : correctes {right}, erronées {wrong}, fausses acceptations {accepts}, erreur médiane {error}</translation>
+  </message>
+  <message>
+   <source>{minutes:g} minutes of training</source>
+   <translation>{minutes:g} minutes d’entraînement</translation>
   </message>
   <message>
    <source>{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.</source>
@@ -5022,6 +5118,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} n’a pas été signé avec la clé {key}, ou a été modifié depuis ; récupérez-le à nouveau là où il a été exporté.</translation>
+  </message>
+  <message>
+   <source>{place}, set aside</source>
+   <translation>{place}, mis de côté</translation>
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>

@@ -540,6 +540,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>选择分割模型</translation>
   </message>
   <message>
+   <source>Choose the folder of your models</source>
+   <translation>选择您的模型文件夹</translation>
+  </message>
+  <message>
    <source>Class</source>
    <translation>类别</translation>
   </message>
@@ -992,6 +996,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>地标少于三个：该影像没有拓扑向量。</translation>
   </message>
   <message>
+   <source>File</source>
+   <translation>文件</translation>
+  </message>
+  <message>
    <source>File name of the image</source>
    <translation>影像的文件名</translation>
   </message>
@@ -1042,6 +1050,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Fixes by</source>
    <translation>定位方法</translation>
+  </message>
+  <message>
+   <source>Folder</source>
+   <translation>文件夹</translation>
   </message>
   <message>
    <source>Folder for the georeferenced images</source>
@@ -1188,6 +1200,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>达标阈值（%）</translation>
   </message>
   <message>
+   <source>Good for</source>
+   <translation>适用于</translation>
+  </message>
+  <message>
    <source>Ground that an image shows, as a multiple of the window size.</source>
    <translation>影像所覆盖的地面，以窗口大小的倍数表示。</translation>
   </message>
@@ -1256,12 +1272,20 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>可信程度</translation>
   </message>
   <message>
+   <source>How good (IoU)</source>
+   <translation>质量（IoU）</translation>
+  </message>
+  <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
    <translation>向量包含离中心最近的多少个地标。</translation>
   </message>
   <message>
    <source>How much farther out or in than it should the ground in the image’s corners is shown.</source>
    <translation>影像四角的地面被显示得比应有位置靠外或靠内多少。</translation>
+  </message>
+  <message>
+   <source>How, and under which licenses</source>
+   <translation>如何获取及其许可</translation>
   </message>
   <message>
    <source>IMAGES is empty; choose at least one image, a folder with images, or a LAYER.</source>
@@ -1370,6 +1394,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>It can’t be reached at {speed:g} map units per second from the fixes before and after it.</source>
    <translation>以每秒 {speed:g} 地图单位的速度，无法从其前后的定位结果到达该位置。</translation>
+  </message>
+  <message>
+   <source>It does not say what it was trained on: try it on a photo of ground that you know.</source>
+   <translation>它没有说明训练所用的数据：请先用您熟悉的地面的照片试一试。</translation>
   </message>
   <message>
    <source>It has no fix.</source>
@@ -1524,6 +1552,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>层级</translation>
   </message>
   <message>
+   <source>License</source>
+   <translation>许可</translation>
+  </message>
+  <message>
    <source>Lists errors and warnings only: what has to be mended</source>
    <translation>只列出错误和警告，即需要修正之处</translation>
   </message>
@@ -1644,6 +1676,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>MODEL_OUTPUT 是模型的副本；请用 MODEL 给出网络。</translation>
   </message>
   <message>
+   <source>Made</source>
+   <translation>制作</translation>
+  </message>
+  <message>
    <source>Make environment</source>
    <translation>创建环境</translation>
   </message>
@@ -1724,6 +1760,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>平均 IoU {iou:.1%}，总体精度 {accuracy:.1%}，共 {pixels} 个像元。</translation>
   </message>
   <message>
+   <source>Mean over classes, on ground that was not trained on</source>
+   <translation>各类别的平均值，取自未参与训练的地面</translation>
+  </message>
+  <message>
    <source>Median error</source>
    <translation>误差中值</translation>
   </message>
@@ -1784,12 +1824,24 @@ The model that ships with SemRef can read these photos.</source>
    <translation>用于照片的模型</translation>
   </message>
   <message>
+   <source>Models at hand, and what they are good for…</source>
+   <translation>现有模型及其用途…</translation>
+  </message>
+  <message>
+   <source>Models for photos</source>
+   <translation>照片用模型</translation>
+  </message>
+  <message>
    <source>Models that SemRef trained (*.onnx *.pt)</source>
    <translation>SemRef 训练的模型 (*.onnx *.pt)</translation>
   </message>
   <message>
    <source>More make the intervals narrower; points near each other learn from each other.</source>
    <translation>越多区间越窄；相邻点互相借鉴。</translation>
+  </message>
+  <message>
+   <source>More models: train one on your own ground (the button beside the model in the dock), make one from published photos, or take a segmentation model of the Deepness plugin. {how}</source>
+   <translation>更多模型：在您自己的地面上训练一个（停靠面板中模型旁的按钮），用公开发布的照片制作一个，或使用 Deepness 插件的分割模型。{how}</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
@@ -1914,6 +1966,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>None: a fix is expected everywhere.</source>
    <translation>无：各处均预期可定位。</translation>
+  </message>
+  <message>
+   <source>Not good for</source>
+   <translation>不适用于</translation>
   </message>
   <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
@@ -2160,8 +2216,20 @@ The model that ships with SemRef can read these photos.</source>
    <translation>训练网络时所用的像元大小；若留空，则采用模型元数据中的值。没有地理参照的影像按原样处理。</translation>
   </message>
   <message>
+   <source>Pixels</source>
+   <translation>像素</translation>
+  </message>
+  <message>
+   <source>Pixels it was trained on</source>
+   <translation>训练时的像素大小</translation>
+  </message>
+  <message>
    <source>Place before</source>
    <translation>上一处</translation>
+  </message>
+  <message>
+   <source>Places are tested by networks that were trained without them.</source>
+   <translation>各地点均由训练时未使用该地点的网络来检验。</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2580,6 +2648,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>地图影像中误差不超过该值的定位结果所占的比例，无论对错。</translation>
   </message>
   <message>
+   <source>Show models…</source>
+   <translation>显示模型…</translation>
+  </message>
+  <message>
    <source>Show or hide the SemRef dock: find where images were taken</source>
    <translation>显示或隐藏 SemRef 面板：查找影像的拍摄位置</translation>
   </message>
@@ -2922,6 +2994,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
    <translation>焦距为 {focal_length_px:g} 像元；必须大于 0，且不超过 {most:g}。</translation>
+  </message>
+  <message>
+   <source>The folder of your models, and what each is good for:</source>
+   <translation>您的模型文件夹，以及每个模型的用途：</translation>
   </message>
   <message>
    <source>The folder {folder} can't be looked into ({reason}); start again when it can.</source>
@@ -3448,6 +3524,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>训练模型</translation>
   </message>
   <message>
+   <source>Trained on</source>
+   <translation>训练数据</translation>
+  </message>
+  <message>
    <source>Training</source>
    <translation>训练</translation>
   </message>
@@ -3554,6 +3634,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Updated database</source>
    <translation>更新后的数据库</translation>
+  </message>
+  <message>
+   <source>Use this model</source>
+   <translation>使用此模型</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -3936,6 +4020,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>起（m）</translation>
   </message>
   <message>
+   <source>ground set aside from training</source>
+   <translation>训练时留出的地面</translation>
+  </message>
+  <message>
    <source>hardly ever</source>
    <translation>几乎不能</translation>
   </message>
@@ -4098,6 +4186,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>north</source>
    <translation>北</translation>
+  </message>
+  <message>
+   <source>not said</source>
+   <translation>未说明</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -4526,6 +4618,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
    <translation>{method}：正确 {right}，错误 {wrong}，误接受 {accepts}，误差中值 {error}</translation>
+  </message>
+  <message>
+   <source>{minutes:g} minutes of training</source>
+   <translation>训练 {minutes:g} 分钟</translation>
   </message>
   <message>
    <source>{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.</source>
@@ -5022,6 +5118,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} 不是用密钥 {key} 签名的，或之后被更改；请从导出处重新获取。</translation>
+  </message>
+  <message>
+   <source>{place}, set aside</source>
+   <translation>{place}，留出</translation>
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>

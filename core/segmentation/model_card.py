@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from ..errors import ModelError
 from ..sentences import Sentence
@@ -124,12 +125,14 @@ def card_of_texts(texts: Mapping[str, str], path: str) -> ModelCard:
         _grounds(told.get("tested_on")),
         _shares(_json(texts, "validation_iou", dict)),
         _matrix(_json(texts, "validation_confusion", list), len(classes)),
-        *(_text(told.get(key), _LONGEST_SENTENCE) for key in ("good_for", "not_for", "license")),
+        _text(told.get("good_for"), _LONGEST_SENTENCE),
+        _text(told.get("not_for"), _LONGEST_SENTENCE),
+        _text(told.get("license"), _LONGEST_SENTENCE),
         _number(training.get("minutes")) if isinstance(training, dict) else None,
     )
 
 
-def _json(texts: Mapping[str, str], key: str, kind: type):  # noqa: ANN202 - of the kind
+def _json(texts: Mapping[str, str], key: str, kind: type) -> Any:  # noqa: ANN401 - of the kind
     """What is said under a key where it is of a kind, else an empty one."""
     try:
         found = read_json(texts.get(key, ""), LONGEST_METADATA)
@@ -143,8 +146,9 @@ def _text(value: object, longest: int = LONGEST_NAME) -> str:
 
 
 def _number(value: object) -> float | None:
-    is_one = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
-    return float(value) if is_one else None
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        return None
+    return float(value)
 
 
 def _shares(value: object) -> dict[str, float]:
@@ -157,9 +161,11 @@ def _shares(value: object) -> dict[str, float]:
 
 def _matrix(rows: list, size: int) -> tuple[tuple[float, ...], ...]:
     """A square of shares; empty where it is none."""
-    found = tuple(tuple(_number(share) for share in row) for row in rows if isinstance(row, list))
-    is_square = len(found) == size and all(len(row) == size and None not in row for row in found)
-    return found if is_square else ()
+    found = []
+    for row in rows:
+        shares = [share for share in map(_number, row) if share is not None] if isinstance(row, list) else []
+        found += [tuple(shares)] if len(shares) == size else []
+    return tuple(found) if len(found) == len(rows) == size else ()
 
 
 def _grounds(value: object) -> tuple[Ground, ...]:

@@ -55,6 +55,7 @@ LIGHT = (
     "toolbox",
     "algorithm_dialog",
     "train_model",
+    "models",
     "model_designer",
     "options",
     "narrow",
@@ -73,6 +74,7 @@ def main() -> None:
     parser.add_argument("only", nargs="*", help="scenes or variants; all without any")
     parser.add_argument("--output", type=Path, default=IMAGES)
     parser.add_argument("--samples", type=Path, help="folder to keep the sample projects in, one a language")
+    parser.add_argument("--models", default="", help="folder of the models that are listed beside the one that ships")
     parser.add_argument("--language", action="append", default=[], help="all tabs of the dock in this language instead")
     arguments = parser.parse_args()
     variants = chosen(arguments.only, arguments.language)
@@ -86,7 +88,7 @@ def main() -> None:
         )
         for number, variant in enumerate(variants):
             sample = sample_folder(arguments.samples or work / "samples", variant.language)
-            for picture in take(variant, package, sample, work / str(number)):
+            for picture in take(variant, package, sample, work / str(number), arguments.models):
                 target = arguments.output / picture.name
                 shrink(picture, target, LARGEST_BYTES)
                 print(f"{target} ({target.stat().st_size / 1000:.0f} kB)", flush=True)
@@ -125,7 +127,7 @@ def say_what_is_missing(variants: list[Variant]) -> None:
             sys.exit(f"No font has Chinese characters; apt-get install {CHINESE_FONT}")
 
 
-def take(variant: Variant, package: Path, sample: Path, home: Path) -> list[Path]:
+def take(variant: Variant, package: Path, sample: Path, home: Path, models: str = "") -> list[Path]:
     """The pictures of one session, as large as they came from the screen."""
     profile = home / "profiles" / "default"
     pictures = home / "pictures"
@@ -144,6 +146,7 @@ def take(variant: Variant, package: Path, sample: Path, home: Path) -> list[Path
                 "tools": str(SESSION.parent),
                 "sample": str(sample),
                 "pictures": str(pictures),
+                "models": models and str(Path(models).absolute()),
                 "scenes": variant.scenes,
                 "result": str(result),
             }

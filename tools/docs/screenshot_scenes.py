@@ -172,6 +172,16 @@ def train_model(session: Session) -> None:
     show_dialog(session, dialog, 1000, 760, "train_model")
 
 
+def models(session: Session) -> None:
+    """The models at hand with their cards."""
+    from semref.processing.inspection.models import choose_models_folder
+    from semref.ui.models.model_list import ModelsDialog
+
+    choose_models_folder(session.job["models"])
+    dialog = ModelsDialog()
+    show_dialog(session, dialog, 960, 520, "models")
+
+
 def model_designer(session: Session) -> None:
     """The model that ships, opened in the model designer."""
     from processing.modeler.ModelerDialog import ModelerDialog

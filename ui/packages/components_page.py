@@ -39,6 +39,8 @@ from ...processing.packages.components import (
 )
 from ...processing.translation import tr
 from ...processing.wording.sentences import worded
+from ..models.model_list import ModelsDialog
+from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 from .training_group import TrainingGroup
 
@@ -67,6 +69,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.install_wheels = QPushButton(tr("Install from a folder of wheels…"))
         self.copy = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy command"))
         self.remove = QPushButton(tr("Remove what SemRef installed"))
+        self.models = QPushButton(tr("Show models…"))
         self.cancel = QPushButton(tr("Cancel"))
         self.progress = QProgressBar()
         self.state = QLabel()
@@ -123,6 +126,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout.addWidget(group, 1)
         if self.training is not None:
             layout.addWidget(self.training)
+        layout.addLayout(row_of((QLabel(tr("The folder of your models, and what each is good for:")), 1), self.models))
 
     def _connect(self) -> None:
         self.list.itemChanged.connect(self._enable)
@@ -131,6 +135,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.copy.clicked.connect(self._copy_command)
         self.remove.clicked.connect(self._remove)
         self.cancel.clicked.connect(self._installer.cancel)
+        self.models.clicked.connect(self._show_models)
         self._installer.began.connect(self.state.setText)
         self._installer.said.connect(self._add_to_log)
         self._installer.installed.connect(self._show_installed)
@@ -192,6 +197,9 @@ class ComponentsPage(QgsOptionsPageWidget):
         command = install_command(self._chosen())
         QgsApplication.clipboard().setText(command)
         self.state.setText(tr("Copied: {command}").format(command=command))
+
+    def _show_models(self) -> None:
+        ModelsDialog(parent=self, can_use=False).exec()
 
     def _remove(self) -> None:
         try:

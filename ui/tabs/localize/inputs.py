@@ -22,6 +22,7 @@ from ....core.localization import Method
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
 from ...layer_files import drawn_layers, layer_file, raster_layers
+from ...models.model_list import ModelsDialog
 from ...widgets.buttons import tool_button
 from ...widgets.layouts import narrow, row_of
 from .image_list import ImageList
@@ -61,12 +62,15 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.model.lineEdit().setPlaceholderText(tr("Model, for photos"))
         self.model.setToolTip(tr("The network that makes labels of photos; leave empty for label images"))
         self.model.setFilePath(QgsSettings().value(_MODEL_SETTING, "", type=str))
+        self.models = tool_button("/mActionOpenTable.svg", tr("Models at hand, and what they are good for…"))
+        self.choosing: QWidget | None = None
         self.train = tool_button("/processingAlgorithm.svg", tr("Train a model on an orthophoto and polygons…"))
         self.training: QWidget | None = None
         layout = narrow(QVBoxLayout(self))
         layout.addWidget(self.list)
         layout.addLayout(row_of((self.add_files, 1), (self.add_folder, 1), self.add_layer, self.remove))
-        layout.addLayout(row_of((self.model, 1), self.train))
+        layout.addLayout(row_of((self.model, 1), self.models, self.train))
+        self.models.clicked.connect(self._choose_model)
         self.train.clicked.connect(self._train_model)
         self.model.fileChanged.connect(self._remember_model)
         self.add_files.clicked.connect(self._choose_files)
@@ -85,6 +89,12 @@ class ImageBox(QgsCollapsibleGroupBox):
     def model_path(self) -> str:
         """Of the network for photos; empty for label images."""
         return self.model.filePath().strip()
+
+    def _choose_model(self) -> None:
+        """Shows the models at hand with their cards."""
+        self.choosing = ModelsDialog(self.model_path(), self)
+        self.choosing.chosen.connect(self.model.setFilePath)
+        self.choosing.show()
 
     def _train_model(self) -> None:
         """Opens the algorithm's dialog, beside which QGIS can be used; its model becomes the chosen one."""

@@ -1,0 +1,38 @@
+"""The models that are at hand: those of the user's folder, and the one that ships."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from qgis.core import QgsApplication, QgsSettings
+
+if TYPE_CHECKING:
+    from ...core.segmentation.model_card import ModelCard
+
+SHIPPED = Path(__file__).resolve().parents[2] / "models"
+
+MOST_LISTED = 200
+"""Models of a folder that are listed: reading them takes time, and nobody chooses from more."""
+
+_SETTING = "semref/models_folder"
+
+
+def models_folder() -> Path:
+    """Where the user keeps models; one of the profile's unless another was chosen. It may not be there."""
+    chosen = QgsSettings().value(_SETTING, "", type=str)
+    return Path(chosen) if chosen else Path(QgsApplication.qgisSettingsDirPath()) / "semref" / "models"
+
+
+def choose_models_folder(path: str) -> None:
+    """Keeps where the user's models are; nothing for the profile's."""
+    QgsSettings().setValue(_SETTING, path)
+
+
+def listed_models(folder: Path) -> list[ModelCard]:
+    """The cards of the models in a folder and in those just below it, by name, then of the one that ships."""
+    from ...core.segmentation.model_card import read_card
+
+    own = sorted({*folder.glob("*.onnx"), *folder.glob("*/*.onnx")})[:MOST_LISTED] if folder.is_dir() else []
+    shipped = [path for path in sorted(SHIPPED.glob("*.onnx")) if path not in own]
+    return [read_card(str(path)) for path in (*own, *shipped)]

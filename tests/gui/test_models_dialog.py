@@ -1,0 +1,98 @@
+"""The models at hand with their cards: in a window from the dock and from the options."""
+
+from __future__ import annotations
+
+import json
+import os
+
+import pytest
+
+CARD = {
+    "name": "Houses of two towns",
+    "date": "2026-11-22",
+    "trained_on": [{"place": "Uganda", "about": "houses and sheds"}, {"place": "Nepal"}],
+    "tested_on": [{"place": "Kenya", "how": "left out", "iou": {"building": 0.61}}],
+    "good_for": "Buildings from straight above",
+    "not_for": "Ships & <boats>",
+    "license": "ODbL",
+}
+
+
+@pytest.fixture
+def folder(qgis_app, tmp_path):
+    """A folder of two models, one with a card and one that says nothing, and of a file that is none."""
+    from qgis.core import QgsSettings
+
+    from semref.core.segmentation.onnx_file import smallest_model, with_metadata
+    from semref.processing.inspection.models import choose_models_folder
+
+    model = with_metadata(smallest_model(4, 11), "class_names", '{"0": "other", "1": "building"}')
+    model = with_metadata(with_metadata(model, "resolution", "25"), "model_card", json.dumps(CARD))
+    (tmp_path / "houses").mkdir()
+    (tmp_path / "houses" / "houses.onnx").write_bytes(model)
+    (tmp_path / "silent.onnx").write_bytes(smallest_model(4, 11))
+    (tmp_path / "torn.onnx").write_bytes(b"torn")
+    choose_models_folder(str(tmp_path))
+    yield tmp_path
+    QgsSettings().remove("semref/models_folder")
+
+
+@pytest.fixture
+def dialog(folder):
+    from semref.ui.models.model_list import ModelsDialog
+
+    made = ModelsDialog()
+    made.show()
+    yield made
+    if "SEMREF_PICTURES" in os.environ:
+        made.grab().save(os.path.join(os.environ["SEMREF_PICTURES"], "models.png"))
+    made.close()
+    made.deleteLater()
+
+
+def rows(dialog) -> list[list[str]]:
+    tree = dialog.models.list
+    items = (tree.topLevelItem(row) for row in range(tree.topLevelItemCount()))
+    return [[item.text(column).replace("\u00a0", " ") for column in range(4)] for item in items]
+
+
+def test_models_are_listed_with_classes_pixels_and_how_good_they_are(dialog):
+    listed = rows(dialog)
+    assert listed[0] == ["Houses of two towns", "other, building", "25 cm", "61 %"]
+    assert listed[1] == ["silent", "", "–", "–"] and listed[2][0] == "torn"
+    assert listed[3][0] == "Sample area (made up)" and listed[3][2:] == ["1 m", "80 %"]
+
+
+def test_a_click_shows_the_card(dialog):
+    text = dialog.models.card.toPlainText()
+    for part in ("Houses of two towns", "Uganda: houses and sheds", "Kenya", "61", "Ships & <boats>", "ODbL"):
+        assert part in text
+    dialog.models.list.setCurrentItem(dialog.models.list.topLevelItem(1))
+    assert "It does not say what it was trained on" in dialog.models.card.toPlainText()
+
+
+def test_what_is_no_model_says_so_and_can_t_be_used(dialog):
+    dialog.models.list.setCurrentItem(dialog.models.list.topLevelItem(2))
+    assert "is not an ONNX model" in dialog.models.card.toPlainText()
+    assert not dialog.use.isEnabled() and dialog.models.path() == ""
+
+
+def test_the_window_says_where_more_models_come_from(dialog):
+    assert "Deepness" in dialog.models.where.text() and "models.md" in dialog.models.where.text()
+
+
+def test_a_folder_that_is_not_there_leaves_the_model_that_ships(dialog, folder):
+    dialog.models.folder.setFilePath(str(folder / "nowhere"))
+    assert [row[0] for row in rows(dialog)] == ["Sample area (made up)"]
+
+
+def test_the_dock_takes_the_model_that_is_chosen(dock, tab, folder):
+    tab.images.models.click()
+    dialog = tab.images.choosing
+    assert dialog.isVisible()
+    dialog.use.click()
+    assert tab.images.model_path() == str(folder / "houses" / "houses.onnx") and not dialog.isVisible()
+    tab.images.models.click()
+    assert tab.images.choosing.models.path() == tab.images.model_path()
+    tab.images.choosing.close()
+    tab.images.model.setFilePath("")

@@ -1,0 +1,215 @@
+"""Train a network for real photos: buildings, and with Dubai's mosaics roads, vegetation, water and land as well.
+
+    .venv/bin/python tools/training/train_photos.py OUTPUT_FOLDER --python PYTHON_WITH_TORCH [--without-dubai]
+        [--leave-out PLACE] [--minutes 10] [--seed 1671]
+
+Reads banepa, oam_buildings and dubai_aerial ($SEMREF_DATA or ../shared/data) and writes OUTPUT_FOLDER/photos.onnx, or
+buildings.onnx --without-dubai, with its card inside, beside it as .json, and to read as .md. --leave-out trains
+without a place and tests on it: NAME_without_PLACE.onnx; what came out is told by the card of the network of all
+places, whichever is made first. The weights are no part of SemRef: before they are given to others the licenses of what
+they were trained on have to be confirmed (docs/models.md).
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from bench import photo_places
+from bench.photo_places import ALL_CLASSES, BUILDINGS, PLACES, Place
+from plugin_package import ROOT, load_plugin_package
+
+load_plugin_package()
+import numpy as np  # noqa: E402
+from training.card_page import card_page  # noqa: E402
+
+from semref.core.errors import ParameterError  # noqa: E402
+from semref.core.labels.image_source import ArrayImage  # noqa: E402
+from semref.core.segmentation.model import SegmentationModel  # noqa: E402
+from semref.core.segmentation.model_card import KEY, card_of_texts  # noqa: E402
+from semref.core.segmentation.onnx_file import read_metadata, with_metadata  # noqa: E402
+from semref.core.segmentation.photo_labels import PhotoLabels  # noqa: E402
+from semref.storage.rasters import RasterFile, read_class_table  # noqa: E402
+from semref.storage.training_tiles import TileExport  # noqa: E402
+from semref.training.job import LITE0, PACKAGED, Job  # noqa: E402
+
+DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
+PHOTOS, BUILDINGS_ONLY = "photos", "buildings"
+RESOLUTIONS_M = {PHOTOS: 0.5, BUILDINGS_ONLY: 0.25}
+"""Houses of Dubai's mosaics and of drones' photos are about as many pixels wide at half a meter; without Dubai finer
+pixels keep terraces apart."""
+
+TILE_PX, STRIDE_PX, DUBAI_TILE_PX, SHOWN_TILE_PX = 256, 128, 512, 512
+VALIDATION_FRACTION = 0.15
+BATCH, LIGHT, MANY_EPOCHS = 4, 1.5, 10_000
+GOOD_FOR = {
+    PHOTOS: "A start: buildings from straight above; a base model to go on from on your own ground (Train model).",
+    BUILDINGS_ONLY: "Buildings seen from straight above by a drone, at 0.1 to 0.4 m; a base model to go on from.",
+}
+NOT_FOR = {
+    PHOTOS: "Roads, vegetation, water and land were learned in Dubai alone: elsewhere they are guesses. Other "
+    "climates, oblique or infrared photos, night, snow.",
+    BUILDINGS_ONLY: "Anything but buildings; houses apart from each other in dense towns; photos from space, oblique "
+    "or infrared ones, night, snow.",
+}
+
+
+def main() -> None:
+    options = parse()
+    name = BUILDINGS_ONLY if options.without_dubai else PHOTOS
+    folder = options.output_folder.absolute()
+    folder.mkdir(parents=True, exist_ok=True)
+    trained_on = [
+        one for one in PLACES if one.name != options.leave_out and not (options.without_dubai and one.name == "dubai")
+    ]
+    stem = f"{name}_without_{options.leave_out}" if options.leave_out else name
+    tiles = {str(path): one for one in trained_on for path in tiles_of(one, name, folder)}
+    train(options, name, folder / f"{stem}.onnx", tiles)
+    if options.leave_out:
+        tested = tested_on(photo_places.place(options.leave_out), name, folder / f"{stem}.onnx", folder)
+        (folder / f"{stem}.json").write_text(json.dumps(tested, indent=1) + "\n", encoding="utf-8")
+        print(json.dumps(tested), flush=True)
+    if (folder / f"{name}.onnx").exists():
+        write_card(folder, name)
+
+
+def parse() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("output_folder", type=Path)
+    parser.add_argument("--python", type=Path, default=ROOT / ".venv-train" / "bin" / "python", help="one with torch")
+    parser.add_argument("--without-dubai", action="store_true", help="buildings only, nothing of unconfirmed license")
+    parser.add_argument("--leave-out", choices=[one.name for one in PLACES], help="trained without it, tested on it")
+    parser.add_argument("--minutes", type=float, default=10.0, help="of the processor; default %(default)s")
+    parser.add_argument("--threads", type=int, default=0, help="of torch")
+    parser.add_argument("--seed", type=int, default=1671)
+    options = parser.parse_args()
+    if not options.python.exists():
+        parser.error(f"{options.python} is missing; run bash tools/training/setup_training.sh first")
+    if not (DATA / "oam_buildings").is_dir():
+        parser.error(f"there is no data at {DATA}")
+    return options
+
+
+def tiles_of(one: Place, name: str, folder: Path) -> list[Path]:
+    """Folders of training tiles of a place's photos; what is there already is kept."""
+    classes = ALL_CLASSES if name == PHOTOS else BUILDINGS
+    table = folder / f"classes_{name}.csv"
+    table.write_text(photo_places.class_table(classes), encoding="utf-8")
+    found = []
+    for photo in one.photos:
+        tiles = folder / f"tiles_{name}" / photo.name
+        found.append(tiles)
+        if not (tiles / "manifest.json").exists():
+            pair = photo_places.prepared(photo, DATA, RESOLUTIONS_M[name], folder / "places")
+            size, stride = (DUBAI_TILE_PX,) * 2 if one.name == "dubai" else (TILE_PX, STRIDE_PX)
+            cut(*map(str, pair), tiles, str(table), size, stride)
+    return found
+
+
+def cut(image: str, labels: str, tiles: Path, table: str, size: int, stride: int) -> None:
+    """Tiles of one photo; of one too small to set ground aside all of it is trained on."""
+    for fraction in (VALIDATION_FRACTION, 0.0):
+        made = tiles.with_name(f"{tiles.name}_{fraction:g}")
+        made.mkdir(parents=True)
+        try:
+            for _ in TileExport(RasterFile(image), RasterFile(labels), size, stride, fraction).steps(
+                made, read_class_table(table)
+            ):
+                pass
+        except ParameterError:
+            continue
+        made.rename(tiles)
+        return
+
+
+def train(options: argparse.Namespace, name: str, model: Path, tiles: dict[str, Place]) -> None:
+    """Runs the training of semref:trainmodel; ends this program where it fails."""
+    complete = {path: list(one.drawn) for path, one in tiles.items() if one.drawn != ALL_CLASSES}
+    job = Job(
+        tuple(tiles),
+        str(model),
+        str(model.with_suffix(".training")),
+        encoder=LITE0,
+        encoder_weights=PACKAGED,
+        learn_unlabeled=name == BUILDINGS_ONLY,
+        complete=complete if name == PHOTOS else {},
+        epochs=MANY_EPOCHS,
+        patience=0,
+        batch=BATCH,
+        light=LIGHT,
+        minutes=options.minutes,
+        processor_time=True,
+        threads=options.threads,
+        resolution=RESOLUTIONS_M[name],
+        tile_size=SHOWN_TILE_PX,
+        seed=options.seed,
+        resume=True,
+        card=card_of(name, model.stem, list(tiles.values())),
+    )
+    asked = model.with_suffix(".job.json")
+    job.write(asked)
+    status = subprocess.run([str(options.python), str(ROOT / "training"), str(asked)]).returncode
+    if status:
+        sys.exit(status)
+
+
+def card_of(name: str, title: str, places: list[Place]) -> dict:
+    """What people should know before they use the network."""
+    unlike = list(dict.fromkeys(places))
+    licenses = " ".join(f"{one.name}: {one.license}." for one in unlike)
+    return {
+        "name": title,
+        "trained_on": [{"place": one.name, "about": one.about, "classes": list(one.drawn)} for one in unlike],
+        "good_for": GOOD_FOR[name],
+        "not_for": NOT_FOR[name],
+        "license": f"Weights of what they were trained on. {licenses} Encoder: EfficientNet-Lite0, Apache 2.0.",
+    }
+
+
+def tested_on(one: Place, name: str, model: Path, folder: Path) -> dict:
+    """IoU on a place that the network was not trained on, as the card tells it."""
+    network = SegmentationModel(str(model), 1)
+    table = read_class_table(str(folder / f"classes_{name}.csv"))
+    values = network.classes.values_in(table, model.name)
+    counts = {c: np.zeros(3) for c in one.drawn if c in network.classes.names}
+    for photo in one.photos:
+        image, labels = photo_places.prepared(photo, DATA, RESOLUTIONS_M[name], folder / "places")
+        picture, truth = pixels(image), pixels(labels)
+        found = PhotoLabels(network, ArrayImage(picture), values).found()
+        known = truth > 0 if one.drawn == ALL_CLASSES else picture.any(axis=2)
+        for entry in (c for c in table if c.name in counts):
+            true, answer = (truth == entry.value) & known, (found == entry.value) & known
+            counts[entry.name] += (true & answer).sum(), true.sum(), answer.sum()
+    iou = {c: round(both / max(true + answer - both, 1), 3) for c, (both, true, answer) in counts.items()}
+    return {"place": one.name, "about": one.about, "how": "left out", "iou": iou}
+
+
+def pixels(path: Path) -> np.ndarray:
+    """(H, W) or (H, W, 3) uint8 of a file."""
+    from osgeo import gdal
+
+    bands = gdal.Open(str(path)).ReadAsArray()
+    return np.ascontiguousarray(np.moveaxis(bands[:3], 0, 2)) if bands.ndim == 3 else bands
+
+
+def write_card(folder: Path, name: str) -> None:
+    """Puts what networks with a place left out found into the card of that of all places; card and page beside it."""
+    path = folder / f"{name}.onnx"
+    data = path.read_bytes()
+    card = json.loads(read_metadata(data)[KEY])
+    left_out = sorted(folder.glob(f"{name}_without_*[!b].json"))
+    card["tested_on"] = [json.loads(one.read_text("utf-8")) for one in left_out if not one.name.endswith(".job.json")]
+    data = with_metadata(data, KEY, json.dumps(card))
+    path.write_bytes(data)
+    path.with_suffix(".json").write_text(json.dumps(card, indent=1) + "\n", encoding="utf-8")
+    page = card_page(card_of_texts(read_metadata(data), path.name))
+    path.with_suffix(".md").write_text(page, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""The models at hand, with their cards, to choose from."""

@@ -1,0 +1,168 @@
+"""A list of the models of a folder beside the card of the one that is selected."""
+
+from __future__ import annotations
+
+from html import escape
+
+from qgis.core import QgsSettings
+from qgis.gui import QgsFileWidget
+from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHeaderView,
+    QLabel,
+    QSplitter,
+    QTextBrowser,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...processing.inspection.models import choose_models_folder, listed_models, models_folder
+from ...processing.reports.model_card import card_html, card_title, quality_text, resolution_text
+from ...processing.translation import tr
+from ...processing.version import guide_url
+from ..widgets.layouts import row_of
+
+_SIZE_SETTING = "semref/models/size"
+_SMALLEST_PX = 760, 460
+_LIST_SHARE, _CARD_SHARE = 5, 4
+_CARD = Qt.ItemDataRole.UserRole
+_NAME, _CLASSES, _QUALITY = 0, 1, 3
+
+
+class ModelList(QWidget):
+    """The folder, its models, and the card of the selected one.
+
+    selected: its path, empty without one that can be used; chosen: the path of one that was double-clicked.
+    """
+
+    selected = pyqtSignal(str)
+    chosen = pyqtSignal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.folder = QgsFileWidget()
+        self.folder.setStorageMode(QgsFileWidget.StorageMode.GetDirectory)
+        self.folder.setDialogTitle(tr("Choose the folder of your models"))
+        self.folder.setFilePath(str(models_folder()))
+        self.list = QTreeWidget()
+        self.card = QTextBrowser()
+        self.where = QLabel(_where_to_get_more())
+        self._lay_out()
+        self.folder.fileChanged.connect(self._change_folder)
+        self.list.currentItemChanged.connect(self._show_card)
+        self.list.itemActivated.connect(self._choose)
+        self.refresh()
+
+    def path(self) -> str:
+        """Of the selected model; empty without one that can be used."""
+        item = self.list.currentItem()
+        card = None if item is None else item.data(0, _CARD)
+        return "" if card is None or card.fault is not None else card.file
+
+    def select(self, path: str) -> None:
+        """Selects the model of this path, if it is listed."""
+        for row in range(self.list.topLevelItemCount()):
+            item = self.list.topLevelItem(row)
+            if item.data(0, _CARD).file == path:
+                self.list.setCurrentItem(item)
+
+    def refresh(self) -> None:
+        """Reads the folder again."""
+        self.list.clear()
+        for card in listed_models(models_folder()):
+            item = QTreeWidgetItem(
+                [card_title(card), ", ".join(card.classes), resolution_text(card), quality_text(card)]
+            )
+            item.setData(0, _CARD, card)
+            item.setToolTip(0, card.file)
+            item.setToolTip(_CLASSES, ", ".join(card.classes))
+            item.setTextAlignment(_QUALITY, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            self.list.addTopLevelItem(item)
+        self.list.setCurrentItem(self.list.topLevelItem(0))
+
+    def _lay_out(self) -> None:
+        self.list.setHeaderLabels([tr("Model"), tr("Classes"), tr("Pixels"), tr("IoU")])
+        self.list.headerItem().setToolTip(_QUALITY, tr("Mean over classes, on ground that was not trained on"))
+        self.list.setRootIsDecorated(False)
+        self.list.setUniformRowHeights(True)
+        header = self.list.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        for column in (_NAME, _CLASSES):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
+        self.card.setOpenExternalLinks(True)
+        self.where.setWordWrap(True)
+        self.where.setOpenExternalLinks(True)
+        both = QSplitter()
+        both.setChildrenCollapsible(False)
+        both.addWidget(self.list)
+        both.addWidget(self.card)
+        both.setStretchFactor(0, _LIST_SHARE)
+        both.setStretchFactor(1, _CARD_SHARE)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addLayout(row_of(QLabel(tr("Folder")), (self.folder, 1)))
+        layout.addWidget(both, 1)
+        layout.addWidget(self.where)
+
+    def _change_folder(self, path: str) -> None:
+        choose_models_folder(path.strip())
+        self.refresh()
+
+    def _show_card(self, item: QTreeWidgetItem | None) -> None:
+        self.card.setHtml("" if item is None else card_html(item.data(0, _CARD)))
+        self.selected.emit(self.path())
+
+    def _choose(self, *_item: object) -> None:
+        if self.path():
+            self.chosen.emit(self.path())
+
+
+class ModelsDialog(QDialog):
+    """The list in a window of its own; ``chosen``: the path of the model to be used."""
+
+    chosen = pyqtSignal(str)
+
+    def __init__(self, current: str = "", parent: QWidget | None = None, can_use: bool = True) -> None:
+        """``current``: path of the model in use. ``can_use``: whether one can be chosen here, or looked at only."""
+        super().__init__(parent)
+        self.setObjectName("SemRefModels")
+        self.setWindowTitle(tr("Models for photos"))
+        self.models = ModelList()
+        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        self.use = self.buttons.addButton(tr("Use this model"), QDialogButtonBox.ButtonRole.AcceptRole)
+        self.use.setVisible(can_use)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.models)
+        layout.addWidget(self.buttons)
+        self.models.selected.connect(lambda path: self.use.setEnabled(bool(path)))
+        if can_use:
+            self.models.chosen.connect(self._take)
+        self.buttons.accepted.connect(lambda: self._take(self.models.path()))
+        self.buttons.rejected.connect(self.reject)
+        self.use.setEnabled(bool(self.models.path()))
+        self.models.select(current)
+        self.resize(QgsSettings().value(_SIZE_SETTING, self.sizeHint().expandedTo(QSize(*_SMALLEST_PX))))
+
+    def done(self, result: int) -> None:
+        """Keeps the size."""
+        QgsSettings().setValue(_SIZE_SETTING, self.size())
+        super().done(result)
+
+    def _take(self, path: str) -> None:
+        self.chosen.emit(path)
+        self.accept()
+
+
+def _where_to_get_more() -> str:
+    """Rich text."""
+    text = tr(
+        "More models: train one on your own ground (the button beside the model in the dock), make one from published "
+        "photos, or take a segmentation model of the Deepness plugin. {how}"
+    )
+    link = f'<a href="{guide_url("models.md")}">{escape(tr("How, and under which licenses"))}</a>'
+    return escape(text).replace("{how}", link)
