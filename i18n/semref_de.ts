@@ -1972,6 +1972,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Nicht gut für</translation>
   </message>
   <message>
+   <source>Nothing in the two images tells a common motion; they may show different ground.</source>
+   <translation>Nichts in den beiden Bildern verrät eine gemeinsame Bewegung; sie zeigen vielleicht verschiedenes Gelände.</translation>
+  </message>
+  <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
    <translation>Von {name} (Objekt {id}) ist nichts zu sehen: Objekt {other} liegt darüber.</translation>
   </message>
@@ -2078,6 +2082,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
    <translation>Eine der Karten ist gegen die andere gedreht; zuerst beide auf ein nach Norden ausgerichtetes Raster umrechnen.</translation>
+  </message>
+  <message>
+   <source>One of the two images shows nothing that could be found in the other one.</source>
+   <translation>Eines der beiden Bilder zeigt nichts, was im anderen wiederzufinden wäre.</translation>
   </message>
   <message>
    <source>One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs {needed_m:.3g} m.</source>
@@ -3464,6 +3472,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>In {folder} gibt es keinen Lauf, der fortgesetzt werden könnte.</translation>
   </message>
   <message>
+   <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
+   <translation>Das ist kein Foto oder Labelbild mit 8 Bit: Seine Pixel sind {shape} vom Typ {kind}.</translation>
+  </message>
+  <message>
    <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
    <translation>Die desselben Laufs: wie Bilder liegen, die mit geneigter Kamera aufgenommen wurden.</translation>
   </message>
@@ -3758,6 +3770,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a bias that shadows make turns with it. If left out, the bias is the same under any sun.</source>
    <translation>Wo die Sonne stand, als das vorhergesagte Bild aufgenommen wurde, in Grad im Uhrzeigersinn von Gitternord: Ein Versatz, den Schatten machen, dreht sich mit ihr. Ohne Angabe ist der Versatz bei jeder Sonne derselbe.</translation>
+  </message>
+  <message>
+   <source>Where the two images would overlap, only {agreeing} of {cells} pieces of ground look alike.</source>
+   <translation>Wo sich die beiden Bilder überlappen würden, sehen nur {agreeing} von {cells} Geländestücken gleich aus.</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -4728,6 +4744,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} antwortet anders als das Netz, aus dem es gemacht wurde, um {difference:.2g} in einem Logit.</translation>
   </message>
   <message>
+   <source>{path} begins with “{first}”, but its header needs the columns {columns}.</source>
+   <translation>{path} beginnt mit „{first}“, aber die Kopfzeile braucht die Spalten {columns}.</translation>
+  </message>
+  <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
    <translation>{path} nennt die Klasse {value} „{name}“ und die Datenbank „{known}“; die Karte mit der Klassentabelle der Datenbank rastern.</translation>
   </message>
@@ -4737,7 +4757,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   </message>
   <message>
    <source>{path} can't be read: {reason}.</source>
-   <translation>{path} ist nicht lesbar: {reason}.</translation>
+   <translation>{path} kann nicht gelesen werden: {reason}.</translation>
   </message>
   <message>
    <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
@@ -4794,6 +4814,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
    <translation>{path} hat eine Zeile mit mehr als {most} Zeichen, wie sie keine Kameratabelle hat; wählen Sie eine andere Datei.</translation>
+  </message>
+  <message>
+   <source>{path} has a line of more than {most} characters; choose another file.</source>
+   <translation>{path} hat eine Zeile mit mehr als {most} Zeichen; wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>{path} has a line that is no waypoint: {line}</source>
@@ -4996,6 +5020,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} hat das KBS {crs}, das nicht in Metern misst; in ein projiziertes KBS in Metern rastern oder umrechnen.</translation>
   </message>
   <message>
+   <source>{path} is larger than {most_mb} MB, which no table or log of one flight is.</source>
+   <translation>{path} ist größer als {most_mb} MB, was keine Tabelle und kein Protokoll eines Fluges ist.</translation>
+  </message>
+  <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>
    <translation>{path} ist größer als {most_mb} MB; das ist keine Route.</translation>
   </message>
@@ -5014,6 +5042,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.</source>
    <translation>{path} ist keine Kameratabelle: Ihre Kopfzeile ist „{first}“, nötig sind die Spalte image und einige von {columns}.</translation>
+  </message>
+  <message>
+   <source>{path} is no file; choose a table or a log.</source>
+   <translation>{path} ist keine Datei; wählen Sie eine Tabelle oder ein Protokoll.</translation>
   </message>
   <message>
    <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
@@ -5062,6 +5094,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} is not signed; export it with the key {key}, or leave the key out.</source>
    <translation>{path} ist nicht signiert; exportieren Sie die Datei mit dem Schlüssel {key}, oder lassen Sie den Schlüssel weg.</translation>
+  </message>
+  <message>
+   <source>{path} is not text in UTF-8; save it as CSV in UTF-8.</source>
+   <translation>{path} ist kein Text in UTF-8; speichern Sie es als CSV in UTF-8.</translation>
   </message>
   <message>
    <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
@@ -5125,7 +5161,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>
-   <translation>{place}: Es ist kein Bild genannt; jedem Bild eine Zeile geben.</translation>
+   <translation>{place}: Es ist kein Bild genannt; geben Sie jedem Bild eine Zeile.</translation>
   </message>
   <message>
    <source>{place}: roll or pitch is empty; give both, or neither.</source>
@@ -5133,7 +5169,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   </message>
   <message>
    <source>{place}: the image {image} is named a second time; give each image one line.</source>
-   <translation>{place}: Das Bild {image} ist ein zweites Mal genannt; jedem Bild eine Zeile geben.</translation>
+   <translation>{place}: Das Bild {image} ist ein zweites Mal genannt; geben Sie jedem Bild eine Zeile.</translation>
   </message>
   <message>
    <source>{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
@@ -5146,6 +5182,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{place}: {kind} is {value:g}, which no camera has.</source>
    <translation>{place}: {kind} ist {value:g}, was keine Kamera hat.</translation>
+  </message>
+  <message>
+   <source>{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.</source>
+   <translation>{place}: {name} ist {value:g}, muss aber zwischen {least:g} und {most:g} liegen.</translation>
   </message>
   <message>
    <source>{place}: {name} is “{text}”, which is not a number.</source>

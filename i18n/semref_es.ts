@@ -1972,6 +1972,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>No sirve para</translation>
   </message>
   <message>
+   <source>Nothing in the two images tells a common motion; they may show different ground.</source>
+   <translation>Nada en las dos imágenes indica un movimiento común; puede que muestren terrenos distintos.</translation>
+  </message>
+  <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
    <translation>No se ve nada de {name} (objeto espacial {id}): el objeto espacial {other} está encima.</translation>
   </message>
@@ -2078,6 +2082,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
    <translation>Uno de los mapas está girado respecto al otro; reproyecte antes ambos a una cuadrícula orientada al norte.</translation>
+  </message>
+  <message>
+   <source>One of the two images shows nothing that could be found in the other one.</source>
+   <translation>Una de las dos imágenes no muestra nada que pueda encontrarse en la otra.</translation>
   </message>
   <message>
    <source>One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs {needed_m:.3g} m.</source>
@@ -3464,6 +3472,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>En {folder} no hay ninguna ejecución que continuar.</translation>
   </message>
   <message>
+   <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
+   <translation>No es una foto ni una imagen de etiquetas de 8 bits: sus píxeles son {shape} de tipo {kind}.</translation>
+  </message>
+  <message>
    <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
    <translation>Las de la misma ejecución: cómo yacen las imágenes tomadas con la cámara inclinada.</translation>
   </message>
@@ -3758,6 +3770,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a bias that shadows make turns with it. If left out, the bias is the same under any sun.</source>
    <translation>Dónde estaba el sol al tomar la imagen predicha, en grados en sentido horario desde el norte de cuadrícula: un sesgo causado por las sombras gira con él. Si se omite, el sesgo es el mismo con cualquier sol.</translation>
+  </message>
+  <message>
+   <source>Where the two images would overlap, only {agreeing} of {cells} pieces of ground look alike.</source>
+   <translation>Donde las dos imágenes se solaparían, solo {agreeing} de {cells} trozos de terreno se parecen.</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -4728,6 +4744,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} responde de otro modo que la red de la que se hizo, por {difference:.2g} en un logit.</translation>
   </message>
   <message>
+   <source>{path} begins with “{first}”, but its header needs the columns {columns}.</source>
+   <translation>{path} empieza por «{first}», pero su cabecera necesita las columnas {columns}.</translation>
+  </message>
+  <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
    <translation>{path} llama «{name}» a la clase {value} y la base de datos «{known}»; rasterice el mapa con la tabla de clases de la base de datos.</translation>
   </message>
@@ -4794,6 +4814,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
    <translation>{path} tiene una línea de más de {most} caracteres, que ninguna tabla de cámaras tiene; elija otro archivo.</translation>
+  </message>
+  <message>
+   <source>{path} has a line of more than {most} characters; choose another file.</source>
+   <translation>{path} tiene una línea de más de {most} caracteres; elija otro archivo.</translation>
   </message>
   <message>
    <source>{path} has a line that is no waypoint: {line}</source>
@@ -4996,6 +5020,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} está en {crs}, que no mide en metros; rasterice o reproyecte a un SRC proyectado en metros.</translation>
   </message>
   <message>
+   <source>{path} is larger than {most_mb} MB, which no table or log of one flight is.</source>
+   <translation>{path} ocupa más de {most_mb} MB, lo que no ocupa ninguna tabla ni registro de un vuelo.</translation>
+  </message>
+  <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>
    <translation>{path} ocupa más de {most_mb} MB; ninguna ruta es tan grande.</translation>
   </message>
@@ -5014,6 +5042,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.</source>
    <translation>{path} no es una tabla de cámara: su cabecera es «{first}», pero necesita la columna image y algunas de {columns}.</translation>
+  </message>
+  <message>
+   <source>{path} is no file; choose a table or a log.</source>
+   <translation>{path} no es un archivo; elija una tabla o un registro.</translation>
   </message>
   <message>
    <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
@@ -5062,6 +5094,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} is not signed; export it with the key {key}, or leave the key out.</source>
    <translation>{path} no está firmado; expórtelo con la clave {key}, u omita la clave.</translation>
+  </message>
+  <message>
+   <source>{path} is not text in UTF-8; save it as CSV in UTF-8.</source>
+   <translation>{path} no es texto en UTF-8; guárdelo como CSV en UTF-8.</translation>
   </message>
   <message>
    <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
@@ -5125,7 +5161,7 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>
-   <translation>{place}: no se nombra ninguna imagen; dé una línea a cada imagen.</translation>
+   <translation>{place}: no se nombra ninguna imagen; dé a cada imagen una línea.</translation>
   </message>
   <message>
    <source>{place}: roll or pitch is empty; give both, or neither.</source>
@@ -5133,7 +5169,7 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   </message>
   <message>
    <source>{place}: the image {image} is named a second time; give each image one line.</source>
-   <translation>{place}: la imagen {image} se nombra por segunda vez; dé una línea a cada imagen.</translation>
+   <translation>{place}: la imagen {image} se nombra por segunda vez; dé a cada imagen una línea.</translation>
   </message>
   <message>
    <source>{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
@@ -5146,6 +5182,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{place}: {kind} is {value:g}, which no camera has.</source>
    <translation>{place}: {kind} es {value:g}, que ninguna cámara tiene.</translation>
+  </message>
+  <message>
+   <source>{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.</source>
+   <translation>{place}: {name} es {value:g}, pero debe estar entre {least:g} y {most:g}.</translation>
   </message>
   <message>
    <source>{place}: {name} is “{text}”, which is not a number.</source>

@@ -1972,6 +1972,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Ne convient pas pour</translation>
   </message>
   <message>
+   <source>Nothing in the two images tells a common motion; they may show different ground.</source>
+   <translation>Rien dans les deux images n’indique un mouvement commun ; elles montrent peut-être des terrains différents.</translation>
+  </message>
+  <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
    <translation>Rien n’est visible de {name} (entité {id}) : l’entité {other} est au-dessus.</translation>
   </message>
@@ -2078,6 +2082,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
    <translation>L’une des cartes est tournée par rapport à l’autre ; reprojetez d’abord les deux sur une grille orientée au nord.</translation>
+  </message>
+  <message>
+   <source>One of the two images shows nothing that could be found in the other one.</source>
+   <translation>L’une des deux images ne montre rien que l’on puisse retrouver dans l’autre.</translation>
   </message>
   <message>
    <source>One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs {needed_m:.3g} m.</source>
@@ -3464,6 +3472,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a dans {folder} aucune exécution à poursuivre.</translation>
   </message>
   <message>
+   <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
+   <translation>Ce n’est ni une photo ni une image d’étiquettes sur 8 bits : ses pixels sont {shape} de type {kind}.</translation>
+  </message>
+  <message>
    <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
    <translation>Celles du même traitement : comment se placent les images prises avec une caméra inclinée.</translation>
   </message>
@@ -3758,6 +3770,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a bias that shadows make turns with it. If left out, the bias is the same under any sun.</source>
    <translation>Où se trouvait le soleil à la prise de l’image prédite, en degrés dans le sens horaire depuis le nord de la grille : un biais dû aux ombres tourne avec lui. Si omis, le biais est le même sous tout soleil.</translation>
+  </message>
+  <message>
+   <source>Where the two images would overlap, only {agreeing} of {cells} pieces of ground look alike.</source>
+   <translation>Là où les deux images se recouvriraient, seuls {agreeing} morceaux de terrain sur {cells} se ressemblent.</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -4728,6 +4744,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} répond autrement que le réseau dont il est issu, de {difference:.2g} dans un logit.</translation>
   </message>
   <message>
+   <source>{path} begins with “{first}”, but its header needs the columns {columns}.</source>
+   <translation>{path} commence par « {first} », mais son en-tête doit avoir les colonnes {columns}.</translation>
+  </message>
+  <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
    <translation>{path} nomme la classe {value} « {name} » et la base de données « {known} » ; rastérisez la carte avec la table des classes de la base.</translation>
   </message>
@@ -4737,7 +4757,7 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   </message>
   <message>
    <source>{path} can't be read: {reason}.</source>
-   <translation>{path} est illisible : {reason}.</translation>
+   <translation>{path} ne peut pas être lu : {reason}.</translation>
   </message>
   <message>
    <source>{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another name.</source>
@@ -4794,6 +4814,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
    <translation>{path} a une ligne de plus de {most} caractères, ce qu’aucune table de caméras n’a ; choisissez un autre fichier.</translation>
+  </message>
+  <message>
+   <source>{path} has a line of more than {most} characters; choose another file.</source>
+   <translation>{path} a une ligne de plus de {most} caractères ; choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{path} has a line that is no waypoint: {line}</source>
@@ -4996,6 +5020,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} est en {crs}, qui ne mesure pas en mètres ; rastérisez ou reprojetez dans un SCR projeté en mètres.</translation>
   </message>
   <message>
+   <source>{path} is larger than {most_mb} MB, which no table or log of one flight is.</source>
+   <translation>{path} dépasse {most_mb} Mo, ce que ne fait aucun tableau ou journal d’un vol.</translation>
+  </message>
+  <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>
    <translation>{path} dépasse {most_mb} Mo ; aucun itinéraire n’est aussi grand.</translation>
   </message>
@@ -5014,6 +5042,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.</source>
    <translation>{path} n’est pas une table de caméra : son en-tête est « {first} », mais il faut la colonne image et certaines de {columns}.</translation>
+  </message>
+  <message>
+   <source>{path} is no file; choose a table or a log.</source>
+   <translation>{path} n’est pas un fichier ; choisissez un tableau ou un journal.</translation>
   </message>
   <message>
    <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
@@ -5062,6 +5094,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} is not signed; export it with the key {key}, or leave the key out.</source>
    <translation>{path} n’est pas signé ; exportez-le avec la clé {key}, ou omettez la clé.</translation>
+  </message>
+  <message>
+   <source>{path} is not text in UTF-8; save it as CSV in UTF-8.</source>
+   <translation>{path} n’est pas du texte en UTF-8 ; enregistrez-le en CSV UTF-8.</translation>
   </message>
   <message>
    <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
@@ -5146,6 +5182,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{place}: {kind} is {value:g}, which no camera has.</source>
    <translation>{place} : {kind} vaut {value:g}, ce qu’aucune caméra n’a.</translation>
+  </message>
+  <message>
+   <source>{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.</source>
+   <translation>{place} : {name} vaut {value:g}, mais doit être compris entre {least:g} et {most:g}.</translation>
   </message>
   <message>
    <source>{place}: {name} is “{text}”, which is not a number.</source>

@@ -1972,6 +1972,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>不适用于</translation>
   </message>
   <message>
+   <source>Nothing in the two images tells a common motion; they may show different ground.</source>
+   <translation>两幅影像中没有内容表明共同的运动；它们可能显示不同的地面。</translation>
+  </message>
+  <message>
    <source>Nothing is seen of {name} (feature {id}): feature {other} lies on top.</source>
    <translation>{name}（要素 {id}）完全不可见：要素 {other} 位于其上。</translation>
   </message>
@@ -2078,6 +2082,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
    <translation>其中一幅地图相对于另一幅有旋转；请先将两者重投影到正北朝上的格网。</translation>
+  </message>
+  <message>
+   <source>One of the two images shows nothing that could be found in the other one.</source>
+   <translation>两幅影像中有一幅没有任何可在另一幅中找到的内容。</translation>
   </message>
   <message>
    <source>One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs {needed_m:.3g} m.</source>
@@ -3464,6 +3472,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>{folder} 中没有可继续的运行。</translation>
   </message>
   <message>
+   <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
+   <translation>这不是 8 位的照片或标签影像：其像素为 {shape}，类型 {kind}。</translation>
+  </message>
+  <message>
    <source>Those of the same run: how images lie that were taken with a tilted camera.</source>
    <translation>同一次运行的结果：倾斜拍摄的影像如何铺在地面上。</translation>
   </message>
@@ -3758,6 +3770,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a bias that shadows make turns with it. If left out, the bias is the same under any sun.</source>
    <translation>拍摄被预测的影像时太阳的方向，从格网北顺时针计的度数：阴影造成的偏移随之转动。若省略，则偏移在任何阳光下都相同。</translation>
+  </message>
+  <message>
+   <source>Where the two images would overlap, only {agreeing} of {cells} pieces of ground look alike.</source>
+   <translation>在两幅影像应当重叠之处，{cells} 块地面中只有 {agreeing} 块相似。</translation>
   </message>
   <message>
    <source>Whether a position was found</source>
@@ -4728,6 +4744,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 的回答与生成它的网络不同，某个 logit 相差 {difference:.2g}。</translation>
   </message>
   <message>
+   <source>{path} begins with “{first}”, but its header needs the columns {columns}.</source>
+   <translation>{path} 以“{first}”开头，但表头需要列 {columns}。</translation>
+  </message>
+  <message>
    <source>{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s class table.</source>
    <translation>{path} 将类别 {value} 称为“{name}”，而数据库称为“{known}”；请用数据库的类别表栅格化该地图。</translation>
   </message>
@@ -4794,6 +4814,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
    <translation>{path} 有一行超过 {most} 个字符，相机表不会如此；请选择其他文件。</translation>
+  </message>
+  <message>
+   <source>{path} has a line of more than {most} characters; choose another file.</source>
+   <translation>{path} 有一行超过 {most} 个字符；请选择其他文件。</translation>
   </message>
   <message>
    <source>{path} has a line that is no waypoint: {line}</source>
@@ -4996,6 +5020,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 使用 {crs}，不以米为单位；请栅格化或重投影到以米为单位的投影坐标参照系。</translation>
   </message>
   <message>
+   <source>{path} is larger than {most_mb} MB, which no table or log of one flight is.</source>
+   <translation>{path} 大于 {most_mb} MB，一次飞行的表格或日志不会这么大。</translation>
+  </message>
+  <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>
    <translation>{path} 大于 {most_mb} MB；航线不会这么大。</translation>
   </message>
@@ -5014,6 +5042,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.</source>
    <translation>{path} 不是相机表：其表头为“{first}”，但需要 image 列以及 {columns} 中的若干列。</translation>
+  </message>
+  <message>
+   <source>{path} is no file; choose a table or a log.</source>
+   <translation>{path} 不是文件；请选择表格或日志。</translation>
   </message>
   <message>
    <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
@@ -5062,6 +5094,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} is not signed; export it with the key {key}, or leave the key out.</source>
    <translation>{path} 未签名；请用密钥 {key} 导出，或不使用密钥。</translation>
+  </message>
+  <message>
+   <source>{path} is not text in UTF-8; save it as CSV in UTF-8.</source>
+   <translation>{path} 不是 UTF-8 文本；请保存为 UTF-8 的 CSV。</translation>
   </message>
   <message>
    <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
@@ -5125,7 +5161,7 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   </message>
   <message>
    <source>{place}: no image is named; give each image one line.</source>
-   <translation>{place}：没有写出影像；请为每幅影像写一行。</translation>
+   <translation>{place}：未指明影像；请为每幅影像写一行。</translation>
   </message>
   <message>
    <source>{place}: roll or pitch is empty; give both, or neither.</source>
@@ -5133,7 +5169,7 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   </message>
   <message>
    <source>{place}: the image {image} is named a second time; give each image one line.</source>
-   <translation>{place}：影像 {image} 重复出现；请为每幅影像只写一行。</translation>
+   <translation>{place}：影像 {image} 第二次出现；请为每幅影像只写一行。</translation>
   </message>
   <message>
    <source>{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.</source>
@@ -5146,6 +5182,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{place}: {kind} is {value:g}, which no camera has.</source>
    <translation>{place}：{kind} 为 {value:g}，没有相机是这样的。</translation>
+  </message>
+  <message>
+   <source>{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.</source>
+   <translation>{place}：{name} 为 {value:g}，但必须介于 {least:g} 与 {most:g} 之间。</translation>
   </message>
   <message>
    <source>{place}: {name} is “{text}”, which is not a number.</source>

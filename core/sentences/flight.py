@@ -5,4 +5,22 @@ SENTENCES = {
     "flight.link_numbers": "The motion from image {first} to image {second} has numbers that are none.",
     "flight.link_covariance": "The deviations of the motion from image {first} to image {second} are none.",
     "flight.no_image": "{name} is no label image: it has no pixels, or several bands.",
+    # Motion from pixels
+    "flight.no_photo": "This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.",
+    "flight.no_texture": "One of the two images shows nothing that could be found in the other one.",
+    "flight.no_common_motion": "Nothing in the two images tells a common motion; they may show different ground.",
+    "flight.overlap_disagrees": (
+        "Where the two images would overlap, only {agreeing} of {cells} pieces of ground look alike."
+    ),
+    # Tables and logs
+    "flight.no_file": "{path} is no file; choose a table or a log.",
+    "flight.file_too_large": "{path} is larger than {most_mb} MB, which no table or log of one flight is.",
+    "flight.unreadable": "{path} can't be read: {reason}.",
+    "flight.not_utf8": "{path} is not text in UTF-8; save it as CSV in UTF-8.",
+    "flight.line_too_long": "{path} has a line of more than {most} characters; choose another file.",
+    "flight.no_such_table": "{path} begins with “{first}”, but its header needs the columns {columns}.",
+    "flight.not_a_number": "{place}: {name} is “{text}”, which is not a number.",
+    "flight.out_of_range": "{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.",
+    "flight.no_image_named": "{place}: no image is named; give each image one line.",
+    "flight.image_named_twice": "{place}: the image {image} is named a second time; give each image one line.",
 }

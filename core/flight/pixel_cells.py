@@ -1,0 +1,124 @@
+"""Cells of the ground that two pictures share, each looked for in the other one by itself."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from .pixel_features import Features
+from .pixel_fit import Mapping
+
+CELL_PX, SEARCH_PX = 32, 6
+"""Working pixels: edge of the cells, and how far around the proposed place each is looked for."""
+
+MOST_CELLS = 160
+LEAST_TEXTURE = 12.0
+"""Standard deviation, in gray levels, of a cell that can be found again."""
+
+LEAST_LIKENESS = 0.55
+"""Correlation with which a cell counts as found."""
+
+
+class SharedGround:
+    """The second picture laid over the first one by a mapping.
+
+    Attributes:
+        corners: (N, 2) int: first column and row in the first picture of the cells that both show, with texture.
+        overlap: Share of the second picture that the first one shows.
+    """
+
+    def __init__(self, first: Features, second: Features, mapping: Mapping) -> None:
+        """Lays it over.
+
+        Args:
+            first: Of the earlier image.
+            second: Of the later one.
+            mapping: From the second picture to the first.
+        """
+        self._first = first.picture_hw
+        self._halves = _half_wh(first), _half_wh(second)
+        self._matrix = self._forward(mapping)
+        height, width = self._first.shape
+        self._laid = cv2.warpPerspective(second.picture_hw, self._matrix, (width, height))
+        known = np.ones(second.picture_hw.shape, np.uint8)
+        if second.is_known_hw is not None:
+            known = second.is_known_hw.astype(np.uint8)
+        shared = cv2.warpPerspective(known, self._matrix, (width, height), flags=cv2.INTER_NEAREST)
+        if first.is_known_hw is not None:
+            shared &= first.is_known_hw.astype(np.uint8)
+        self.overlap = _share(self._halves, mapping)
+        self.corners = self._textured(shared)
+
+    def _forward(self, mapping: Mapping) -> np.ndarray:
+        """(3, 3) from pixels of the second picture to those of the first, as OpenCV counts them."""
+        first, second = self._halves
+        corners = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]) * second
+        return cv2.getPerspectiveTransform(
+            (corners + second).astype(np.float32), (mapping(corners) + first).astype(np.float32)
+        )
+
+    def _textured(self, shared: np.ndarray) -> np.ndarray:
+        """Cells wholly in the overlap whose picture differs enough to be found again."""
+        step = CELL_PX
+        inside = float(shared.sum())
+        while inside / step**2 > MOST_CELLS:
+            step += 2
+        height, width = self._first.shape
+        margin = SEARCH_PX
+        columns = np.arange(margin, width - CELL_PX - margin + 1, step)
+        rows = np.arange(margin, height - CELL_PX - margin + 1, step)
+        x, y = (grid.ravel() for grid in np.meshgrid(columns, rows))
+        whole = _sums(shared, x - margin, y - margin, CELL_PX + 2 * margin) == (CELL_PX + 2 * margin) ** 2
+        x, y = x[whole], y[whole]
+        picture = self._first.astype(np.float32) - 127.5
+        mean = _sums(picture, x, y, CELL_PX) / CELL_PX**2
+        square = _sums(picture * picture, x, y, CELL_PX) / CELL_PX**2
+        textured = np.sqrt(np.maximum(square - mean * mean, 0)) >= LEAST_TEXTURE
+        return np.column_stack([x[textured], y[textured]])
+
+    def found(self) -> tuple[np.ndarray, np.ndarray]:
+        """(M, 2) places in the second picture and (M, 2) the same in the first, from the centers, of cells found."""
+        moves = [self._move(int(x), int(y)) for x, y in self.corners]
+        is_found = np.array([move is not None for move in moves], bool)
+        shifts = np.array([move for move in moves if move is not None], np.float64).reshape(-1, 2)
+        middles = self.corners[is_found] + (CELL_PX - 1) / 2
+        back = cv2.perspectiveTransform((middles + shifts)[None], np.linalg.inv(self._matrix))
+        ours = np.zeros((0, 2)) if back is None else back[0]
+        return ours - self._halves[1], middles - self._halves[0]
+
+    def _move(self, x: int, y: int) -> tuple[float, float] | None:
+        """How far right and down of its proposed place a cell lies; None where it isn't found."""
+        cell = self._first[y : y + CELL_PX, x : x + CELL_PX]
+        around = self._laid[y - SEARCH_PX : y + CELL_PX + SEARCH_PX, x - SEARCH_PX : x + CELL_PX + SEARCH_PX]
+        likeness = cv2.matchTemplate(around, cell, cv2.TM_CCOEFF_NORMED)
+        row, column = divmod(int(likeness.argmax()), likeness.shape[1])
+        edge = likeness.shape[0] - 1
+        if likeness[row, column] < LEAST_LIKENESS or not (0 < row < edge and 0 < column < edge):
+            return None
+        across = _peak(*likeness[row, column - 1 : column + 2].tolist())
+        along = _peak(*likeness[row - 1 : row + 2, column].tolist())
+        return column + across - SEARCH_PX, row + along - SEARCH_PX
+
+
+def _peak(before: float, at: float, after: float) -> float:
+    """Where a parabola through three values has its peak, from the middle one."""
+    bend = before - 2 * at + after
+    return 0.5 * (before - after) / bend if bend < 0 else 0.0
+
+
+def _half_wh(features: Features) -> np.ndarray:
+    """(2,) from the first pixel's center to the picture's."""
+    return (np.array(features.picture_hw.shape[::-1], np.float64) - 1) / 2
+
+
+def _sums(values_hw: np.ndarray, x: np.ndarray, y: np.ndarray, edge: int) -> np.ndarray:
+    """(N,) sums over squares of an edge that begin at columns x and rows y."""
+    total = cv2.integral(values_hw, sdepth=cv2.CV_64F)
+    return total[y + edge, x + edge] - total[y, x + edge] - total[y + edge, x] + total[y, x]
+
+
+def _share(halves: tuple[np.ndarray, np.ndarray], mapping: Mapping) -> float:
+    """Share of the second picture that falls into the first."""
+    sides = np.linspace(-0.975, 0.975, 40)
+    points = np.array(np.meshgrid(sides, sides)).reshape(2, -1).T * halves[1]
+    return float((np.abs(mapping(points)) <= halves[0]).all(axis=1).mean())

@@ -1,0 +1,172 @@
+"""The mapping between two pictures that places found in both tell: a similarity, or a homography where tilt asks.
+
+What is unknown of it follows from what the places leave over. Neighbors err together – lenses, relief, a boundary that
+was drawn twice – so their errors are counted by blocks as well as one by one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import cv2
+import numpy as np
+
+Mapping = Callable[[np.ndarray], np.ndarray]
+"""(N, 2) points of the second picture → (N, 2) of the first, both from the picture's center, right and down."""
+
+Model = Callable[[np.ndarray, np.ndarray], np.ndarray]
+"""(K,) parameters and (N, 2) points → (N, 2) points."""
+
+TILT_LENGTH_PX = 320.0
+"""The tilt's parameters are told for this distance from the center, so that all are of one order."""
+
+LEAST_FOR_TILT = 24
+TILT_GAIN = 8.0
+"""A homography is taken from so many places on when the mean square that its four parameters more take away is so many
+times what is left."""
+
+STARTS_WITHIN_PX = 4.0
+ROUNDS = 8
+BLOCK_PX = 96.0
+LEAST_SPREAD_PX = 0.1
+
+SPREAD_FACTOR = 1.0
+FLOOR = (0.15, 0.15, 0.0005, 0.0005)
+"""Standard deviations that no link is better than: working pixels right and down, radians, log scale."""
+
+
+def similarity(parameters: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """(N, 2): points turned and scaled, x + iy times the first two parameters, then moved by the other two."""
+    right, down, dx, dy = parameters
+    x, y = points.T
+    return np.column_stack([right * x - down * y + dx, down * x + right * y + dy])
+
+
+def homography(parameters: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """(N, 2): points seen in perspective; rows of two linear forms with their constants, then the tilt."""
+    a, b, dx, c, d, dy, right, down = parameters
+    x, y = points.T
+    depth = 1 + (right * x + down * y) / TILT_LENGTH_PX
+    return np.column_stack([a * x + b * y + dx, c * x + d * y + dy]) / depth[:, None]
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A mapping fitted to places.
+
+    Attributes:
+        model: ``similarity`` or ``homography``.
+        parameters: (K,) of it.
+        covariance: (K, K) of these.
+        is_used: (N,) bool: places that agree with it.
+    """
+
+    model: Model
+    parameters: np.ndarray
+    covariance: np.ndarray
+    is_used: np.ndarray
+
+    @property
+    def mapping(self) -> Mapping:
+        """The mapping itself."""
+        return partial(self.model, self.parameters)
+
+    def pose(self) -> tuple[np.ndarray, np.ndarray]:
+        """The similarity about the second picture's center: (4,) right, down, turn, log scale, and its covariance."""
+        steps = _derivatives(lambda parameters: pose_of(partial(self.model, parameters)), self.parameters)
+        known = steps @ self.covariance @ steps.T
+        return pose_of(self.mapping), SPREAD_FACTOR**2 * known + np.diag(np.square(FLOOR))
+
+
+def pose_of(mapping: Mapping) -> np.ndarray:
+    """(4,): where the second picture's center lies, and turn and log scale there, as nearly as a similarity tells."""
+    center, left, right, up, down = mapping(np.array([[0.0, 0], [-1, 0], [1, 0], [0, -1], [0, 1]]))
+    across, along = (right - left) / 2, (down - up) / 2
+    ratio = complex(across[0] + along[1], across[1] - along[0]) / 2
+    return np.array([*center, np.angle(ratio), np.log(max(abs(ratio), 1e-9))])
+
+
+def fitted(second: np.ndarray, first: np.ndarray, within: float) -> Fitted | None:
+    """The mapping that most places agree with; None where no similarity holds for four of them.
+
+    Args:
+        second: (N, 2) places in the second picture.
+        first: (N, 2) the same ones in the first.
+        within: Pixels within which a place agrees.
+    """
+    matrix, is_near = cv2.estimateAffinePartial2D(
+        second, first, method=cv2.RANSAC, ransacReprojThreshold=STARTS_WITHIN_PX, maxIters=500, confidence=0.999
+    )
+    if matrix is None or int(is_near.sum()) < 4:
+        return None
+    start = np.array([matrix[0, 0], matrix[1, 0], matrix[0, 2], matrix[1, 2]])
+    found, is_used = _robust(similarity, start, second, first, within)
+    model: Model = similarity
+    if len(second) >= LEAST_FOR_TILT:
+        right, down, dx, dy = found
+        level = np.array([right, -down, dx, down, right, dy, 0.0, 0.0])
+        tilted, is_used_tilted = _robust(homography, level, second, first, within)
+        chosen = is_used | is_used_tilted
+        rests = [
+            np.minimum(np.square(first - mapped).sum(axis=1), within**2)[chosen].sum()
+            for mapped in (similarity(found, second), homography(tilted, second))
+        ]
+        if _is_tilted(rests[0], rests[1], int(chosen.sum())):
+            model, found, is_used = homography, tilted, is_used_tilted
+    if 2 * int(is_used.sum()) <= len(found):
+        return None
+    return Fitted(model, found, _covariance(model, found, second[is_used], first[is_used]), is_used)
+
+
+def _is_tilted(level: float, tilted: float, count: int) -> bool:
+    """Whether a tilt's four parameters explain so much more of the sums of squares of places that they are no noise."""
+    left = max(tilted / max(2 * count - 8, 1), LEAST_SPREAD_PX**2)
+    return (level - tilted) / 4 > TILT_GAIN * left
+
+
+def _robust(
+    model: Model, start: np.ndarray, second: np.ndarray, first: np.ndarray, within: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """(K,) parameters by weighted least squares, places weighing less the farther they are off, and which agree."""
+    found = start
+    for _ in range(ROUNDS):
+        rest = first - model(found, second)
+        off = np.hypot(*rest.T)
+        spread = max(
+            1.4826 * float(np.median(off[off < 2 * STARTS_WITHIN_PX])) if (off < 8).any() else 1.0, LEAST_SPREAD_PX
+        )
+        weights = np.sqrt(1 / (1 + np.square(off / (2 * spread)))) * (off < 3 * max(within, spread))
+        steps = _derivatives(lambda parameters: model(parameters, second).ravel(), found)
+        twice = np.repeat(weights, 2)
+        change, *_ = np.linalg.lstsq(steps * twice[:, None], rest.ravel() * twice, rcond=None)
+        found = found + change
+        if np.abs(change).max() < 1e-6:
+            break
+    return found, np.hypot(*(first - model(found, second)).T) < within
+
+
+def _derivatives(function: Callable[[np.ndarray], np.ndarray], at: np.ndarray) -> np.ndarray:
+    """(M, K) of a function of (K,) parameters, by differences to both sides."""
+    step = 1e-5
+    columns = [(function(at + move) - function(at - move)) / (2 * step) for move in step * np.eye(len(at))]
+    return np.column_stack(columns)
+
+
+def _covariance(model: Model, found: np.ndarray, second: np.ndarray, first: np.ndarray) -> np.ndarray:
+    """(K, K) of the parameters: as of errors one by one, times what errors by blocks are larger."""
+    rest = (first - model(found, second)).ravel()
+    steps = _derivatives(lambda parameters: model(parameters, second).ravel(), found)
+    freedom = max(len(rest) - len(found), 1)
+    inverse = np.linalg.pinv(steps.T @ steps)
+    single = inverse * max(float(rest @ rest) / freedom, LEAST_SPREAD_PX**2)
+    blocks = np.unique(np.floor(first / BLOCK_PX).astype(np.int64), axis=0, return_inverse=True)[1].ravel()
+    count = int(blocks.max()) + 1
+    if count <= len(found) // 2:
+        return single
+    sums = np.zeros((count, len(found)))
+    np.add.at(sums, np.repeat(blocks, 2), steps * rest[:, None])
+    together = inverse @ (sums.T @ sums) @ inverse * (count / (count - 1))
+    larger = float(np.trace(np.linalg.pinv(single) @ together)) / len(found)
+    return single * max(larger, 1.0)

@@ -1,0 +1,122 @@
+"""Relative motion of two overlapping images from their pixels: a link with its covariance, or why there is none.
+
+Told in docs/method.md#relative-motion. Corners that look alike propose a motion; what proves it is the ground: cells
+of the overlap, each looked for in the other image by itself. A motion counts when most of them agree with it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+
+import cv2
+import numpy as np
+
+from ..sentences import Sentence
+from .motion import Link, LinkSource, as_rows
+from .pixel_cells import SharedGround
+from .pixel_features import Features
+from .pixel_fit import Fitted, Mapping, fitted, similarity
+
+RATIO = 0.85
+"""A corner counts when its best likeness is nearer than this share of the second best."""
+
+PROPOSED_WITHIN_PX = 4.0
+PROPOSALS = 4000
+LEAST_CORNERS = 5
+"""Working pixels within which corners agree, how many pairs of them are tried, and how many must agree."""
+
+MOST_SCALE = 2.0
+"""Of two images of one flight, one shows at most so many times as much ground as the other across its longer edge."""
+
+LEAST_AGREEING = 7
+LEAST_SHARE = 0.4
+"""Cells that must agree: so many, and this share of those with texture in the overlap."""
+
+AGREES_WITHIN_PX = 2.5
+"""Working pixels from the fitted motion."""
+
+ROUNDS = 2
+"""Cells are looked for by the proposed motion, and again by the one fitted to them."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What came of two images.
+
+    Attributes:
+        link: The motion; None where none was found.
+        reason: Why none was found; None with a link.
+        overlap: Share of the second image that the first one shows, by the motion.
+        agreeing: Cells of the overlap that agree with the motion.
+        cells: Cells with texture in the overlap.
+    """
+
+    link: Link | None
+    reason: Sentence | None = None
+    overlap: float = 0.0
+    agreeing: int = 0
+    cells: int = 0
+
+
+def motion_between(first: Features, second: Features, numbers: tuple[int, int] = (0, 1)) -> Motion:
+    """How the second image lies in the first one.
+
+    Args:
+        first: Of the earlier image.
+        second: Of the later one.
+        numbers: Of the two images in their flight.
+    """
+    if min(len(first.points), len(second.points)) < LEAST_CORNERS:
+        return Motion(None, Sentence("flight.no_texture"))
+    proposed = _proposed(first, second)
+    if proposed is None:
+        return Motion(None, Sentence("flight.no_common_motion"))
+    mapping: Mapping = partial(similarity, proposed)
+    motion = Motion(None)
+    for _ in range(ROUNDS):
+        ground = SharedGround(first, second, mapping)
+        at_second, at_first = ground.found()
+        found = fitted(at_second, at_first, AGREES_WITHIN_PX) if len(at_first) >= LEAST_AGREEING else None
+        agreeing, cells = 0 if found is None else int(found.is_used.sum()), len(ground.corners)
+        if found is None or agreeing < max(LEAST_AGREEING, LEAST_SHARE * cells):
+            reason = Sentence("flight.overlap_disagrees", agreeing=agreeing, cells=cells)
+            return Motion(None, reason, ground.overlap, agreeing, cells)
+        mapping = found.mapping
+        motion = Motion(_link(first, second, found, numbers), None, ground.overlap, agreeing, cells)
+    return motion
+
+
+def _proposed(first: Features, second: Features) -> np.ndarray | None:
+    """(4,) parameters of the similarity that most corners which look alike agree with; None where too few do."""
+    found = cv2.BFMatcher(cv2.NORM_HAMMING).knnMatch(second.descriptors, first.descriptors, k=2)
+    pairs = [(best.queryIdx, best.trainIdx) for best, rival in found if best.distance < RATIO * rival.distance]
+    if len(pairs) < LEAST_CORNERS:
+        return None
+    ours, theirs = np.array(pairs).T
+    matrix, is_agreeing = cv2.estimateAffinePartial2D(
+        second.points[ours],
+        first.points[theirs],
+        method=cv2.RANSAC,
+        ransacReprojThreshold=PROPOSED_WITHIN_PX,
+        maxIters=PROPOSALS,
+        confidence=0.999,
+    )
+    if matrix is None or int(is_agreeing.sum()) < LEAST_CORNERS:
+        return None
+    parameters = np.array([matrix[0, 0], matrix[1, 0], matrix[0, 2], matrix[1, 2]])
+    return parameters if 1 / MOST_SCALE <= float(np.hypot(*parameters[:2])) <= MOST_SCALE else None
+
+
+def _link(first: Features, second: Features, found: Fitted, numbers: tuple[int, int]) -> Link:
+    """The motion in pixels of the images."""
+    (right, down, turn, log_scale), covariance = found.pose()
+    units = np.array([first.scale, first.scale, 1.0, 1.0])
+    return Link(
+        *numbers,
+        (right * first.scale, down * first.scale),
+        float(turn),
+        float(log_scale + np.log(first.scale / second.scale)),
+        as_rows(covariance * np.outer(units, units)),
+        LinkSource.PIXELS,
+    )

@@ -1,0 +1,123 @@
+"""Tables of flights as text: lines with a header, of bounded size, each row with the place that is told of it."""
+
+from __future__ import annotations
+
+import csv
+import os
+import re
+import stat
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import isfinite
+
+from ..errors import ParameterError
+from ..labels.class_table import LONGEST_LINE
+from ..sentences import Sentence
+
+MOST_BYTES = 64_000_000
+"""Of a table: ten hours at 100 rows a second have 3.6 million rows, hardly anybody writes as many."""
+
+
+def text_of(path: str) -> str:
+    """The text of a file in UTF-8.
+
+    Raises:
+        ParameterError: It can't be read, is no regular file, is too large or is no text.
+    """
+    data = bytes_of(path, MOST_BYTES)
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise ParameterError("flight.not_utf8", path=path) from None
+
+
+def bytes_of(path: str, most: int) -> bytes:
+    """The bytes of a regular file that has at most ``most``.
+
+    Raises:
+        ParameterError: It can't be read, is no regular file or is too large.
+    """
+    try:
+        state = os.stat(path)
+        if not stat.S_ISREG(state.st_mode):
+            raise ParameterError("flight.no_file", path=path)
+        if state.st_size > most:
+            raise ParameterError("flight.file_too_large", path=path, most_mb=most // 1_000_000)
+        with open(path, "rb") as file:
+            return file.read(most)
+    except (OSError, ValueError) as error:
+        # ValueError: a path with a null character.
+        reason = getattr(error, "strerror", None) or str(error)
+        raise ParameterError("flight.unreadable", path=path, reason=reason) from None
+
+
+@dataclass(frozen=True)
+class Row:
+    """A row of a table.
+
+    Attributes:
+        texts: By the column's name, in small letters; empty where a row is short.
+        place: File and line, as told.
+    """
+
+    texts: dict[str, str]
+    place: Sentence
+
+    def number(self, name: str, default: float | None = None) -> float:
+        """A finite number.
+
+        Args:
+            name: Of the column.
+            default: Where the cell is empty or missing; None: that is an error.
+
+        Raises:
+            ParameterError: It is none.
+        """
+        text = self.texts.get(name, "")
+        if not text and default is not None:
+            return default
+        try:
+            value = float(text)
+        except ValueError:
+            value = float("nan")
+        if not isfinite(value):
+            raise ParameterError("flight.not_a_number", place=self.place, name=name, text=text[:40])
+        return value
+
+    def within(self, name: str, least: float, most: float, default: float | None = None) -> float:
+        """A number of a range; raises ParameterError for any other."""
+        value = self.number(name, default)
+        if not least <= value <= most:
+            raise ParameterError(
+                "flight.out_of_range", place=self.place, name=name, value=value, least=least, most=most
+            )
+        return value
+
+
+def rows_of(path: str, needed: Sequence[str]) -> Iterator[Row]:
+    """Rows of a CSV that is separated by commas, semicolons or tabs; empty lines are left out.
+
+    Args:
+        path: Of the file.
+        needed: Columns that its header must have.
+
+    Raises:
+        ParameterError: The file can't be used.
+    """
+    numbered = [(n, line) for n, line in enumerate(text_of(path).splitlines(), start=1) if line.strip()]
+    if any(len(line) > LONGEST_LINE for _, line in numbered):
+        raise ParameterError("flight.line_too_long", path=path, most=LONGEST_LINE)
+    first = numbered[0][1].strip() if numbered else ""
+    separator = max(",;\t", key=first.count)
+    header = [name.strip().strip('"').lower() for name in first.split(separator)]
+    if not set(needed) <= set(header):
+        raise ParameterError("flight.no_such_table", path=path, first=first[:200], columns=tuple(needed))
+    for number, line in numbered[1:]:
+        cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
+        texts = {name: cell.strip() for name, cell in zip(header, cells)}
+        yield Row(texts, Sentence("labels.line", source=path, line=number))
+
+
+def stem_of(path: str) -> str:
+    """An image's name without folders, of any system, and extension."""
+    return os.path.splitext(re.split(r"[/\\]", path)[-1])[0]

@@ -1,0 +1,87 @@
+"""Motion from image to image as a table tells it."""
+
+import math
+
+import numpy as np
+import pytest
+
+from semref.core.errors import ParameterError
+from semref.core.flight.motion import LinkSource
+from semref.core.flight.odometry import odometry_links, read_odometry
+
+HEADER = "image,dx_m,dy_m,dheading_deg"
+
+
+def table(tmp_path, *lines, header=HEADER):
+    path = tmp_path / "odometry.csv"
+    path.write_text("\n".join([header, *lines]) + "\n", encoding="utf-8")
+    return str(path)
+
+
+def links(tmp_path, lines, names, header=HEADER):
+    return odometry_links(read_odometry(table(tmp_path, *lines, header=header)), names)
+
+
+def test_a_row_tells_the_motion_since_the_row_before(tmp_path):
+    (link,) = links(tmp_path, ["a.jpg,,,", "b.jpg,3,200,-10"], ["a.png", "/x/b.tif"])
+    assert (link.first, link.second, link.source, link.in_meters) == (0, 1, LinkSource.ODOMETRY, True)
+    assert link.translation == pytest.approx((3, -200))
+    assert link.turn == pytest.approx(math.radians(-10))
+
+
+def test_from_a_view_to_the_north_the_second_lies_up_and_right(tmp_path):
+    (link,) = links(tmp_path, ["a,,,", "b,3,200,-10"], ["a", "b"])
+    center, turn = link.after(0j, 1 + 0j)
+    assert center == pytest.approx(3 + 200j)
+    assert math.degrees(math.atan2(turn.imag, turn.real)) == pytest.approx(10)
+
+
+def test_spreads_are_those_of_the_table_or_a_share_of_the_way(tmp_path):
+    header = HEADER + ",sigma_m,sigma_heading_deg,scale,sigma_scale"
+    lines = ["a,,,,,,,", "b,0,100,0,2,3,1.1,0.05", "c,0,100,0,,,,"]
+    told, usual = links(tmp_path, lines, ["a", "b", "c"], header)
+    assert np.sqrt(np.diag(told.covariance)) == pytest.approx([2, 2, math.radians(3), 0.05])
+    assert told.log_scale == pytest.approx(math.log(1.1))
+    assert np.sqrt(np.diag(usual.covariance)) == pytest.approx([3, 3, math.radians(1), 0.02])
+
+
+def test_steps_of_images_that_the_flight_lacks_are_put_together(tmp_path):
+    (link,) = links(tmp_path, ["a,,,", "b,0,100,90", "c,0,50,0"], ["a", "c"])
+    assert link.translation == pytest.approx((50, -100))
+    assert link.turn == pytest.approx(math.pi / 2)
+    one = links(tmp_path, ["a,,,", "b,0,100,90"], ["a", "b"])[0]
+    assert link.covariance[0][0] > one.covariance[0][0]
+
+
+def test_a_row_without_numbers_breaks_the_chain(tmp_path):
+    found = links(tmp_path, ["a,,,", "b,1,2,3", "c,,,", "d,1,2,3"], ["a", "b", "c", "d"])
+    assert [(link.first, link.second) for link in found] == [(0, 1), (2, 3)]
+
+
+def test_a_table_in_the_other_order_is_turned_round(tmp_path):
+    (there,) = links(tmp_path, ["a,,,", "b,3,200,-30"], ["b", "a"])
+    (back,) = links(tmp_path, ["a,,,", "b,3,200,-30"], ["a", "b"])
+    pose = back.after(10 + 5j, 2 * np.exp(0.3j))
+    assert there.after(*pose) == pytest.approx((10 + 5j, 2 * np.exp(0.3j)))
+
+
+def test_semicolons_quotes_and_other_columns_are_taken(tmp_path):
+    found = links(tmp_path, ['"a";x;;;', '"b";y;1;2;3'], ["a", "b"], "image;note;dx_m;dy_m;dheading_deg")
+    assert found[0].translation == pytest.approx((1, -2))
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        (["a,,,", "b,x,0,0"], "line 3: dx_m is “x”"),
+        (["a,,,", "b,1,,0"], "line 3: dy_m is “”"),
+        (["a,,,", "b,nan,0,0"], "line 3"),
+        (["a,,,", "b,1e9,0,0"], "line 3: dx_m is 1e.09"),
+        (["a,,,", "b,1,2,720"], "line 3: dheading_deg is 720"),
+        (["a,,,", "a,1,2,3"], "line 3: the image a"),
+        (["a,,,", ",1,2,3"], "line 3: no image"),
+    ],
+)
+def test_a_bad_row_is_told_with_its_line(tmp_path, lines, said):
+    with pytest.raises(ParameterError, match="odometry.csv, " + said):
+        read_odometry(table(tmp_path, *lines))

@@ -1,0 +1,61 @@
+"""What can be recognized of an image."""
+
+import numpy as np
+import pytest
+
+from semref.core.errors import ImageError
+from semref.core.flight.pixel_features import CORNERS, WORKING_EDGE, evened, label_features, photo_features
+
+
+def speckled(shape, seed=0):
+    return np.random.default_rng(seed).integers(0, 255, shape).astype(np.uint8)
+
+
+def test_large_images_are_looked_at_in_a_smaller_version():
+    features = photo_features(speckled((900, 1600, 3)))
+    assert features.picture_hw.shape == (360, WORKING_EDGE)
+    assert features.scale == 2.5
+    assert 0 < len(features.points) <= CORNERS
+
+
+def test_small_images_are_taken_as_they_are():
+    features = photo_features(speckled((100, 120)))
+    assert (features.picture_hw.shape, features.scale) == ((100, 120), 1.0)
+
+
+def test_corners_are_told_from_the_center():
+    picture = np.zeros((201, 301), np.uint8)
+    picture[90:111, 140:161] = 255
+    points = photo_features(picture).points
+    assert len(points)
+    assert np.abs(points).max() < 40
+    assert np.abs(points.mean(axis=0)).max() < 2
+
+
+def test_exposure_leaves_the_even_picture_as_it_is():
+    picture = speckled((80, 80)) // 3 + 40
+    assert np.abs(evened(picture).astype(int) - evened(2 * picture - 30)).mean() < 6
+
+
+def test_corners_lie_where_the_image_shows_something():
+    is_known = np.zeros((200, 300), bool)
+    is_known[:, :150] = True
+    assert photo_features(speckled((200, 300)), is_known).points[:, 0].max() <= 1
+
+
+def test_unlabeled_ground_is_not_known():
+    labels = np.ones((50, 60), np.uint8)
+    assert label_features(labels).is_known_hw is None
+    labels[:, :10] = 0
+    assert label_features(labels).is_known_hw.sum() == 50 * 50
+
+
+@pytest.mark.parametrize(
+    "image",
+    [np.zeros((0, 5), np.uint8), np.zeros((4, 4), np.float32), np.zeros((4, 4, 4), np.uint8), np.zeros(9, np.uint8)],
+)
+def test_what_is_no_image_is_refused(image):
+    with pytest.raises(ImageError):
+        photo_features(image)
+    with pytest.raises(ImageError):
+        label_features(image if image.ndim != 3 else image.astype(np.int32))

@@ -1,0 +1,145 @@
+"""Motion of two images from their pixels, from pictures cut out of one scene with known truth."""
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.flight.pixel_features import label_features, photo_features
+from semref.core.flight.pixel_motion import motion_between
+
+EDGE = 320
+
+
+def scene(seed, size=1100):
+    """(size, size) gray: smooth ground with sharp rectangles on it, as fields and roofs."""
+    rng = np.random.default_rng(seed)
+    ground = sum(
+        weight * cv2.resize(rng.normal(0, 1, (n, n)).astype(np.float32), (size, size), interpolation=cv2.INTER_CUBIC)
+        for n, weight in ((12, 25), (60, 14), (250, 8))
+    )
+    picture = np.clip(120 + ground, 0, 255).astype(np.uint8)
+    for _ in range(260):
+        middle = tuple(rng.uniform(0, size, 2).tolist())
+        box = cv2.boxPoints((middle, tuple(rng.uniform(12, 60, 2).tolist()), float(rng.uniform(0, 90))))
+        cv2.fillPoly(picture, [box.astype(np.int32)], int(rng.integers(0, 255)))
+    return picture
+
+
+def class_map(seed, size=1100):
+    """(size, size) labels of four classes."""
+    levels = np.digitize(cv2.GaussianBlur(scene(seed, size), (0, 0), 3), [80, 120, 160])
+    return (levels + 1).astype(np.uint8)
+
+
+def cut(picture, center, turn_deg, scale, nearest=False):
+    """(EDGE, EDGE) with its center there, its top turned clockwise, each pixel ``scale`` pixels of the scene."""
+    angle, half = np.radians(turn_deg), (EDGE - 1) / 2
+    right = scale * np.array([np.cos(angle), np.sin(angle)])
+    down = np.array([-right[1], right[0]])
+    matrix = np.column_stack([right, down, np.array(center) - half * (right + down)])
+    flags = cv2.WARP_INVERSE_MAP | (cv2.INTER_NEAREST if nearest else cv2.INTER_LINEAR)
+    return cv2.warpAffine(picture, matrix, (EDGE, EDGE), flags=flags)
+
+
+def truth(first, second):
+    """(4,) of the second (center, turn, scale) in the first: right, down, turn in radians, log scale."""
+    (x, y), turn, scale = first
+    apart = complex(second[0][0] - x, second[0][1] - y) / (scale * np.exp(1j * np.radians(turn)))
+    turned = np.radians(second[1] - turn)
+    return np.array([apart.real, apart.imag, (turned + np.pi) % (2 * np.pi) - np.pi, np.log(second[2] / scale)])
+
+
+def found(link):
+    return np.array([*link.translation, link.turn, link.log_scale])
+
+
+VIEWS = [
+    (((500, 500), 0, 1.0), ((596, 500), 0, 1.0)),
+    (((500, 560), 30, 1.0), ((560, 480), 200, 1.08)),
+    (((480, 500), 250, 1.1), ((640, 560), 100, 1.0)),
+    (((500, 500), 10, 1.0), ((520, 700), 355, 0.92)),
+]
+
+
+@pytest.mark.parametrize(("first", "second"), VIEWS)
+def test_a_photo_is_found_in_the_one_before_it_through_turn_scale_exposure_and_blur(first, second):
+    picture = scene(1)
+    earlier, later = cut(picture, *first), cut(picture, *second)
+    later = cv2.GaussianBlur(np.clip(1.25 * later.astype(np.float32) - 20, 0, 255).astype(np.uint8), (0, 0), 1.0)
+    motion = motion_between(photo_features(earlier), photo_features(later), (3, 7))
+    assert (motion.reason, motion.link.first, motion.link.second) == (None, 3, 7)
+    off = found(motion.link) - truth(first, second)
+    assert np.abs(off[:2]).max() < 0.5 and np.abs(off[2:]).max() < 0.002
+    assert (np.abs(off) < 4 * np.sqrt(np.diag(motion.link.covariance))).all()
+
+
+@pytest.mark.parametrize(("first", "second"), VIEWS)
+def test_a_label_image_is_found_by_its_boundaries(first, second):
+    labels = class_map(2)
+    images = (label_features(cut(labels, *view, nearest=True)) for view in (first, second))
+    off = found(motion_between(*images).link) - truth(first, second)
+    assert np.abs(off[:2]).max() < 1.0 and np.abs(off[2:]).max() < 0.01
+
+
+def test_color_photos_and_links_in_pixels_of_another_size():
+    first, second = VIEWS[0]
+    pictures = [cv2.cvtColor(cut(scene(1), *view), cv2.COLOR_GRAY2RGB) for view in (first, second)]
+    link = motion_between(photo_features(pictures[0], width=640), photo_features(pictures[1], width=160)).link
+    assert link.translation == pytest.approx((192, 0), abs=1)
+    assert link.log_scale == pytest.approx(np.log(2 / 0.5), abs=0.005)
+
+
+def test_a_large_photo_is_told_in_its_own_pixels():
+    picture = cv2.resize(scene(4, 1100), (3300, 3300), interpolation=cv2.INTER_CUBIC)
+    images = (photo_features(picture[y : y + 1500, x : x + 1800]) for x, y in ((100, 100), (700, 300)))
+    assert motion_between(*images).link.translation == pytest.approx((600, 200), abs=1.5)
+
+
+def test_tilt_is_told_by_a_homography_and_the_similarity_is_that_at_the_center():
+    picture = scene(5)
+    earlier = cut(picture, (500, 500), 0, 1.0)
+    plane = np.array([[1, 0, 40], [0, 1, 10], [2.5e-4, -1e-4, 1.0]])
+    half = np.array([[1, 0, (EDGE - 1) / 2], [0, 1, (EDGE - 1) / 2], [0, 0, 1]])
+    matrix = half @ plane @ np.linalg.inv(half)
+    shift = np.array([[1, 0, 500 - (EDGE - 1) / 2], [0, 1, 500 - (EDGE - 1) / 2], [0, 0, 1]])
+    later = cv2.warpPerspective(picture, shift @ matrix, (EDGE, EDGE), flags=cv2.WARP_INVERSE_MAP)
+    link = motion_between(photo_features(earlier), photo_features(later)).link
+    assert link.translation == pytest.approx((40, 10), abs=0.3)
+    # At the center the plane's derivative is [[1 − 40 g, …], …] with the tilt g.
+    assert link.log_scale == pytest.approx(np.log(1 - 0.5 * (40 * 2.5e-4 - 10 * 1e-4)), abs=0.002)
+
+
+@pytest.mark.parametrize("kind", ["photos", "labels"])
+def test_images_of_different_ground_have_no_link_and_a_reason(kind):
+    for seed in range(6):
+        view = ((500, 500), 40 * seed, 1.0)
+        if kind == "photos":
+            images = [photo_features(cut(scene(number), *view)) for number in (10 + seed, 30 + seed)]
+        else:
+            images = [label_features(cut(class_map(number), *view, nearest=True)) for number in (10 + seed, 30 + seed)]
+        motion = motion_between(*images)
+        assert motion.link is None and motion.reason.code.startswith("flight.")
+
+
+def test_a_mirrored_image_has_no_link():
+    picture = cut(scene(1), *VIEWS[0][0])
+    assert motion_between(photo_features(picture), photo_features(picture[:, ::-1].copy())).link is None
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (5, 300), (200, 200)])
+def test_an_image_without_texture_has_no_link(shape):
+    blank = photo_features(np.full(shape, 90, np.uint8))
+    assert motion_between(blank, photo_features(cut(scene(1), *VIEWS[0][0]))).reason.code == "flight.no_texture"
+
+
+def test_ground_that_an_image_does_not_show_is_left_out():
+    first, second = VIEWS[0]
+    earlier, later = cut(scene(1), *first), cut(scene(1), *second)
+    has_data = np.ones(earlier.shape, bool)
+    has_data[:, 260:] = False
+    whole = motion_between(photo_features(earlier), photo_features(later))
+    part = motion_between(
+        photo_features(np.where(has_data, earlier, 0).astype(np.uint8), has_data), photo_features(later)
+    )
+    assert part.cells < whole.cells
+    assert part.link.translation == pytest.approx(whole.link.translation, abs=0.1)

@@ -1,0 +1,59 @@
+"""Tables of flights, checked where they are read."""
+
+import pytest
+
+from semref.core.errors import ParameterError
+from semref.core.flight.table import Row, bytes_of, rows_of, stem_of
+from semref.core.sentences import Sentence, english
+
+
+def write(tmp_path, data):
+    path = tmp_path / "table.csv"
+    path.write_bytes(data)
+    return str(path)
+
+
+def code_of(call):
+    with pytest.raises(ParameterError) as caught:
+        call()
+    return caught.value.sentence.code
+
+
+def test_rows_keep_the_number_of_their_line(tmp_path):
+    rows = list(rows_of(write(tmp_path, b"\xef\xbb\xbfImage,B\n\na,1\n\nb\n"), ["image"]))
+    assert [row.texts for row in rows] == [{"image": "a", "b": "1"}, {"image": "b"}]
+    assert [english(row.place)[-6:] for row in rows] == ["line 3", "line 5"]
+
+
+@pytest.mark.parametrize(
+    ("data", "code"),
+    [
+        (b"", "flight.no_such_table"),
+        (b"other,b\n", "flight.no_such_table"),
+        (b"image\n\xff\xfe\n", "flight.not_utf8"),
+        (b"image\n" + b"x" * 20_000, "flight.line_too_long"),
+    ],
+)
+def test_what_is_no_table_is_refused(tmp_path, data, code):
+    assert code_of(lambda: list(rows_of(write(tmp_path, data), ["image"]))) == code
+
+
+def test_files_that_cannot_be_read_are_refused(tmp_path):
+    assert code_of(lambda: bytes_of(str(tmp_path / "none.csv"), 10)) == "flight.unreadable"
+    assert code_of(lambda: bytes_of(str(tmp_path), 10)) == "flight.no_file"
+    assert code_of(lambda: bytes_of("a\0b", 10)) == "flight.unreadable"
+    assert code_of(lambda: bytes_of(write(tmp_path, b"x" * 11), 10)) == "flight.file_too_large"
+
+
+def test_numbers_are_finite_and_in_range():
+    row = Row({"a": "2.5", "b": "inf", "c": ""}, Sentence("labels.line", source="t", line=2))
+    assert row.number("a") == 2.5
+    assert row.number("c", 7.0) == 7.0
+    assert code_of(lambda: row.number("b")) == "flight.not_a_number"
+    assert code_of(lambda: row.number("c")) == "flight.not_a_number"
+    assert code_of(lambda: row.within("a", 0, 1)) == "flight.out_of_range"
+
+
+@pytest.mark.parametrize("path", ["a.b.jpg", "/x/y/a.b.tif", "C:\\x\\a.b.png"])
+def test_the_stem_is_the_name_without_folders_and_extension(path):
+    assert stem_of(path) == "a.b"
