@@ -61,15 +61,20 @@ def largest_difference(network: torch.nn.Module, target: Path, images: list[np.n
     return largest
 
 
-def answering(target: Path, mean, deviation):
-    """The function of an image, (H, W, 3) in 0…1, to the channels that the model gives it, (H, W)."""
+def scoring(target: Path, mean, deviation):
+    """The function of an image, (H, W, 3) in 0…1, to the scores that the model gives it, (C, H, W)."""
     session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
 
-    def answer(image: np.ndarray) -> np.ndarray:
+    def scores_of(image: np.ndarray) -> np.ndarray:
         batch = ((image - mean) / deviation).astype(np.float32).transpose(2, 0, 1)[None].copy()
-        return session.run(None, {"image": batch})[0].argmax(1)[0].astype(np.uint8)
+        return session.run(None, {"image": batch})[0][0]
 
-    return answer
+    return scores_of
+
+
+def answering(scores_of):
+    """The function of an image to the channels, (H, W), that have the highest of its scores."""
+    return lambda image: scores_of(image).argmax(0).astype(np.uint8)
 
 
 def compared(network: torch.nn.Module, target: Path, reader: TileReader, mean, deviation):

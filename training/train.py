@@ -13,7 +13,20 @@ import torch
 
 from ..core.errors import TrainingError
 from ..core.segmentation.class_bias import KEY, class_bias_text
-from . import base_weights, class_bias, encoder_weights, examples, export, loop, metadata, metrics, network, tiles
+from ..core.segmentation.metadata import TEMPERATURE
+from . import (
+    base_weights,
+    class_bias,
+    encoder_weights,
+    examples,
+    export,
+    loop,
+    metadata,
+    metrics,
+    network,
+    temperature,
+    tiles,
+)
 from .job import CHECKPOINT, EXAMPLES, NETWORK, PACKAGED, RESULT, Job
 from .partial import partial_labels
 
@@ -222,7 +235,9 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: 
         {**training_facts(job, trainer, ground), **job.card},
     )
     turned = ground.validation.spread(TURNED_TILES) if job.minutes else ground.validation
-    entries |= _biases(export.answering(temporary, start.mean, start.deviation), ground, turned)
+    scores_of = export.scoring(temporary, start.mean, start.deviation)
+    entries |= _biases(export.answering(scores_of), ground, turned)
+    entries |= _temperature(scores_of, ground.validation.spread(JUDGED_TILES))
     export.add_metadata(temporary, entries)
     image = (ground.training(0)[0].transpose(2, 0, 1) - start.mean[:, None, None]) / start.deviation[:, None, None]
     half = max(ground.tile_size // 32 * 16, SMALLEST_IMAGE)
@@ -271,6 +286,12 @@ def training_facts(job: Job, trainer: loop.Trainer, ground: Ground) -> dict:
             "start": Path(job.base_model).name or job.encoder,
         },
     }
+
+
+def _temperature(scores_of: Callable[[np.ndarray], np.ndarray], reader: tiles.TileReader) -> dict[str, float]:
+    """The entry of the metadata that makes probabilities of scores; none without validation tiles."""
+    found = temperature.fitted(scores_of, reader)
+    return {} if found is None else {TEMPERATURE: round(found, 3)}
 
 
 def mean_iou(confusion: np.ndarray, allowed: np.ndarray) -> float:

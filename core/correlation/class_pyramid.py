@@ -20,14 +20,12 @@ import cv2
 import numpy as np
 
 from ..geometry.frame import MapFrame
+from ..labels.class_shares import FULL, ClassShares
 from ..labels.class_table import UNLABELED
 from .settings import CORRELATION, CorrelationSettings
 
 MAXIMUM_CHANNELS = 4
 """Evidence channels; OpenCV's samplers take four at once."""
-
-FULL = 255
-"""A fraction of 1 in the 8-bit fractions."""
 
 STORED_REDUCTION = 4
 """Evidence is kept in memory from this reduction of the overview on; finer levels are made of crops when needed."""
@@ -141,6 +139,13 @@ def evidence_level(labels_hw: np.ndarray, space: ClassSpace, size_wh: tuple[int,
     """
     evidence, known = evidence_of(class_fractions(labels_hw, space.values, size_wh), space)
     return EvidenceLevel(evidence, known, (labels_hw.shape[1] / size_wh[0], labels_hw.shape[0] / size_wh[1]))
+
+
+def evidence_of_shares(shares: ClassShares, space: ClassSpace, shape_hw: tuple[int, int]) -> EvidenceLevel:
+    """The evidence of an image of that shape of which the probable shares of classes are known, on their grid."""
+    evidence, known = evidence_of(shares.of(space.values), space)
+    height, width = known.shape
+    return EvidenceLevel(evidence, known, (shape_hw[1] / width, shape_hw[0] / height))
 
 
 def reduced_level(level: EvidenceLevel, size_wh: tuple[int, int]) -> EvidenceLevel:

@@ -9,9 +9,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..labels.class_shares import ClassShares
 from ..localization import Prior
 from ..sentences import Sentence
-from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, reduced_level
+from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, evidence_of_shares, reduced_level
 from .decision import fisher_z
 from .refine import ScoredPose, pose_covariance, refine
 from .refine_many import refine_many
@@ -22,8 +23,13 @@ OVERSHOOT = 1.15
 """A pose may be refined to a pixel size beyond the outermost one looked at by this ratio: half a step and a bit."""
 
 
-def image_evidence(labels_hw: np.ndarray, pyramid: MapPyramid) -> EvidenceLevel:
-    """The image's evidence at the finest pixels that are used: ``finest_edge`` of them along an edge or all it has."""
+def image_evidence(labels_hw: np.ndarray, pyramid: MapPyramid, shares: ClassShares | None = None) -> EvidenceLevel:
+    """The image's evidence at the finest pixels that are used: ``finest_edge`` of them along an edge or all it has.
+
+    By the probable shares of classes where they are known.
+    """
+    if shares is not None:
+        return evidence_of_shares(shares, pyramid.space, _shape(labels_hw))
     return evidence_level(labels_hw, pyramid.space, size_for(_shape(labels_hw), pyramid.settings.finest_edge))
 
 

@@ -19,6 +19,7 @@ import numpy as np
 
 from ..errors import LabelMapError
 from ..geometry.error_settings import SharedErrors
+from ..labels.class_shares import ClassShares
 from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirrored_level
@@ -41,12 +42,13 @@ from .refine import NOT_COMPARABLE, ScoredPose, score_at
 from .search import SearchSpace
 
 
-def localize(
+def localize(  # noqa: PLR0913 - an image by its labels and their shares, the map, and what is known beforehand
     labels_hw: np.ndarray,
     pyramid: MapPyramid,
     prior: Prior,
     allowed_risk: float = RISK,
     errors: SharedErrors | None = None,
+    shares: ClassShares | None = None,
 ) -> Localization:
     """Finds a label image on a map. Same input, same result.
 
@@ -56,6 +58,7 @@ def localize(
         prior: What is known beforehand, the range of pixel sizes at least.
         allowed_risk: Probability of being wrong up to which the best place is a fix.
         errors: What is known of the map's errors and the labels'; the defaults without it.
+        shares: Probable shares of classes, which then count instead of the labels.
 
     Returns:
         The best place is told also where it is no fix, if there is any.
@@ -68,7 +71,7 @@ def localize(
     settings = pyramid.settings
     if not pyramid.space.channels:
         return _no_match(Sentence("localization.too_few_classes"))
-    image = image_evidence(np.ascontiguousarray(labels_hw), pyramid)
+    image = image_evidence(np.ascontiguousarray(labels_hw), pyramid, shares)
     coarse = reduced_image(image, settings.coarse_edge)
     missing = missing_information(coarse, pyramid)
     if missing:

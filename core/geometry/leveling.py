@@ -129,6 +129,26 @@ class Leveling:
         matrix = np.linalg.inv(shift) @ self.homography @ shift
         return cv2.warpPerspective(labels_hw, matrix, self.shape_hw[::-1], flags=cv2.INTER_NEAREST)
 
+    def level_planes(self, planes_hwk: np.ndarray, image_shape_hw: tuple[int, int]) -> np.ndarray:
+        """Planes on a grid over an image, as a level camera sees them, by linear interpolation.
+
+        Args:
+            planes_hwk: (h, w, K) uint8, pixels of the grid may be larger than the image's.
+            image_shape_hw: (height, width) of the image that they cover.
+
+        Returns:
+            (h', w', K) uint8 over the level image, on pixels as large as near the image's center; 0 is ground not seen.
+        """
+        grid = np.array(planes_hwk.shape[1::-1], float)
+        pixel = np.array(image_shape_hw[::-1]) / grid
+        size = np.maximum(np.rint(np.array(self.shape_hw[::-1]) / pixel), 1).astype(int)
+        level_pixel = np.array(self.shape_hw[::-1]) / size
+        shift = np.array([[1, 0, 0.5], [0, 1, 0.5], [0, 0, 1]])
+        to_level = np.diag([*1 / level_pixel, 1]) @ self.homography @ np.diag([*pixel, 1])
+        matrix = np.linalg.inv(shift) @ to_level @ shift
+        planes = [cv2.warpPerspective(plane, matrix, tuple(size.tolist())) for plane in np.moveaxis(planes_hwk, 2, 0)]
+        return np.stack(planes, axis=2) if planes else np.zeros((size[1], size[0], 0), np.uint8)
+
     def in_image(self, pixels_xy: np.ndarray) -> np.ndarray:
         """(n, 2) pixel coordinates of the image, of (n, 2) ones of the level image."""
         rays = np.column_stack([pixels_xy, np.ones(len(pixels_xy))]) @ np.linalg.inv(self.homography).T

@@ -186,3 +186,27 @@ def _within(place: Place, prior: Prior) -> bool:
     if prior.position is None or prior.radius is None:
         return True
     return bool(np.hypot(*np.subtract(place.position, prior.position)) <= prior.radius)
+
+
+def saying_what_was_searched(
+    found: Localization, reason: Sentence, sizes: tuple[float, float], prior: Prior
+) -> Localization:
+    """The result, its reason with the pixel sizes, headings and ground that were searched in vain."""
+    headings, ground = Sentence("localization.all_headings"), Sentence("localization.whole_map")
+    if prior.heading_deg is not None and prior.heading_range_deg < 180:
+        spread, heading = prior.heading_range_deg, prior.heading_deg % 360
+        headings = Sentence("localization.headings_near", spread=spread, heading=heading)
+    if prior.position is not None and prior.radius is not None:
+        x, y = prior.position
+        ground = Sentence("localization.ground_near", radius=prior.radius, x=x, y=y)
+    return replace(
+        found,
+        reason=Sentence(
+            "localization.searched",
+            reason=reason,
+            smallest=sizes[0],
+            largest=sizes[1],
+            headings=headings,
+            ground=ground,
+        ),
+    )

@@ -9,6 +9,7 @@ import numpy as np
 from ..geometry.camera import HEADING_SPREAD_DEG, Camera
 from ..geometry.leveling import Leveling
 from ..geometry.pose import turn_of
+from ..labels.class_shares import ClassShares
 from ..localization import Localization, Method, Prior
 from .localizer import Localizer
 
@@ -20,6 +21,7 @@ def localize_leveled(  # noqa: PLR0913 - what ``Localizer.localize`` takes, and 
     prior: Prior,
     way: Leveling,
     with_matches: bool = False,
+    shares: ClassShares | None = None,
 ) -> Localization:
     """Levels an image, localizes it and takes the result back.
 
@@ -30,6 +32,7 @@ def localize_leveled(  # noqa: PLR0913 - what ``Localizer.localize`` takes, and 
         prior: About the image's center, with a range of pixel sizes.
         way: How the image is leveled.
         with_matches: As of ``Localizer.localize``.
+        shares: Probable shares of classes in the image as it is.
 
     Returns:
         The position is that of the image's center, heading and pixel size are those there, the heading that of its top
@@ -38,7 +41,10 @@ def localize_leveled(  # noqa: PLR0913 - what ``Localizer.localize`` takes, and 
     if prior.position is not None and prior.radius is not None and prior.pixel_size_range is not None:
         # What is searched for is the middle of the level image.
         prior = replace(prior, radius=prior.radius + abs(way.middle) * prior.pixel_size_range[1])
-    found = localizer.localize(way.level(labels_hw), method, prior, with_matches)
+    if shares is not None:
+        height, width = labels_hw.shape
+        shares = ClassShares(shares.values, way.level_planes(shares.shares, (height, width)))
+    found = localizer.localize(way.level(labels_hw), method, prior, with_matches, shares)
     if found.matches is not None:
         pixels = way.in_image(found.matches.pixels_xy)
         found = replace(found, matches=replace(found.matches, pixels_xy=pixels))

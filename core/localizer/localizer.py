@@ -16,13 +16,14 @@ from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, LabelMapError
 from ..geometry.error_settings import ClassBias, SharedErrors
 from ..geometry.footprint import image_corners
+from ..labels.class_shares import ClassShares
 from ..landmarks.landmarks import Landmarks, extract_landmarks
 from ..localization import Localization, Matches, Method, Place, Prior, Status
 from ..sentences import Sentence
 from ..windows.grid import centered_square
 from ..windows.matching import DISTANCE_THRESHOLD, vector_confidence, vector_distances
 from ..windows.topology_vector import MINIMUM_REFERENCES, topology_vector
-from .combined import agreed, checked_by_areas, confirmed, near, neither
+from .combined import agreed, checked_by_areas, confirmed, near, neither, saying_what_was_searched
 from .settings import LOCALIZER, LocalizerSettings
 
 
@@ -225,7 +226,9 @@ class Localizer:
             self._pyramid = MapPyramid(database.overview, database.parameters.overview_frame, self.settings.correlation)
         return self._pyramid
 
-    def localize_by_map_correlation(self, labels_hw: np.ndarray, prior: Prior | None = None) -> Localization:
+    def localize_by_map_correlation(
+        self, labels_hw: np.ndarray, prior: Prior | None = None, shares: ClassShares | None = None
+    ) -> Localization:
         """By the overlap of class areas, for labels too poor for centers of gravity (docs/method.md#map-correlation).
 
         Takes seconds without a prior on the position.
@@ -233,6 +236,7 @@ class Localizer:
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
             prior: Without one on the pixel size, images are searched that show 0.4 to 2.5 times a window's ground.
+            shares: Probable shares of classes, which then count instead of the labels.
 
         Raises:
             LabelMapError: The image has no pixels.
@@ -242,14 +246,16 @@ class Localizer:
         prior = prior or Prior()
         sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.correlation.scales)
         prior = replace(prior, pixel_size_range=sizes)
-        return correlate(labels_hw, self.pyramid, prior, self.settings.allowed_risk, self.errors)
+        return correlate(labels_hw, self.pyramid, prior, self.settings.allowed_risk, self.errors, shares)
 
     @property
     def has_overview(self) -> bool:
         """Whether map correlation can be used."""
         return self._database.overview is not None
 
-    def localize_automatically(self, labels_hw: np.ndarray, prior: Prior | None = None) -> Localization:
+    def localize_automatically(
+        self, labels_hw: np.ndarray, prior: Prior | None = None, shares: ClassShares | None = None
+    ) -> Localization:
         """The constellation, checked by class areas; where that has no fix, map correlation, made finer by the first.
 
         A database without overview leaves the constellation alone. Takes as long as map correlation for images without
@@ -258,6 +264,7 @@ class Localizer:
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
             prior: Without one on the pixel size each method searches its own range.
+            shares: Probable shares of classes, which map correlation then takes instead of the labels.
 
         Returns:
             The method of a fix is the one whose pose it is.
@@ -270,7 +277,7 @@ class Localizer:
             checked = checked_by_areas(objects, agreement, self.settings)
             if objects.is_fix or checked.is_fix:
                 return checked
-        areas = self.localize_by_map_correlation(labels_hw, prior)
+        areas = self.localize_by_map_correlation(labels_hw, prior, shares)
         both = agreed(objects, areas, min(labels_hw.shape), self.settings)
         if both is not None:
             return both
@@ -305,7 +312,12 @@ class Localizer:
             raise DatabaseError("database.no_described_window", least=MINIMUM_REFERENCES)
 
     def localize(
-        self, labels_hw: np.ndarray, method: Method, prior: Prior | None = None, with_matches: bool = False
+        self,
+        labels_hw: np.ndarray,
+        method: Method,
+        prior: Prior | None = None,
+        with_matches: bool = False,
+        shares: ClassShares | None = None,
     ) -> Localization:
         """Localizes an image.
 
@@ -315,6 +327,7 @@ class Localizer:
             prior: What is known beforehand.
             with_matches: Look for the landmarks that agree with the map also at a fix that needed none: of map
                 correlation. The constellation tells them anyway.
+            shares: Probable shares of classes, for map correlation.
 
         Returns:
             A fix has its footprint.
@@ -326,9 +339,9 @@ class Localizer:
         if method == Method.TOPOLOGY_VECTOR:
             return self.localize_by_topology_vector(labels_hw)
         if method == Method.MAP_CORRELATION:
-            found = self.localize_by_map_correlation(labels_hw, prior)
+            found = self.localize_by_map_correlation(labels_hw, prior, shares)
         elif method == Method.AUTOMATIC:
-            found = self.localize_automatically(labels_hw, prior)
+            found = self.localize_automatically(labels_hw, prior, shares)
         else:
             found = self.localize_by_constellation(labels_hw, prior)
         place = found.place
@@ -347,24 +360,7 @@ class Localizer:
         if found.reason is None or found.status is Status.TOO_FEW_REFERENCES and found.peaks is None:
             return found
         smallest, largest = prior.pixel_size_range or self.pixel_sizes(shape_hw, default_scales(method))
-        headings, ground = Sentence("localization.all_headings"), Sentence("localization.whole_map")
-        if prior.heading_deg is not None and prior.heading_range_deg < 180:
-            spread, heading = prior.heading_range_deg, prior.heading_deg % 360
-            headings = Sentence("localization.headings_near", spread=spread, heading=heading)
-        if prior.position is not None and prior.radius is not None:
-            x, y = prior.position
-            ground = Sentence("localization.ground_near", radius=prior.radius, x=x, y=y)
-        return replace(
-            found,
-            reason=Sentence(
-                "localization.searched",
-                reason=found.reason,
-                smallest=smallest,
-                largest=largest,
-                headings=headings,
-                ground=ground,
-            ),
-        )
+        return saying_what_was_searched(found, found.reason, (smallest, largest), prior)
 
     def _matches_at(self, labels_hw: np.ndarray, place: Place) -> Matches | None:
         height, width = labels_hw.shape

@@ -17,6 +17,7 @@ import cv2
 import numpy as np
 
 from ..errors import DatabaseError, ParameterError, SemRefError
+from ..labels.class_shares import SeenLabels
 from ..labels.class_table import ClassTable
 from ..labels.image_files import image_files, read_label_image, read_photo
 from ..labels.photo_camera import photo_camera
@@ -285,12 +286,13 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
         found: dict[str, Any] = {"image": path, "time": None}
         try:
             found["time"] = _time_of(path).isoformat()
-            labels_hw = read_labels(path)
+            seen = read_labels(path)
+            labels_hw = seen.labels_hw
             near = prior
             if method != Method.TOPOLOGY_VECTOR:
                 height, width = labels_hw.shape
                 near = with_camera(prior, photo_camera(path), (height, width))
-            result = localizer.localize(labels_hw, method, near)
+            result = localizer.localize(labels_hw, method, near, shares=seen.shares)
             found.update(record(result))
             if result.position is not None and onboard.lon_lat is not None:
                 longitudes, latitudes = onboard.lon_lat(np.array([result.position]))
@@ -312,10 +314,10 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
 
 def label_reader(
     model_path: str | None, threads: int, table: ClassTable
-) -> tuple[Callable[[str], np.ndarray], KnownBiases]:
+) -> tuple[Callable[[str], SeenLabels], KnownBiases]:
     """The function path → labels, of label images or with a model of photos; and how these labels are shifted."""
     if not model_path:
-        return (lambda path: read_label_image(path, table)), KnownBiases()
+        return (lambda path: SeenLabels(read_label_image(path, table))), KnownBiases()
     # onnxruntime is needed for photos only.
     from ..segmentation.model import SegmentationModel
     from ..segmentation.photo_labels import PhotoLabels
@@ -323,9 +325,9 @@ def label_reader(
     model = SegmentationModel(model_path, threads)
     values = model.classes.values_in(table, model_path)
 
-    def labels_of(path: str) -> np.ndarray:
+    def labels_of(path: str) -> SeenLabels:
         photo = read_photo(path)
-        return PhotoLabels(model, photo.image, values, photo.pixel_size_m).found()
+        return PhotoLabels(model, photo.image, values, photo.pixel_size_m).seen()
 
     return labels_of, known_biases(model.class_bias, table)
 

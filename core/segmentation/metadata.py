@@ -27,6 +27,12 @@ DEFAULT_THRESHOLD = 0.5
 LONGEST_METADATA = 100_000
 """Characters of a value: 255 classes with names of 255 characters each."""
 
+TEMPERATURE = "temperature"
+"""The metadata key of what scores are divided by, so that their softmax is the probability of each class."""
+
+LEAST_TEMPERATURE = 0.01
+"""Scores that tell so little, or so much, are no logits."""
+
 _MOST_BRACKETS = 1000
 
 _LARGEST = 1e30
@@ -35,7 +41,7 @@ _LARGEST = 1e30
 _KEYS = (
     *("model_type", "class_names", "names", "resolution", "tile_size", "tiles_size", "tiles_overlap", "seg_thresh"),
     *("standardization_mean", "standardization_std", "class_values", "class_colors", "class_roles"),
-    CLASS_BIAS,
+    *(CLASS_BIAS, TEMPERATURE),
 )
 
 BACKGROUND_NAMES = ("background", "_background", "unlabeled", "unlabelled", "other", "others", "none", "void")
@@ -70,6 +76,7 @@ class ModelSettings:
     ``resolution_m``: ground meters a pixel, None when unknown. ``tile_size_px``: None when it does not say.
     ``overlap``: share of a tile that lies on its neighbor. ``mean``, ``std``: (red, green, blue) of pixels in 0…1.
     ``threshold``: probability from which on a pixel has the class, for networks with one output.
+    ``temperature``: that makes probabilities of scores; None where the model states none.
     """
 
     resolution_m: float | None
@@ -78,6 +85,7 @@ class ModelSettings:
     mean: tuple[float, ...]
     std: tuple[float, ...]
     threshold: float
+    temperature: float | None = None
 
 
 def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
@@ -104,6 +112,7 @@ def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
         mean=_three(texts, "standardization_mean", source, 0.0),
         std=_three(texts, "standardization_std", source, 1.0),
         threshold=DEFAULT_THRESHOLD if threshold is None else threshold,
+        temperature=_number(texts, TEMPERATURE, source, LEAST_TEMPERATURE, 1 / LEAST_TEMPERATURE),
     )
 
 

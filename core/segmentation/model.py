@@ -92,6 +92,11 @@ class SegmentationModel:
         self.classes = read_classes(texts, channels, path, class_table)
         self.class_bias = read_class_bias(texts, self.classes.names, path)
 
+    @property
+    def temperature(self) -> float | None:
+        """What ``probabilities`` divides scores by, as the model states; None without such scores."""
+        return None if self._gives_probabilities or self._gives_probability else self.settings.temperature
+
     def scores(self, images: Sequence[np.ndarray]) -> np.ndarray:
         """(N, C, H, W) float32: for each image the score of each class; the highest is the pixel's.
 
@@ -114,7 +119,10 @@ class SegmentationModel:
         """(C, …) float32 probability of each class, of (C, …) scores or their weighted means."""
         if self._gives_probability:
             return np.stack([1 - scores[1], scores[1]])
-        return scores if self._gives_probabilities else softmax(scores)
+        if self._gives_probabilities:
+            return scores
+        temperature = self.settings.temperature
+        return softmax(scores if temperature is None else scores / np.float32(temperature))
 
     def _votes(self, outputs: np.ndarray) -> np.ndarray:
         """One for the class that the network names, zero for the others."""

@@ -6,16 +6,21 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from ..labels.class_shares import ClassShares, SeenLabels
 from ..labels.image_source import ImageSource
+from .certainty import Certainty
 from .model import SegmentationModel
 from .resampling import at_resolution
+from .score_shares import ScoreShares, grid_of
 from .tiling import nearest_labels, segment
 
 
 class PhotoLabels:
     """A photo's labels on its own pixels, seen by the network at its own resolution.
 
-    Iterate ``steps()``, then take ``labels_hw``. ``image`` is the photo as the network sees it.
+    Iterate ``steps()``, then take ``labels_hw`` and ``shares``. ``image`` is the photo as the network sees it.
+    ``shares`` are the probable shares of classes; None of a model that doesn't state how to make probabilities of its
+    scores.
     """
 
     def __init__(
@@ -41,17 +46,33 @@ class PhotoLabels:
         self._values = values
         self.image = at_resolution(photo, pixel_size_m, model.settings.resolution_m)
         self.labels_hw = np.empty((0, 0), np.uint8)
+        self.shares: ClassShares | None = None
 
     def steps(self) -> Iterator[float]:
         """Yields the share done (0…1) tile by tile; raises what ``tiling.segment`` raises."""
-        found = []
-        for share, rows in segment(self._model, self.image, self._values, self._model.settings.overlap):
-            found += [] if rows is None else [rows.labels_hw]
+        found, sums = [], self._sums()
+        wanted = Certainty(of_each=sums is not None)
+        for share, rows in segment(self._model, self.image, self._values, self._model.settings.overlap, wanted):
+            if rows is not None:
+                found.append(rows.labels_hw)
+                if sums is not None:
+                    sums.add(rows)
             yield share
         self.labels_hw = nearest_labels(np.concatenate(found), self._shape_hw)
+        self.shares = None if sums is None else sums.found()
+
+    def _sums(self) -> ScoreShares | None:
+        if self._model.temperature is None:
+            return None
+        shape_hw = self.image.shape_hw
+        return ScoreShares(self._values, shape_hw, grid_of(shape_hw))
 
     def found(self) -> np.ndarray:
         """(H, W) uint8 labels, for who needn't follow the steps."""
+        return self.seen().labels_hw
+
+    def seen(self) -> SeenLabels:
+        """Labels and shares, for who needn't follow the steps."""
         for _ in self.steps():
             continue
-        return self.labels_hw
+        return SeenLabels(self.labels_hw, self.shares)

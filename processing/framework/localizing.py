@@ -16,11 +16,11 @@ from .declarations import Choice, File, Files, Number, Parameter
 from .localized_image import LabelImages, LocalizedImage
 
 if TYPE_CHECKING:
-    import numpy as np
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.database.model import ReferenceDatabase
     from ...core.geometry.camera import Camera
+    from ...core.labels.class_shares import SeenLabels
     from ...core.labels.class_table import ClassTable
     from ...core.localization import Localization
     from ...core.localizer.localizer import Localizer
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from .values import Values
 
     LabelReader = Union[PhotoLabels, LabelImageReader]
-    Localize = Callable[[np.ndarray, Camera], Localization]
+    Localize = Callable[[SeenLabels, Camera], Localization]
 
 
 class LocalizeAlgorithm(SemRefAlgorithm):
@@ -156,7 +156,8 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         scales = priors.scales(values, method)
         known = priors.prior(values, crs)
 
-        def localize(labels_hw: np.ndarray, camera: Camera) -> Localization:
+        def localize(seen: SeenLabels, camera: Camera) -> Localization:
+            labels_hw, shares = seen.labels_hw, seen.shares
             sizes = scales and localizer.pixel_sizes(labels_hw.shape, scales)
             way = camera.leveling(labels_hw.shape)
             prior = with_camera(replace(known, pixel_size_range=sizes), camera, labels_hw.shape)
@@ -165,8 +166,8 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                 sizes = localizer.pixel_sizes(labels_hw.shape, default_scales(method))
                 prior = replace(prior, pixel_size_range=sizes)
             if way is None:
-                return localizer.localize(labels_hw, method, prior, with_matches)
-            return localize_leveled(localizer, labels_hw, method, prior, way, with_matches)
+                return localizer.localize(labels_hw, method, prior, with_matches, shares)
+            return localize_leveled(localizer, labels_hw, method, prior, way, with_matches, shares)
 
         return localize
 
@@ -203,9 +204,10 @@ def localize_image(
 ) -> LocalizedImage:
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
     try:
-        labels_hw, known = read_labels(path), read_labels.biases(path)
+        seen, known = read_labels.seen(path), read_labels.biases(path)
+        labels_hw = seen.labels_hw
         localizer.heed_biases(known.class_biases, known.class_spread)
-        found = localize(labels_hw, camera)
+        found = localize(seen, camera)
         remark = camera_remark(camera, labels_hw.shape)
     except SemRefError as error:
         return LocalizedImage(path, error=worded(error))

@@ -15,6 +15,7 @@ from ..translation import tr
 from .base import check_canceled
 
 if TYPE_CHECKING:
+    from ...core.labels.class_shares import SeenLabels
     from ...core.segmentation.class_bias import KnownBiases
     from ...core.segmentation.model import SegmentationModel
     from ...storage.images import GdalImage
@@ -56,6 +57,11 @@ class PhotoLabels:
         return class_bias_text(self._model.class_bias)
 
     def __call__(self, path: str) -> np.ndarray:
+        return self.seen(path).labels_hw
+
+    def seen(self, path: str) -> SeenLabels:
+        """Labels of a photo, and how sure the network is where it tells."""
+        from ...core.labels.class_shares import SeenLabels
         from ...core.labels.image_files import MAXIMUM_IMAGE_PIXELS
         from ...core.segmentation.photo_labels import PhotoLabels as Labels
         from ...storage.images import GdalImage
@@ -77,7 +83,7 @@ class PhotoLabels:
             self._is_described = True
         for _ in labels.steps():
             check_canceled(self._feedback)
-        return labels.labels_hw
+        return SeenLabels(labels.labels_hw, labels.shares)
 
 
 class LabelImageReader:
@@ -92,6 +98,12 @@ class LabelImageReader:
         from ...storage.rasters import read_label_image
 
         return read_label_image(path, self._table)
+
+    def seen(self, path: str) -> SeenLabels:
+        """Labels of an image, which tell no scores."""
+        from ...core.labels.class_shares import SeenLabels
+
+        return SeenLabels(self(path))
 
     def biases(self, path: str) -> KnownBiases:
         """How the labels of an image are shifted: as the network says that made it, if one did."""

@@ -61,15 +61,17 @@ PHOTOS = {
 @pytest.fixture(scope="module")
 def model(tmp_path_factory):
     path = tmp_path_factory.mktemp("model") / "m.onnx"
-    return str(write_model(path, brightest_color(3), metadata=metadata(resolution=50)))
+    return str(write_model(path, brightest_color(3), metadata=metadata(resolution=50, temperature=0.2)))
 
 
 @pytest.mark.parametrize("name", PHOTOS)
-def test_a_photo_has_the_same_labels_in_qgis_and_on_board(qgis_app, model, tmp_path, name):
+def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, model, tmp_path, name):
     path = str(PHOTOS[name](tmp_path / "photo.tif"))
-    in_qgis = PhotoLabels(model, TABLE, QgsProcessingFeedback(False))(path)
+    reader = PhotoLabels(model, TABLE, QgsProcessingFeedback(False))
+    in_qgis, seen = reader(path), reader.seen(path)
     on_board = label_reader(model, 1, TABLE)[0](path)
-    np.testing.assert_array_equal(on_board, in_qgis)
+    np.testing.assert_array_equal(on_board.labels_hw, in_qgis)
+    np.testing.assert_array_equal(on_board.shares.shares, seen.shares.shares)
     assert in_qgis.shape == PHOTO.shape[:2] and len(np.unique(in_qgis)) >= (1 if name == "gray" else 3)
 
 

@@ -100,9 +100,11 @@ def test_the_model_is_one_that_semref_segments_with(first):
     job, _ = first
     model = SegmentationModel(job.output, 1)
     assert model.settings.resolution_m == 0.5
+    assert 0.25 <= model.temperature <= 16
     assert model.classes.names == ("other", "building", "water") and model.classes.values == (0, 1, 2)
     photo = np.broadcast_to(np.uint8(COLORS[1]), (160, 200, 3)).copy()
-    assert PhotoLabels(model, ArrayImage(photo), model.classes.values).found().shape == (160, 200)
+    seen = PhotoLabels(model, ArrayImage(photo), model.classes.values).seen()
+    assert seen.labels_hw.shape == (160, 200) and seen.shares.values.tolist() == [1, 2]
 
 
 def test_the_model_carries_a_card(first):

@@ -114,9 +114,9 @@ def _of_tile(run: inputs.Run, part: int, size: int) -> tuple[Ground, list[Image]
     rng = np.random.default_rng([SEED, 100, part])
     wanted = replace(ON_A_TILE, sizes_px=(REAL_PX,), labeled=0.0)
     images = [ground.draw(wanted, rng) for _ in range(size)]
-    return ground, [replace(i, labels_hw=network.labels(photos.seen(ground, picture, i.view))) for i in images]
+    return ground, [photos.as_seen(i, network.seen(photos.seen(ground, picture, i.view))) for i in images]
 
 
 def _real_trials(run: inputs.Run, method: Method, part: int, size: int) -> list[Trial]:
     ground, shot = _of_tile(run, part, size)
-    return [ground.try_image(Image(Query(i.view), i.labels_hw), method) for i in shot]
+    return [ground.try_image(Image(Query(i.view), i.labels_hw, shares=i.shares), method) for i in shot]

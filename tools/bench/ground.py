@@ -17,6 +17,7 @@ from semref.core.constellation.solver import localize as solve
 from semref.core.database.model import MapLandmarks, ReferenceDatabase
 from semref.core.evaluation.summary import covered, percentile
 from semref.core.evaluation.trial import Query, Trial, judge
+from semref.core.labels.class_shares import ClassShares
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.localization import Method, Prior
 from semref.core.localizer.localizer import Localizer
@@ -68,11 +69,15 @@ class Wanted:
 
 @dataclass(frozen=True)
 class Image:
-    """A simulated image: the question, its (H, W) labels, and how many whole landmarks it showed before any noise."""
+    """A simulated image: the question, its (H, W) labels, and how many whole landmarks it showed before any noise.
+
+    ``shares``: of a photo, how sure its network is.
+    """
 
     query: Query
     labels_hw: np.ndarray
     landmarks: int = 0
+    shares: ClassShares | None = None
 
     @property
     def view(self) -> View:
@@ -230,7 +235,7 @@ class Ground:
     def try_image(self, image: Image, method: Method, right_within: float | None = None) -> Trial:
         """A label image in, what came of it out."""
         started = time.process_time()
-        found = self.localizer.localize(image.labels_hw, method, self.prior)
+        found = self.localizer.localize(image.labels_hw, method, self.prior, shares=image.shares)
         seconds = time.process_time() - started
         return judge(image.query, method, found, right_within, image.landmarks, seconds)
 

@@ -19,7 +19,7 @@ import numpy as np
 from bench import inputs, page
 from bench.correlation import ON_A_TILE
 from bench.ground import COLUMNS, Ground, cells, tile_ground
-from bench.photos import TRUE_LABELS, Network, seen
+from bench.photos import TRUE_LABELS, Network, as_seen, seen
 from semref.core.evaluation.trial import Trial
 from semref.core.labels.training_tiles import fitting_tiles
 from semref.core.localization import Method
@@ -61,7 +61,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
             if run.wants(case):
                 model = trained(run, tiles, f"{name}_{minutes}", {**settings, "minutes": minutes})
                 network = Network(model, ground)
-                predicted = [replace(i, labels_hw=network.labels(seen(ground, picture, i.view))) for i in images]
+                predicted = [as_seen(i, network.seen(seen(ground, picture, i.view))) for i in images]
                 agreement.append([case, *agreed(ground, network.labels(picture[:, middle:]), middle)])
                 rows += located(ground, predicted, case)
     if run.wants(TRUE_LABELS):

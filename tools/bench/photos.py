@@ -18,6 +18,7 @@ from bench.ground import COLUMNS, Ground, Image, cells, memory_ground, tile_grou
 from semref.core.database.build import BuildSettings
 from semref.core.evaluation.trial import Query, Trial
 from semref.core.geometry.error_settings import NETWORK_SPREAD
+from semref.core.labels.class_shares import SeenLabels
 from semref.core.labels.image_source import ArrayImage
 from semref.core.localization import Method
 from semref.core.sample import photo, pictures
@@ -65,7 +66,11 @@ class Network:
 
     def labels(self, photo_hw3: np.ndarray) -> np.ndarray:
         """(H, W) uint8, as semref:segmentimage makes them."""
-        return PhotoLabels(self._model, ArrayImage(photo_hw3), self._values).found()
+        return self.seen(photo_hw3).labels_hw
+
+    def seen(self, photo_hw3: np.ndarray) -> SeenLabels:
+        """What semref:localizeimages sees in a photo."""
+        return PhotoLabels(self._model, ArrayImage(photo_hw3), self._values).seen()
 
 
 def _sample(run: inputs.Run) -> str:
@@ -103,8 +108,8 @@ def sample_photos(
     for picture in pictures.plan_photos(ground.labels_hw.shape, seed, count):
         seen = photo.shoot(area_photo, picture, seed)
         jpeg = cv2.imencode(".jpg", seen[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])[1]
-        found = network.labels(np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1]))
-        yield Image(Query(picture.view(len(seen))), found)
+        found = network.seen(np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1]))
+        yield Image(Query(picture.view(len(seen))), found.labels_hw, shares=found.shares)
 
 
 _SAMPLE = """\
@@ -124,7 +129,7 @@ def _tile(run: inputs.Run, path: object) -> str:
         rng = np.random.default_rng([SEED, number])
         wanted = replace(ON_A_TILE, sizes_px=(edge,), labeled=0.0)
         images = [ground.draw(wanted, rng) for _ in range(run.how_many(TILE_COUNT, QUICK_COUNT))]
-        predicted = [replace(i, labels_hw=network.labels(seen(ground, picture, i.view))) for i in images]
+        predicted = [as_seen(image, network.seen(seen(ground, picture, image.view))) for image in images]
         for source, given in (("network", predicted), (TRUE_LABELS, images)):
             for method in METHODS:
                 trials = [ground.try_image(image, method) for image in given]
@@ -143,6 +148,11 @@ _TILE = """\
 turned crops at 0.9–1.1 of the tile's pixels, pixel size searched over 0.7–1.4; database of the annotated labels, all
 classes as landmarks; errors in pixels. Right: within 2 % of the edge. “{true}”: what no network could improve. Goal:
 ≥ 90 % right and ≤ 0.5 % wrong at ≥ 512 px.""".replace("{true}", TRUE_LABELS)
+
+
+def as_seen(image: Image, found: SeenLabels) -> Image:
+    """The image as a network sees it."""
+    return replace(image, labels_hw=found.labels_hw, shares=found.shares)
 
 
 def seen(ground: Ground, photo_hw3: np.ndarray, view: View) -> np.ndarray:

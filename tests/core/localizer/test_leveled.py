@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from semref.core.geometry.leveling import Attitude, leveling
+from semref.core.labels.class_shares import ClassShares
 from semref.core.localization import Localization, Matches, Method, Place, Prior, Status
 from semref.core.localizer.leveled import localize_leveled
 
@@ -21,8 +22,8 @@ class Made:
     def __init__(self, found):
         self.found = found
 
-    def localize(self, labels_hw, method, prior, with_matches=False):
-        self.shape, self.prior = labels_hw.shape, prior
+    def localize(self, labels_hw, method, prior, with_matches=False, shares=None):
+        self.shape, self.prior, self.shares = labels_hw.shape, prior, shares
         return self.found
 
 
@@ -72,3 +73,17 @@ def test_without_a_fix_no_place_is_told():
     none = Localization(Status.NO_MATCH, Method.CONSTELLATION)
     way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
     assert localize_leveled(Made(none), LABELS, Method.CONSTELLATION, Prior(), way) == none
+
+
+def test_shares_are_leveled_with_the_labels():
+    way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
+    made = Made(fix(0.0, 2.0))
+    shares = ClassShares(np.array([4], np.uint8), np.full((50, 65, 1), 200, np.uint8))
+    localize_leveled(made, LABELS, Method.CONSTELLATION, Prior(), way, shares=shares)
+    assert made.shares.values.tolist() == [4]
+    height, width = made.shares.shares.shape[:2]
+    pixels = np.array(LABELS.shape) / (50, 65)
+    assert np.abs(np.array(made.shape) / pixels - (height, width)).max() <= 0.5
+    # What isn't seen is unknown; what is, has its share.
+    middle = made.shares.shares[height // 2, width // 2]
+    assert made.shares.shares.min() == 0 and middle == 200

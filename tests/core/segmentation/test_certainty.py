@@ -61,6 +61,15 @@ def test_scores_become_the_softmax_whatever_the_tiles(made, overlap, shape):
     np.testing.assert_array_equal(labels[is_alone], (each.argmax(axis=0) + 1)[is_alone])
 
 
+def test_scores_are_divided_by_the_temperature_that_the_model_states(made):
+    scores = np.random.default_rng(1).normal(0, 3, (3, 5, 6)).astype(np.float32)
+    model = made(temperature=2.5)
+    assert model.temperature == 2.5
+    np.testing.assert_allclose(model.probabilities(scores), softmax(scores / 2.5), rtol=1e-5)
+    np.testing.assert_array_equal(made().probabilities(scores), softmax(scores))
+    assert made(ended_by("Softmax"), temperature=2.5).temperature is None
+
+
 def test_a_network_that_gives_probabilities_is_taken_at_its_word(made):
     image = photo()
     scores, probabilities = (segmented(made(network), ArrayImage(image)) for network in (None, ended_by("Softmax")))

@@ -36,6 +36,11 @@ def test_the_keys_of_deepness_are_read():
     assert (found.mean, found.std, found.threshold) == ((0.4, 0.5, 0.6), (0.1, 0.2, 0.3), 0.7)
 
 
+def test_the_temperature_is_stated_or_unknown():
+    assert read_settings({"temperature": "1.5"}, "m.onnx").temperature == 1.5
+    assert read_settings({}, "m.onnx").temperature is None
+
+
 def test_the_older_spelling_tiles_size_is_read():
     assert read_settings({"tiles_size": "640"}, "m.onnx").tile_size_px == 640
 
@@ -120,6 +125,7 @@ def test_a_reference_class_that_the_model_does_not_know_is_refused():
         ({"resolution": "NaN"}, "“NaN” as resolution"),
         ({"tile_size": "[512]"}, "as tile_size"),
         ({"tiles_overlap": "100"}, "number from 0 to 75"),
+        ({"temperature": "0"}, "number from 0.01 to 100"),
         ({"standardization_mean": "[0.5]"}, "list of three numbers"),
         ({"standardization_std": "[0.5, 0.0, 0.5]"}, "above 0"),
     ],

@@ -35,3 +35,19 @@ def test_the_steps_tell_the_share_done(model):
     shares = list(labels.steps())
     assert shares == sorted(shares) and shares[-1] == 1
     np.testing.assert_array_equal(labels.labels_hw, LABELS)
+
+
+def test_a_model_that_states_no_temperature_tells_no_shares(model):
+    assert PhotoLabels(model, PHOTO, (1, 2, 3)).seen().shares is None
+
+
+@pytest.mark.parametrize("pixel_size_m", [None, (0.25, 0.25)])
+def test_a_model_that_states_its_temperature_tells_shares_and_the_same_labels(model, tmp_path, pixel_size_m):
+    path = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=50, temperature=0.05))
+    found = PhotoLabels(SegmentationModel(str(path), 1), PHOTO, (1, 2, 3), pixel_size_m).seen()
+    np.testing.assert_array_equal(found.labels_hw, PhotoLabels(model, PHOTO, (1, 2, 3), pixel_size_m).found())
+    width, height = np.array(found.shares.shares.shape[1::-1])
+    assert (height, width) == ((100, 140) if pixel_size_m is None else (50, 70))
+    best = found.shares.shares.argmax(axis=2) + 1
+    step = 100 // height
+    assert (best == LABELS[step // 2 :: step, step // 2 :: step]).mean() > 0.9

@@ -1,0 +1,45 @@
+"""What share of each coarse pixel of an image a class has, by a network's scores instead of its best class alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+FULL = 255
+"""A share of 1 in 8 bits."""
+
+
+@dataclass(frozen=True)
+class ClassShares:
+    """Probable shares of classes on a grid that covers an image.
+
+    Attributes:
+        values: (K,) uint8, class values, without 0.
+        shares: (h, w, K) uint8, of each pixel of the grid (``FULL`` = all of it); what is missing is unknown.
+    """
+
+    values: np.ndarray
+    shares: np.ndarray
+
+    def of(self, values: np.ndarray) -> np.ndarray:
+        """(h, w, N) uint8 shares of N classes, 0 for those that aren't told."""
+        found = np.zeros((*self.shares.shape[:2], len(values)), np.uint8)
+        for number, value in enumerate(values):
+            told = np.flatnonzero(self.values == value)
+            if len(told):
+                found[..., number] = self.shares[..., told[0]]
+        return found
+
+
+@dataclass(frozen=True)
+class SeenLabels:
+    """What is seen in an image.
+
+    Attributes:
+        labels_hw: (H, W) uint8 labels.
+        shares: Of a photo whose network tells how sure it is.
+    """
+
+    labels_hw: np.ndarray
+    shares: ClassShares | None = None
