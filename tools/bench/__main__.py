@@ -111,7 +111,9 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--count", type=int, help="images or trials a case, for benchmarks that localize")
     parser.add_argument("--only", default="", help="cases whose names contain one of these, separated by commas")
     parser.add_argument("--half", default="south", choices=("north", "south"), help="of Liechtenstein, for images")
-    parser.add_argument("--model", type=Path, help="photos: a network that was not trained on --tile of dubai_aerial")
+    parser.add_argument(
+        "--model", type=Path, help="photos: a network that was not trained on --tile of dubai_aerial, or a folder"
+    )
     parser.add_argument("--tile", type=int, default=6, help="photos: default %(default)s")
     parser.add_argument(
         "--python", default=sys.executable, help="onboard: one without QGIS makes the proof; own_ground: one with torch"

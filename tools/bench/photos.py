@@ -1,7 +1,8 @@
 """The road from photo to fix: photo → segmentation network → label image → position.
 
 Photos of the sample area (its seed is none of the training seeds of the model that ships), and with `--model` turned
-crops of a photo of dubai_aerial (`--tile`) that this model was not trained on.
+crops of a photo of dubai_aerial (`--tile`) that this model was not trained on; where `--model` is a folder, of the
+places that its networks were trained without (real_places.py).
 """
 
 from __future__ import annotations
@@ -46,6 +47,11 @@ def measure(run: inputs.Run) -> dict[str, str]:
     sections = {}
     if run.wants("photos of the sample area"):
         sections["photos of the sample area"] = _sample(run)
+    if run.model and run.model.is_dir():
+        # It needs what is here.
+        from bench import real_places
+
+        return sections | {"real places": real_places.measured(run)}
     path = run.data / "dubai_aerial" / f"tile{run.tile}_label.tif"
     if run.model and run.wants("real photos"):
         known = path in tile_paths(run)
