@@ -92,6 +92,10 @@
    <translation>Eine Verknüpfung führt von Bild {first} zu Bild {second}; das zweite muss nach dem ersten kommen.</translation>
   </message>
   <message>
+   <source>A link leads to image {second}, but the flight has {count} images.</source>
+   <translation>Eine Verknüpfung führt zu Bild {second}, aber der Flug hat {count} Bilder.</translation>
+  </message>
+  <message>
    <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
    <translation>Ein von SemRef trainiertes Modell, von dem ausgegangen wird: seine Klassen werden nach Namen zugeordnet. Optional.</translation>
   </message>
@@ -3000,6 +3004,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Datei kann Länge und Breite nicht angeben: Die Karte ist dafür zu groß, oder ein Pol liegt darin.</translation>
   </message>
   <message>
+   <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Der Flug verrät bisher nicht, wo er ist: die beste Spur ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; höchstens {allowed:.2g} ist erlaubt.</translation>
+  </message>
+  <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
    <translation>Die Brennweite ist {focal_length_px:g} Pixel; sie muss größer als 0 und höchstens {most:g} sein.</translation>
   </message>
@@ -3370,6 +3378,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The sample project is in {folder}.</source>
    <translation>Das Beispielprojekt liegt in {folder}.</translation>
+  </message>
+  <message>
+   <source>The saved state of the flight can't be read.</source>
+   <translation>Der gespeicherte Zustand des Flugs kann nicht gelesen werden.</translation>
+  </message>
+  <message>
+   <source>The saved state of the flight is of version {version}; this version reads {known}.</source>
+   <translation>Der gespeicherte Zustand des Flugs hat Version {version}; diese Version liest {known}.</translation>
   </message>
   <message>
    <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>

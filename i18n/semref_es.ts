@@ -92,6 +92,10 @@
    <translation>Un enlace va de la imagen {first} a la imagen {second}; la segunda debe venir después de la primera.</translation>
   </message>
   <message>
+   <source>A link leads to image {second}, but the flight has {count} images.</source>
+   <translation>Un enlace lleva a la imagen {second}, pero el vuelo tiene {count} imágenes.</translation>
+  </message>
+  <message>
    <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
    <translation>Un modelo entrenado por SemRef del que partir: sus clases se asignan por nombre. Opcional.</translation>
   </message>
@@ -3000,6 +3004,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El archivo no puede dar longitud ni latitud: el mapa es demasiado grande para ello o contiene un polo.</translation>
   </message>
   <message>
+   <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>El vuelo hasta ahora no revela dónde está: la mejor traza es errónea con una probabilidad de {risk:.2g}; se permite como máximo {allowed:.2g}.</translation>
+  </message>
+  <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
    <translation>La distancia focal es de {focal_length_px:g} píxeles; debe ser mayor que 0 y de {most:g} como máximo.</translation>
   </message>
@@ -3370,6 +3378,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The sample project is in {folder}.</source>
    <translation>El proyecto de ejemplo está en {folder}.</translation>
+  </message>
+  <message>
+   <source>The saved state of the flight can't be read.</source>
+   <translation>No se puede leer el estado guardado del vuelo.</translation>
+  </message>
+  <message>
+   <source>The saved state of the flight is of version {version}; this version reads {known}.</source>
+   <translation>El estado guardado del vuelo es de la versión {version}; esta versión lee la {known}.</translation>
   </message>
   <message>
    <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>

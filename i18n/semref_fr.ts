@@ -92,6 +92,10 @@
    <translation>Un lien mène de l’image {first} à l’image {second} ; la seconde doit venir après la première.</translation>
   </message>
   <message>
+   <source>A link leads to image {second}, but the flight has {count} images.</source>
+   <translation>Un lien mène à l’image {second}, mais le vol compte {count} images.</translation>
+  </message>
+  <message>
    <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
    <translation>Un modèle entraîné par SemRef dont on part : ses classes sont associées par leur nom. Facultatif.</translation>
   </message>
@@ -3000,6 +3004,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le fichier ne peut donner ni longitude ni latitude : la carte est trop grande pour cela, ou contient un pôle.</translation>
   </message>
   <message>
+   <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Le vol ne dit pas encore où il est : la meilleure trace est fausse avec une probabilité de {risk:.2g} ; au plus {allowed:.2g} est permis.</translation>
+  </message>
+  <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
    <translation>La distance focale est de {focal_length_px:g} pixels ; elle doit être supérieure à 0 et d’au plus {most:g}.</translation>
   </message>
@@ -3370,6 +3378,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The sample project is in {folder}.</source>
    <translation>Le projet d’exemple se trouve dans {folder}.</translation>
+  </message>
+  <message>
+   <source>The saved state of the flight can't be read.</source>
+   <translation>L’état enregistré du vol ne peut pas être lu.</translation>
+  </message>
+  <message>
+   <source>The saved state of the flight is of version {version}; this version reads {known}.</source>
+   <translation>L’état enregistré du vol est de version {version} ; cette version lit la {known}.</translation>
   </message>
   <message>
    <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>

@@ -92,6 +92,10 @@
    <translation>连接由图像 {first} 指向图像 {second}；后者必须在前者之后。</translation>
   </message>
   <message>
+   <source>A link leads to image {second}, but the flight has {count} images.</source>
+   <translation>有连接指向图像 {second}，但该航飞只有 {count} 幅图像。</translation>
+  </message>
+  <message>
    <source>A model that SemRef trained, to go on from: its classes are matched by name. Optional.</source>
    <translation>由 SemRef 训练的模型，作为起点：其类别按名称对应。可选。</translation>
   </message>
@@ -3000,6 +3004,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>该文件无法给出经纬度：地图过大，或包含极点。</translation>
   </message>
   <message>
+   <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>目前的航飞尚不能确定位置：最佳航迹错误的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
+  </message>
+  <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
    <translation>焦距为 {focal_length_px:g} 像元；必须大于 0，且不超过 {most:g}。</translation>
   </message>
@@ -3370,6 +3378,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The sample project is in {folder}.</source>
    <translation>示例工程位于 {folder}。</translation>
+  </message>
+  <message>
+   <source>The saved state of the flight can't be read.</source>
+   <translation>无法读取已保存的航飞状态。</translation>
+  </message>
+  <message>
+   <source>The saved state of the flight is of version {version}; this version reads {known}.</source>
+   <translation>已保存的航飞状态为版本 {version}；本版本可读取 {known}。</translation>
   </message>
   <message>
    <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>

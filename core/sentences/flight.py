@@ -23,4 +23,12 @@ SENTENCES = {
     "flight.out_of_range": "{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.",
     "flight.no_image_named": "{place}: no image is named; give each image one line.",
     "flight.image_named_twice": "{place}: the image {image} is named a second time; give each image one line.",
+    # The joint answer
+    "flight.link_of_no_image": "A link leads to image {second}, but the flight has {count} images.",
+    "flight.no_state": "The saved state of the flight can't be read.",
+    "flight.state_version": "The saved state of the flight is of version {version}; this version reads {known}.",
+    "flight.undecided": (
+        "The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; "
+        "at most {allowed:.2g} is allowed."
+    ),
 }

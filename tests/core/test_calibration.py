@@ -12,6 +12,7 @@ import pytest
 
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.correlation.settings import CORRELATION
+from semref.core.flight.settings import FLIGHT
 from semref.core.geometry.error_settings import ERRORS
 from semref.core.localizer.settings import LOCALIZER
 
@@ -23,6 +24,7 @@ each_settings = pytest.mark.parametrize(
         ("Constellation", CONSTELLATION),
         ("Map correlation", CORRELATION),
         ("Localizer", LOCALIZER),
+        ("Flights", FLIGHT),
         ("Shared errors", ERRORS),
     ],
 )

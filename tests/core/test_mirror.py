@@ -8,7 +8,7 @@ ROOMS_WITH_SENTENCES = (
 )
 DATA_ONLY = {
     "geometry/error_settings.py",
-    *(f"{solver}/settings.py" for solver in ("constellation", "correlation", "localizer")),
+    *(f"{solver}/settings.py" for solver in ("constellation", "correlation", "flight", "localizer")),
     *(f"sentences/{room}.py" for room in ROOMS_WITH_SENTENCES),
 }
 """Modules of nothing but values: settings are held to their page by test_calibration.py, tables of sentences to the

@@ -1,0 +1,193 @@
+"""Hypotheses: where the latest image of a flight may lie, each with the evidence of the last images.
+
+Told in docs/method.md#flights.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..correlation.class_pyramid import MapPyramid
+from ..correlation.refine import ScoredPose
+from .evidence import SeenImage, scored, worth
+from .memory import Past
+from .motion import Link
+from .settings import FlightSettings
+from .states import as_poses, as_states, turned, turns_of
+
+SAME_HEADING_DEG = 20.0
+"""Hypotheses whose headings differ by more are different ones at the same place."""
+
+OWN_SHARE = 0.1
+"""A hypothesis within this share of an image's edge, and three of its deviations, is at the image's own place."""
+
+
+@dataclass(frozen=True)
+class Pool:
+    """n hypotheses about the latest image, W images of evidence.
+
+    Attributes:
+        states: (n, 4) float64: meters east and north of the map's upper left corner, heading in radians clockwise,
+            ln pixel size.
+        variances: (n, 3) float64: of the position along an axis, m², heading, ln pixel size.
+        evidence: (n, W) float64: weighted ln of the likelihood ratio of each image, the latest last.
+    """
+
+    states: np.ndarray
+    variances: np.ndarray
+    evidence: np.ndarray
+
+    @classmethod
+    def empty(cls, window: int) -> Pool:
+        """Of no hypothesis."""
+        return cls(np.zeros((0, 4)), np.zeros((0, 3)), np.zeros((0, window)))
+
+    def __len__(self) -> int:
+        """How many."""
+        return len(self.states)
+
+    @property
+    def totals(self) -> np.ndarray:
+        """(n,) evidence of all images of the window."""
+        return self.evidence.sum(axis=1)
+
+    def chosen(self, which: np.ndarray) -> Pool:
+        """Some of them."""
+        return Pool(self.states[which], self.variances[which], self.evidence[which])
+
+    def joined(self, other: Pool) -> Pool:
+        """Both."""
+        return Pool(*(np.concatenate(pair) for pair in zip(vars(self).values(), vars(other).values())))
+
+
+def moved(states: np.ndarray, link: Link, back: bool = False) -> np.ndarray:
+    """(n, 4) states of the link's second image from those of the first; of the first from the second with ``back``."""
+    centers, turns = states[:, 0] + 1j * states[:, 1], turns_of(states)
+    if back:
+        turns = turns / link.ratio
+    units = turns / np.abs(turns) if link.in_meters else turns
+    centers = centers + (-1 if back else 1) * units * link.step
+    turns = turns if back else turns * link.ratio
+    return np.column_stack([centers.real, centers.imag, -np.angle(turns), np.log(np.abs(turns))])
+
+
+def predicted(pool: Pool, link: Link) -> Pool:
+    """The hypotheses about the next image, before it is looked at: less sure, with room for its evidence."""
+    states, known = pool.states, np.array(link.covariance)
+    unit = 1.0 if link.in_meters else np.exp(states[:, 3])
+    length = np.abs(link.step) * unit
+    variances = pool.variances.copy()
+    variances[:, 0] += length**2 * variances[:, 1] / 2 + np.trace(known[:2, :2]) / 2 * unit**2
+    if not link.in_meters:
+        variances[:, 0] += length**2 * variances[:, 2] / 2
+    variances[:, 1] += known[2, 2]
+    variances[:, 2] += known[3, 3]
+    evidence = np.column_stack([pool.evidence[:, 1:], np.zeros(len(pool))])
+    return Pool(moved(states, link), variances, evidence)
+
+
+def updated(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, settings: FlightSettings) -> Pool:
+    """The hypotheses after a look at the image: moved to where it agrees, with its evidence.
+
+    Args:
+        pool: As predicted.
+        seen: The image.
+        pyramid: Of the map.
+        weight: Of its evidence, 0 to 1: the less new ground it shows, the less it says that is new.
+        settings: Of flights.
+    """
+    if not len(pool):
+        return pool
+    evidence, states, variances = pool.evidence.copy(), pool.states.copy(), pool.variances.copy()
+    worths = np.zeros(len(pool))
+    if seen.evidence is not None:
+        found = scored(seen, pyramid, as_poses(states))
+        off = as_states(found) - states
+        off[:, 2] = turned(off[:, 2])
+        noise = look_noise(seen, states, settings)
+        total = variances + noise
+        far = (off[:, :2] ** 2).sum(axis=1) / total[:, 0] + (off[:, 2:] ** 2 / total[:, 1:]).sum(axis=1)
+        worths = worth(np.array([pose.score for pose in found]), seen, settings) - np.maximum(far - 4, 0) / 2
+        worths = np.maximum(worths, settings.evidence_curve[2])
+        gain = variances / total * np.clip(worths / 2, 0, 1)[:, None]
+        states += np.column_stack([gain[:, 0], gain]) * off
+        variances -= gain * variances
+    evidence[:, -1] = weight * np.maximum(worths, own_worth(states, variances, seen, settings))
+    return Pool(states, variances, evidence)
+
+
+def look_noise(seen: SeenImage, states: np.ndarray, settings: FlightSettings) -> np.ndarray:
+    """(n, 3) variances of a place that the first look gives."""
+    position, heading_deg, size = settings.search_noise
+    pixel = 1.0 if seen.evidence is None else seen.evidence.pixel[0]
+    noise = np.empty((len(states), 3))
+    noise[:, 0] = (position * pixel * np.exp(states[:, 3])) ** 2
+    noise[:, 1:] = np.radians(heading_deg) ** 2, size**2
+    return noise
+
+
+def own_worth(states: np.ndarray, variances: np.ndarray, seen: SeenImage, settings: FlightSettings) -> np.ndarray:
+    """(n,) what the image's own best place is worth to hypotheses at it; −inf to others and without one."""
+    if seen.own_state is None or seen.own_odds <= 0:
+        return np.full(len(states), -np.inf)
+    reach = OWN_SHARE * seen.edge_px * np.exp(seen.own_state[3]) + 3 * np.sqrt(variances[:, 0])
+    return np.where(same_place(states, seen.own_state, reach), min(seen.own_odds, settings.own_most), -np.inf)
+
+
+def started(poses: Sequence[ScoredPose], seen: SeenImage, weight: float, settings: FlightSettings) -> Pool:
+    """Hypotheses at the best places of an image, with its evidence alone."""
+    states = as_states(poses)
+    variances = look_noise(seen, states, settings)
+    evidence = np.zeros((len(states), settings.window))
+    worths = worth(np.array([pose.score for pose in poses]), seen, settings)
+    evidence[:, -1] = weight * np.maximum(worths, own_worth(states, variances, seen, settings))
+    return Pool(states, variances, evidence)
+
+
+def with_past(pool: Pool, past: Sequence[Past], pyramid: MapPyramid, settings: FlightSettings) -> Pool:
+    """New hypotheses with the evidence of the images before.
+
+    Args:
+        pool: About the latest image.
+        past: Earlier images, the one before first.
+        pyramid: Of the map.
+        settings: Of flights.
+    """
+    evidence, states, variances = pool.evidence.copy(), pool.states, pool.variances
+    for back, earlier in enumerate(past[: settings.window - 1], 2):
+        seen, link, weight = earlier.seen, earlier.link, earlier.weight
+        states = moved(states, link, back=True)
+        grown = replace(predicted(Pool(states, variances, evidence), link), states=states, evidence=evidence)
+        looked = updated(grown, seen, pyramid, weight, settings)
+        states, variances = looked.states, looked.variances
+        evidence[:, -back] = looked.evidence[:, -1]
+    return Pool(pool.states, pool.variances, evidence)
+
+
+def pruned(pool: Pool, edge_m: float, count: int, apart: float) -> Pool:
+    """The best hypotheses, best first, no two at the same place.
+
+    Args:
+        pool: Any.
+        edge_m: Of the image on the ground.
+        count: At most.
+        apart: Least distance between two, share of the edge.
+    """
+    order = np.argsort(-pool.totals, kind="stable")
+    kept: list[int] = []
+    for n in order:
+        if len(kept) == count:
+            break
+        if not kept or not same_place(pool.states[kept], pool.states[n], apart * edge_m).any():
+            kept.append(int(n))
+    return pool.chosen(np.array(kept, int))
+
+
+def same_place(states: np.ndarray, state: np.ndarray, reach_m: float | np.ndarray) -> np.ndarray:
+    """(n,) bool: which states are about the same as one."""
+    off = states - state
+    near = np.hypot(off[:, 0], off[:, 1]) < reach_m
+    return near & (np.abs(turned(off[:, 2])) < np.radians(SAME_HEADING_DEG))

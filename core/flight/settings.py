@@ -1,0 +1,77 @@
+"""What was chosen for flights.
+
+In brackets: what a value was set on; the trials that set it or ran with it, by the name under which docs/calibration.md
+has their command.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..localization import RISK
+
+
+@dataclass(frozen=True)
+class FlightSettings:
+    """Settings of the joint answer of a flight (docs/method.md#flights).
+
+    Attributes:
+        allowed_risk: Probability of being wrong up to which a track is told [what a navigator asks].
+        candidates: Best places of an image by itself that hypotheses start from [by hand, for the time; flights].
+        added: The same of later images, where others are held already [by hand, for the time; flights].
+        hypotheses: That are held at a time [by hand, for the time; flights].
+        window: Images whose evidence counts together: bounds memory, and lets a track that fails be lost
+            [by hand; flights].
+        nulls: Random places that tell what chance gives for an image [by hand, for the time].
+        evidence_curve: What an image's agreement at an expected place is worth, ln of the likelihood ratio: offset,
+            slope a deviation of what chance gives, least, most [Liechtenstein, north; flights].
+        overlap_share: Least weight of an image that shows hardly new ground [reasoning].
+        own_most: Most that a fix of an image's own is worth; what can outvote one [reasoning].
+        risk_curve: ln of the odds that a track is right, from its lead over the strongest opponent: offset, slope
+            [Liechtenstein, north; flights].
+        lost_evidence: A track whose last images' evidence falls below is lost [by hand; flights].
+        recent: Images that this counts [by hand; flights].
+        apart: Tracks are different from this share of the image's edge on the ground on [as of map correlation].
+        search_every: While a track is held, the whole map is searched at one image of so many [by hand, for the time].
+        search_noise: Of a refined place of the first look: deviation in its pixels, degrees, ln pixel size
+            [Liechtenstein, north; flights].
+        assumed: Deviations of a link that is assumed: share of the distance, degrees, ln pixel size [reasoning].
+        size_range: Ratio to either side that a pixel size is searched in around what is known [reasoning].
+        map_length: Length over which errors of the map and of labels on it are shared along the track, meters
+            [shared errors].
+        shared_share: Share of a measurement's variance that its neighbors have alike [Liechtenstein, north; flights].
+        measured_factor: What deviations of measurements are multiplied with [Liechtenstein, north; flights].
+        loosest: Measurements whose deviation is more than this share of the image's edge on the ground tell nothing
+            [reasoning].
+        gate: Measurements farther from what the flight expects than so many deviations are outvoted [reasoning].
+        drift: Deviation of a flight's constant errors of links: share of the distance along and, in radians, across
+            [reasoning].
+    """
+
+    allowed_risk: float = RISK
+    candidates: int = 200
+    added: int = 40
+    hypotheses: int = 160
+    window: int = 10
+    nulls: int = 100
+    evidence_curve: tuple[float, float, float, float] = (-2.0, 1.2, -2.0, 10.0)
+    overlap_share: float = 0.35
+    own_most: float = 9.0
+    risk_curve: tuple[float, float] = (-1.0, 1.2)
+    lost_evidence: float = -3.0
+    recent: int = 5
+    apart: float = 0.25
+    search_every: int = 5
+    search_noise: tuple[float, float, float] = (0.4, 2.5, 0.04)
+    assumed: tuple[float, float, float] = (0.4, 20.0, 0.1)
+    size_range: float = 1.15
+    map_length: float = 800.0
+    shared_share: float = 0.4
+    measured_factor: float = 1.0
+    loosest: float = 0.05
+    gate: float = 4.0
+    drift: float = 0.01
+
+
+FLIGHT = FlightSettings()
+"""As calibrated; what every flight uses that is told nothing else."""

@@ -1,0 +1,137 @@
+"""Poses of a track from its links and its measurements: a Kalman filter forth, Rauch, Tung and Striebel's back.
+
+Told in docs/method.md#flights. Of each image eight numbers are estimated: its pose (meters east and north, heading in
+radians clockwise, ln pixel size); how far off map and labels are around it (east, north), which every measurement there
+shares and which fades along the way, so that many measurements don't promise what none of them knows; and by what
+share links are wrong all along the flight (along, across).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .measurement import Measurement
+from .motion import Link
+from .settings import FlightSettings
+from .states import turned
+
+SIZE = 8
+_SEEN = np.eye(4, SIZE)
+_SEEN[:2, 4:6] = np.eye(2)
+"""What is measured: the pose, its position with the displacement."""
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """Of one image.
+
+    Attributes:
+        mean: (8,) as the module says.
+        covariance: (8, 8) of it.
+    """
+
+    mean: np.ndarray
+    covariance: np.ndarray
+
+    @property
+    def state(self) -> np.ndarray:
+        """(4,) the pose."""
+        return self.mean[:4]
+
+    @property
+    def pose_covariance(self) -> np.ndarray:
+        """(4, 4) of the pose."""
+        return self.covariance[:4, :4]
+
+
+@dataclass(frozen=True)
+class Step:
+    """From one image to the next.
+
+    Attributes:
+        transition: (8, 8) of small deviations.
+        predicted: The next image's, before it is measured.
+    """
+
+    transition: np.ndarray
+    predicted: Estimate
+
+
+def first_estimate(state: np.ndarray, deviations: np.ndarray, shared_m2: float, settings: FlightSettings) -> Estimate:
+    """Of a track's first image.
+
+    Args:
+        state: (4,) about where it lies.
+        deviations: (4,) of that.
+        shared_m2: Variance of the displacement along an axis.
+        settings: Of flights.
+    """
+    variances = [*np.square(deviations), shared_m2, shared_m2, settings.drift**2, settings.drift**2]
+    return Estimate(np.array([*state, 0.0, 0.0, 0.0, 0.0]), np.diag(variances))
+
+
+def step_over(before: Estimate, link: Link, shared_m2: float, settings: FlightSettings) -> Step:
+    """The next image as a link has it.
+
+    Args:
+        before: Of the link's first image.
+        link: To the next one.
+        shared_m2: Variance of the displacement along an axis, map units².
+        settings: Of flights.
+    """
+    x, y, heading, size, east, north, along, across = before.mean
+    unit = np.exp((0.0 if link.in_meters else size) - 1j * heading)
+    motion = unit * link.step * (1 + along - 1j * across)
+    kept = float(np.exp(-abs(motion) / settings.map_length))
+    mean = np.array(
+        [x + motion.real, y + motion.imag, heading + link.turn, size + link.log_scale, east * kept, north * kept]
+    )
+    transition = np.eye(SIZE)
+    aside = -1j * motion
+    transition[:2, 2] = aside.real, aside.imag
+    if not link.in_meters:
+        transition[:2, 3] = motion.real, motion.imag
+    transition[:2, 6] = motion.real, motion.imag
+    transition[:2, 7] = aside.real, aside.imag
+    transition[4, 4] = transition[5, 5] = kept
+    noise = np.zeros((SIZE, SIZE))
+    # Right and down of the image, on the map.
+    turn = np.eye(4)
+    turn[:2, :2] = np.array([[unit.real, unit.imag], [unit.imag, -unit.real]])
+    noise[:4, :4] = turn @ np.array(link.covariance) @ turn.T
+    noise[4:6, 4:6] = shared_m2 * (1 - kept**2) * np.eye(2)
+    covariance = transition @ before.covariance @ transition.T + noise
+    return Step(transition, Estimate(np.array([*mean, along, across]), covariance))
+
+
+def with_measurement(expected: Estimate, measured: Measurement, shared_m2: float) -> Estimate:
+    """The estimate after a measurement, of whose variance a part is the displacement's."""
+    noise = measured.covariance.copy()
+    shared = min(shared_m2, 0.95 * float(np.linalg.eigvalsh(noise[:2, :2])[0]))
+    noise[:2, :2] -= shared * np.eye(2)
+    gain = np.linalg.solve(_SEEN @ expected.covariance @ _SEEN.T + noise, _SEEN @ expected.covariance).T
+    off = measured.state - _SEEN @ expected.mean
+    off[2] = turned(off[2])
+    # Joseph's form stays symmetric and positive.
+    left = np.eye(SIZE) - gain @ _SEEN
+    covariance = left @ expected.covariance @ left.T + gain @ noise @ gain.T
+    return Estimate(expected.mean + gain @ off, covariance)
+
+
+def smoothed(filtered: list[Estimate], steps: list[Step]) -> list[Estimate]:
+    """All images' estimates with what later ones tell.
+
+    Args:
+        filtered: (n,) with what was measured until then.
+        steps: (n − 1,) from each to the next.
+    """
+    found = [filtered[-1]]
+    for before, step in zip(filtered[-2::-1], steps[::-1]):
+        gain = np.linalg.solve(step.predicted.covariance, step.transition @ before.covariance).T
+        off = found[-1].mean - step.predicted.mean
+        off[2] = turned(off[2])
+        covariance = before.covariance + gain @ (found[-1].covariance - step.predicted.covariance) @ gain.T
+        found.append(Estimate(before.mean + gain @ off, (covariance + covariance.T) / 2))
+    return found[::-1]

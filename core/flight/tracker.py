@@ -1,0 +1,377 @@
+"""A flight image by image, causally: each gets its best estimate from all before it, in bounded memory and time.
+
+Told in docs/method.md#flights.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..errors import ParameterError
+from ..geometry.pose import PoseCovariance
+from ..geometry.shared_errors import covariance_of
+from ..localization import LEAST_RISK, Method, Prior, Status, risk_of
+from ..localizer.localizer import Localizer, default_scales
+from ..sentences import Sentence
+from .evidence import SeenImage, best_of, seen_image
+from .measurement import Measurement, by_areas, by_landmarks, distance, of_own
+from .memory import NOWHERE, Past, mirrored, packed, unpacked
+from .model import FlightImage, FlightPose, PoseSource
+from .motion import Link, LinkSource, as_rows
+from .pool import Pool, predicted, pruned, same_place, started, updated, with_past
+from .settings import FLIGHT, FlightSettings
+from .smoothing import Estimate, first_estimate, step_over, with_measurement
+from .states import place_of
+
+SAME_SHARE = 0.02
+"""An image's own fix that is within this share of its edge agrees with the flight, however exact it claims to be."""
+
+STATE_VERSION = 1
+
+SHARED_PERCENTILE = 25
+"""Of a track's measurements, by their variance: what they share is not larger than what the better ones have."""
+
+
+@dataclass(frozen=True)
+class Looked:
+    """What became of the latest image, for whoever smooths the flight later.
+
+    Attributes:
+        estimate: Of its track; None without one.
+        measured: What it said itself at the place that the track expects; None where nothing.
+        link: That led to it, assumed ones included; None of the first and after a break.
+        is_new: A track was found with this image.
+    """
+
+    estimate: Estimate | None = None
+    measured: Measurement | None = None
+    link: Link | None = None
+    is_new: bool = False
+
+
+class FlightTracker:
+    """Follows one flight. Same images and links, same answers.
+
+    Attributes:
+        looked: At the latest image.
+        track: Number of the latest track, from 1; 0 before the first.
+    """
+
+    def __init__(self, localizer: Localizer, settings: FlightSettings = FLIGHT) -> None:
+        """Begins a flight.
+
+        Args:
+            localizer: Of a database with its overview.
+            settings: Of flights.
+        """
+        self.localizer, self.settings = localizer, settings
+        self.track, self.looked = 0, Looked()
+        self._number = -1
+        self._pool = self._mirror = Pool.empty(settings.window)
+        self._past: list[Past] = []
+        self._latest: Past | None = None
+        self._held: Estimate | None = None
+        self._risk = 1.0
+        self._shared_m2 = 0.0
+
+    def add(self, image: FlightImage, link: Link | None = None) -> FlightPose:
+        """The next image.
+
+        Args:
+            image: Its labels, and what is known of it alone.
+            link: From the image before; None where nothing tells: then the motion before is assumed to go on, and
+                without one the flight begins anew.
+
+        Returns:
+            What is known of it now; a fix only while a track is held.
+        """
+        self._number += 1
+        prior = self._prior(image)
+        seen = seen_image(image.labels_hw, self.localizer.pyramid, prior, image.own, self.settings)
+        if self._latest is not None:
+            link = link or self._assumed()
+        if link is None or self._latest is None:
+            self._begin()
+        else:
+            self._past.insert(0, replace(self._latest, link=link))
+            del self._past[self.settings.window - 1 :]
+        weight = self._weight(seen, link)
+        self._look(seen, link, weight)
+        self._latest = Past(seen, NOWHERE, weight)
+        self._follow(image, seen, link)
+        return self._told(image)
+
+    def state(self) -> dict[str, np.ndarray]:
+        """All that the flight so far has left, as arrays by name, for ``from_state``; its size doesn't grow."""
+        arrays = {f"{name}_{field}": value for name, pool in self._pools() for field, value in vars(pool).items()}
+        arrays["counts"] = np.array([STATE_VERSION, self._number, self.track, len(self._past)])
+        arrays["numbers"] = np.array([self._risk, self._shared_m2])
+        if self._held is not None:
+            arrays.update(held_mean=self._held.mean, held_covariance=self._held.covariance)
+        remembered = [*self._past, *([] if self._latest is None else [self._latest])]
+        for number, past in enumerate(remembered):
+            arrays.update({f"past{number}_{field}": value for field, value in packed(past).items()})
+        return arrays
+
+    @classmethod
+    def from_state(
+        cls, localizer: Localizer, state: Mapping[str, np.ndarray], settings: FlightSettings = FLIGHT
+    ) -> FlightTracker:
+        """A tracker that goes on where another one was.
+
+        Args:
+            localizer: Of the same database.
+            state: What ``state`` gave.
+            settings: Of flights.
+
+        Raises:
+            ParameterError: The state is none, or another version's.
+        """
+        tracker = cls(localizer, settings)
+        try:
+            version, tracker._number, tracker.track, count = (int(value) for value in state["counts"])
+            if version != STATE_VERSION:
+                raise ParameterError("flight.state_version", version=version, known=STATE_VERSION)
+            tracker._risk, tracker._shared_m2 = (float(value) for value in state["numbers"])
+            tracker._pool, tracker._mirror = (
+                Pool(*(np.array(state[f"{name}_{field}"]) for field in ("states", "variances", "evidence")))
+                for name in ("pool", "mirror")
+            )
+            if "held_mean" in state:
+                tracker._held = Estimate(np.array(state["held_mean"]), np.array(state["held_covariance"]))
+            if tracker._number >= 0:
+                remembered = [_part(state, f"past{number}_") for number in range(count + 1)]
+                *tracker._past, tracker._latest = [unpacked(arrays) for arrays in remembered]
+        except (KeyError, ValueError, IndexError) as error:
+            raise ParameterError("flight.no_state") from error
+        return tracker
+
+    def _pools(self) -> list[tuple[str, Pool]]:
+        return [("pool", self._pool), ("mirror", self._mirror)]
+
+    def _begin(self) -> None:
+        """Nothing is known of where the flight is."""
+        self._pool = self._mirror = Pool.empty(self.settings.window)
+        self._past, self._held = [], None
+
+    def _prior(self, image: FlightImage) -> Prior:
+        """What is known of the image, with a range of pixel sizes: the track's if there is none."""
+        if image.prior.pixel_size_range is not None:
+            return image.prior
+        if self._held is not None:
+            size, ratio = float(np.exp(self._held.mean[3])), self.settings.size_range
+            return replace(image.prior, pixel_size_range=(size / ratio, size * ratio))
+        sizes = self.localizer.pixel_sizes(image.size_wh[::-1], default_scales(Method.MAP_CORRELATION))
+        return replace(image.prior, pixel_size_range=sizes)
+
+    def _assumed(self) -> Link | None:
+        """The motion before goes on; None where there was none."""
+        latest = self._past[0].link if self._past else None
+        if latest is None:
+            return None
+        share, heading_deg, size = self.settings.assumed
+        known = np.diag([*[(share * abs(latest.step)) ** 2] * 2, np.radians(heading_deg) ** 2, size**2])
+        return replace(latest, turn=0.0, log_scale=0.0, covariance=as_rows(known), source=LinkSource.ASSUMED)
+
+    def _weight(self, seen: SeenImage, link: Link | None) -> float:
+        """Of the image's evidence: the share of its ground that is new, and what it says anew of the rest."""
+        if link is None:
+            return 1.0
+        length = abs(link.step)
+        if link.in_meters:
+            length /= float(np.exp(np.mean(np.log(seen.prior.pixel_size_range or (1.0, 1.0)))))
+        return float(np.clip(length / seen.edge_px, self.settings.overlap_share, 1.0))
+
+    def _look(self, seen: SeenImage, link: Link | None, weight: float) -> None:
+        """The hypotheses, and those of the mirrored flight while no track is held, with the image's evidence."""
+        is_searched = self._held is None or self._number % self.settings.search_every == 0
+        self._pool = self._looked(self._pool, Past(seen, link or NOWHERE, weight), self._past if is_searched else None)
+        if self._held is None:
+            flipped = [Past(mirrored(past.seen), past.link.mirrored(), past.weight) for past in self._past]
+            latest = Past(mirrored(seen), (link or NOWHERE).mirrored(), weight)
+            self._mirror = self._looked(self._mirror, latest, flipped)
+
+    def _looked(self, pool: Pool, latest: Past, past: list[Past] | None) -> Pool:
+        """Hypotheses after an image; new ones are looked for where ``past`` is told.
+
+        ``latest``: the image, with the link that led to it.
+        """
+        settings, pyramid, seen, weight = self.settings, self.localizer.pyramid, latest.seen, latest.weight
+        if len(pool):
+            pool = updated(predicted(pool, latest.link), seen, pyramid, weight, settings)
+        if past is not None:
+            count = settings.added if len(pool) else settings.candidates
+            new = started(best_of(seen, pyramid, count, settings.apart), seen, weight, settings)
+            new = new.joined(self._at_own(seen, weight))
+            pool = pool.joined(with_past(new, past, pyramid, settings))
+        return pruned(pool, self._edge_m(seen), settings.hypotheses, settings.apart)
+
+    def _at_own(self, seen: SeenImage, weight: float) -> Pool:
+        """A hypothesis at the image's own best place."""
+        if seen.own_state is None or seen.own_odds <= 0:
+            return Pool.empty(self.settings.window)
+        evidence = np.zeros((1, self.settings.window))
+        evidence[0, -1] = weight * min(seen.own_odds, self.settings.own_most)
+        edge = 0.01 * self._edge_m(seen)
+        return Pool(seen.own_state[None], np.array([[edge**2, 1e-4, 1e-4]]), evidence)
+
+    @staticmethod
+    def _edge_m(seen: SeenImage) -> float:
+        """About the image's edge on the ground."""
+        return seen.edge_px * float(np.exp(np.mean(np.log(seen.prior.pixel_size_range or (1.0, 1.0)))))
+
+    def _follow(self, image: FlightImage, seen: SeenImage, link: Link | None) -> None:
+        """Holds the track, finds one, or loses it."""
+        settings, found = self.settings, Looked(link=link)
+        if self._held is not None and link is not None:
+            expected = step_over(self._held, link, self._shared_m2, settings).predicted
+            measured = self._measured(image, expected)
+            self._held = expected if measured is None else with_measurement(expected, measured, self._shared_m2)
+            found = Looked(self._held, measured, link)
+            if self._is_lost(seen):
+                self._held, found = None, Looked(link=link)
+                self._mirror = Pool.empty(settings.window)
+        if self._held is None:
+            risk = self._decided()
+            if risk <= settings.allowed_risk:
+                self._risk, self.track = risk, self.track + 1
+                found = replace(self._start(image, seen), link=link)
+                self._held = found.estimate
+        self.looked = found
+
+    def _decided(self) -> float:
+        """Risk of the best hypothesis, against the best other one and that of the mirrored flight."""
+        if not len(self._pool):
+            return 1.0
+        totals = self._pool.totals
+        opponents = [0.0, *totals[1:2], *self._mirror.totals[:1]]
+        offset, slope = self.settings.risk_curve
+        return risk_of(offset + slope * (float(totals[0]) - max(opponents)))
+
+    def _start(self, image: FlightImage, seen: SeenImage) -> Looked:
+        """The first estimate of a track, at the best hypothesis."""
+        state, variances = self._pool.states[0], self._pool.variances[0]
+        deviations = np.sqrt(variances[[0, 0, 1, 2]])
+        bare = first_estimate(state, deviations, 0.0, self.settings)
+        measured = self._measured(image, bare)
+        if measured is None:
+            self._shared_m2 = self.settings.shared_share * float(variances[0])
+        else:
+            self._shared_m2 = shared_variance([measured], self.settings)
+        estimate = first_estimate(state, deviations, self._shared_m2, self.settings)
+        if measured is not None:
+            wide = first_estimate(state, 3 * deviations, self._shared_m2, self.settings)
+            estimate = with_measurement(wide, measured, self._shared_m2)
+        return Looked(estimate, measured, None, is_new=True)
+
+    def _measured(self, image: FlightImage, expected: Estimate) -> Measurement | None:
+        return measured_near(image, self.localizer, expected.state, expected.pose_covariance, self.settings)
+
+    def _is_lost(self, seen: SeenImage) -> bool:
+        """Whether the last images speak against the track held, or all of them for another one."""
+        held = self._held
+        if held is None:
+            return False
+        reach = self.settings.apart * self._edge_m(seen) + 3 * float(np.sqrt(held.covariance[:2, :2].trace()))
+        here = np.flatnonzero(same_place(self._pool.states, held.state, reach))
+        if not len(here):
+            return True
+        evidence = self._pool.evidence[here[0]]
+        if evidence[-self.settings.recent :].sum() < self.settings.lost_evidence:
+            return True
+        offset, slope = self.settings.risk_curve
+        others = np.delete(self._pool.totals, here)
+        return len(others) > 0 and risk_of(offset + slope * float(others[0] - evidence.sum())) <= (
+            self.settings.allowed_risk
+        )
+
+    def _told(self, image: FlightImage) -> FlightPose:
+        held = self._held
+        if held is None:
+            reason = Sentence("flight.undecided", risk=self._decided(), allowed=self.settings.allowed_risk)
+            status = Status.AMBIGUOUS if len(self._pool) > 1 else Status.NO_MATCH
+            return FlightPose(
+                image.name,
+                self._number,
+                status,
+                reason,
+                own=image.own,
+                time_s=image.time_s,
+                size_wh=image.size_wh,
+            )
+        return told_pose(image, self._number, self.localizer, held, self._risk, self.track)
+
+
+def _part(state: Mapping[str, np.ndarray], prefix: str) -> dict[str, np.ndarray]:
+    """The arrays whose names begin so, by the rest of their names."""
+    return {name[len(prefix) :]: np.array(value) for name, value in state.items() if name.startswith(prefix)}
+
+
+def measured_near(
+    image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
+) -> Measurement | None:
+    """What an image says itself at an expected place: its own fix, landmarks, or class areas; None where nothing.
+
+    Args:
+        image: Of the flight.
+        localizer: Of the database.
+        state: (4,) expected.
+        covariance: (4, 4) of that.
+        settings: Of flights.
+    """
+    own = of_own(image.own, localizer.pyramid)
+    if own is not None and distance(own, state, covariance) <= settings.gate:
+        return own
+    found = by_areas(image.labels_hw, localizer, state, covariance, settings)
+    if found is not None:
+        near = by_landmarks(image.labels_hw, localizer, found.state, found.covariance, settings)
+        return near or found
+    return by_landmarks(image.labels_hw, localizer, state, covariance, settings)
+
+
+def shared_variance(measured: list[Measurement], settings: FlightSettings) -> float:
+    """Of the displacement that neighboring measurements share, along an axis, map units²."""
+    variances = [float(np.trace(one.covariance[:2, :2])) / 2 for one in measured]
+    return settings.shared_share * float(np.percentile(variances, SHARED_PERCENTILE)) if variances else 0.0
+
+
+def told_pose(  # noqa: PLR0913 - an image, and what its track says
+    image: FlightImage, number: int, localizer: Localizer, estimate: Estimate, risk: float, track: int
+) -> FlightPose:
+    """An estimate as what is told of an image.
+
+    Args:
+        image: Of the flight.
+        number: Of it.
+        localizer: Of the database.
+        estimate: Of its pose.
+        risk: That its track is wrong.
+        track: Number of that.
+    """
+    place = place_of(estimate.state, localizer.pyramid.frame.origin)
+    size = place.oriented[1]
+    known: PoseCovariance = covariance_of(estimate.pose_covariance, size, ())
+    own = of_own(image.own, localizer.pyramid)
+    agrees = False
+    if own is not None:
+        apart = float(np.hypot(*(own.state - estimate.state)[:2]))
+        reach = SAME_SHARE * float(np.sqrt(image.labels_hw.size)) * size
+        agrees = apart <= reach or distance(own, estimate.state, estimate.pose_covariance) <= 3
+    return FlightPose(
+        image.name,
+        number,
+        Status.FIX,
+        None,
+        place,
+        known,
+        max(risk, LEAST_RISK),
+        PoseSource.OWN if agrees else PoseSource.FLIGHT,
+        track,
+        own is not None and not agrees,
+        image.own,
+        image.time_s,
+        image.size_wh,
+    )

@@ -1,0 +1,57 @@
+"""What an image says of its own place and of others."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from semref.core.correlation.refine import ScoredPose
+from semref.core.flight.evidence import best_of, random_poses, scored, seen_image, worth
+
+sys.path.insert(0, str(Path(__file__).parent))
+from conftest import FEW, FRAME
+
+sys.path.pop(0)
+
+
+@pytest.fixture(scope="module")
+def seen(flown, localizer):
+    image = flown.images[2]
+    return seen_image(image.labels_hw, localizer.pyramid, image.prior, None, FEW)
+
+
+@pytest.fixture(scope="module")
+def truth(flown):
+    view = flown.views[2]
+    x, y = view.x - FRAME.origin[0], FRAME.origin[1] - view.y
+    return ScoredPose(x, y, view.heading_deg, view.pixel_size)
+
+
+def test_an_image_agrees_at_its_place_and_not_at_random_ones(seen, truth, localizer):
+    beside = ScoredPose(truth.x + 12, truth.y - 9, truth.heading_deg + 3, truth.pixel_size_m)
+    (here,) = scored(seen, localizer.pyramid, [beside])
+    others = scored(seen, localizer.pyramid, random_poses(localizer.pyramid, seen.prior, 50))
+    assert np.hypot(here.x - truth.x, here.y - truth.y) < 12
+    worths = worth(np.array([here.score, *(pose.score for pose in others)]), seen, FEW)
+    assert worths[0] > 2 and np.median(worths[1:]) < -1
+    assert worths.max() <= FEW.evidence_curve[3] and worths.min() >= FEW.evidence_curve[2]
+
+
+def test_the_best_places_have_the_right_one_among_them_and_are_apart(seen, truth, localizer):
+    places = best_of(seen, localizer.pyramid, 20, FEW.apart)
+    away = [np.hypot(pose.x - truth.x, pose.y - truth.y) for pose in places]
+    assert min(away) < 25
+    points = np.array([(pose.x, pose.y) for pose in places])
+    gaps = np.hypot(*(points[:, None] - points).transpose(2, 0, 1))
+    assert gaps[~np.eye(len(points), dtype=bool)].min() > 0.9 * FEW.apart * 288
+
+
+def test_an_image_of_one_class_says_nothing(localizer, flown):
+    flat = seen_image(np.full((96, 96), 2, np.uint8), localizer.pyramid, flown.images[0].prior, None, FEW)
+    assert flat.evidence is None
+    assert best_of(flat, localizer.pyramid, 20, FEW.apart) == []
+
+
+def test_random_places_are_the_same_every_time(seen, localizer):
+    assert random_poses(localizer.pyramid, seen.prior, 5) == random_poses(localizer.pyramid, seen.prior, 5)

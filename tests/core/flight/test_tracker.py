@@ -1,0 +1,43 @@
+"""A flight image by image: what is known until then, restarts, bounded memory."""
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from semref.core.errors import ParameterError
+from semref.core.flight.tracker import FlightTracker
+
+sys.path.insert(0, str(Path(__file__).parent))
+from conftest import FEW
+
+sys.path.pop(0)
+
+
+def test_image_by_image_the_flight_is_found_as_well_and_goes_on_after_a_restart(flown, localizer):
+    whole, cut_short = FlightTracker(localizer, FEW), FlightTracker(localizer, FEW)
+    links = [None, *flown.links]
+    poses = [whole.add(*pair) for pair in zip(flown.images, links)]
+    assert poses[-1].is_fix and not poses[0].is_fix
+    for number, pair in enumerate(zip(flown.images, links)):
+        if number in (2, 5):
+            cut_short = FlightTracker.from_state(localizer, cut_short.state(), FEW)
+        assert cut_short.add(*pair) == poses[number]
+
+
+def test_what_is_remembered_does_not_grow(flown, localizer):
+    tracker = FlightTracker(localizer, replace(FEW, window=3))
+    sizes = []
+    for pair in zip(flown.images, [None, *flown.links]):
+        tracker.add(*pair)
+        sizes.append(len(tracker.state()))
+    assert max(sizes[3:]) <= sizes[3] + 2
+
+
+@pytest.mark.parametrize("broken", [{}, {"counts": np.array([99, 0, 0, 0])}, {"counts": np.array([1.0, 2.0])}])
+def test_a_broken_state_is_refused(localizer, broken):
+    state = {**FlightTracker(localizer).state(), **broken} if broken else {}
+    with pytest.raises(ParameterError):
+        FlightTracker.from_state(localizer, state)
