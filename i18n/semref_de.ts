@@ -340,6 +340,10 @@
    <translation>Bei {resolution_cm:g} cm pro Pixel bleibt vom Bild nichts übrig; eine andere RESOLUTION angeben.</translation>
   </message>
   <message>
+   <source>Auto</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>Automatisch</translation>
   </message>
@@ -730,6 +734,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Describing windows</source>
    <translation>Fenster werden beschrieben</translation>
+  </message>
+  <message>
+   <source>Device</source>
+   <translation>Gerät</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -1352,6 +1360,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Installieren</translation>
   </message>
   <message>
+   <source>Install a package for…</source>
+   <translation>Ein Paket installieren für…</translation>
+  </message>
+  <message>
    <source>Install from a folder of wheels…</source>
    <translation>Aus einem Ordner mit Wheels installieren…</translation>
   </message>
@@ -1362,6 +1374,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Installed by SemRef</source>
    <translation>Von SemRef installiert</translation>
+  </message>
+  <message>
+   <source>Installed; it is used once QGIS has been restarted.</source>
+   <translation>Installiert; benutzt wird es nach einem Neustart von QGIS.</translation>
   </message>
   <message>
    <source>Installing torch and what goes with it; this takes minutes…</source>
@@ -1872,6 +1888,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Netz</translation>
   </message>
   <message>
+   <source>Networks run on</source>
+   <translation>Netze rechnen auf</translation>
+  </message>
+  <message>
    <source>Next image (Alt+Down)</source>
    <translation>Nächstes Bild (Alt+Ab)</translation>
   </message>
@@ -1974,6 +1994,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Not good for</source>
    <translation>Nicht gut für</translation>
+  </message>
+  <message>
+   <source>Not there, with the Python package that brings it: {devices}.</source>
+   <translation>Nicht da, mit dem Python-Paket, das es bringt: {devices}.</translation>
   </message>
   <message>
    <source>Nothing in the two images tells a common motion; they may show different ground.</source>
@@ -2334,6 +2358,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
    <translation>QGIS bringt diese Python-Pakete nicht überall mit. SemRef kann sie für dieses QGIS in einen eigenen Ordner installieren; was QGIS hat, vor allem numpy, bleibt, wie es ist.</translation>
+  </message>
+  <message>
+   <source>QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.</source>
+   <translation>QGIS findet zuerst {path}, das SemRef nicht installiert hat; dort, wo es herkam, durch {package} ersetzen.</translation>
   </message>
   <message>
    <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
@@ -3504,6 +3532,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Kachelgröße (Pixel)</translation>
   </message>
   <message>
+   <source>Tiles a second</source>
+   <translation>Kacheln je Sekunde</translation>
+  </message>
+  <message>
    <source>Time limit (minutes)</source>
    <translation>Zeitgrenze (Minuten)</translation>
   </message>
@@ -3732,8 +3764,16 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
    <translation>Woraus der 95-%-Radius besteht: {parts}.</translation>
   </message>
   <message>
+   <source>What networks run on. A device that does not start is replaced by the processor; the log and the results say so, and how many tiles a second there were.</source>
+   <translation>Worauf Netze rechnen. Für ein Gerät, das nicht startet, springt der Prozessor ein; Protokoll und Ergebnis sagen das, und wie viele Kacheln je Sekunde es waren.</translation>
+  </message>
+  <message>
    <source>What radius and confidence are worth</source>
    <translation>Was Radius und Konfidenz wert sind</translation>
+  </message>
+  <message>
+   <source>What ran the network</source>
+   <translation>Worauf das Netz rechnete</translation>
   </message>
   <message>
    <source>What the confidence is worth</source>
@@ -4110,6 +4150,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>it ended without a word</source>
    <translation>es endete ohne ein Wort</translation>
+  </message>
+  <message>
+   <source>its driver or its libraries could not be loaded</source>
+   <translation>Treiber oder Bibliotheken ließen sich nicht laden</translation>
   </message>
   <message>
    <source>kind</source>
@@ -4530,6 +4574,30 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{database}, images cut from {labels}</source>
    <translation>{database}, Bilder geschnitten aus {labels}</translation>
+  </message>
+  <message>
+   <source>{device} ({package})</source>
+   <translation>{device} ({package})</translation>
+  </message>
+  <message>
+   <source>{device} could not be started ({reason}); the network runs on {other}.</source>
+   <translation>{device} ließ sich nicht starten ({reason}); das Netz rechnet auf {other}.</translation>
+  </message>
+  <message>
+   <source>{device} from a folder of wheels…</source>
+   <translation>{device} aus einem Ordner mit Wheels…</translation>
+  </message>
+  <message>
+   <source>{device} is not there: it comes with the Python package {package}.</source>
+   <translation>{device} ist nicht da: es kommt mit dem Python-Paket {package}.</translation>
+  </message>
+  <message>
+   <source>{device} was asked for, but this onnxruntime does not have it: it comes with the Python package {package}; the network runs on {other}.</source>
+   <translation>{device} war verlangt, aber dieses onnxruntime hat es nicht: es kommt mit dem Python-Paket {package}; das Netz rechnet auf {other}.</translation>
+  </message>
+  <message>
+   <source>{device}, {rate:.3g} tiles a second.</source>
+   <translation>{device}, {rate:.3g} Kacheln je Sekunde.</translation>
   </message>
   <message>
    <source>{fixes} of {images} images have a fix.</source>
@@ -5370,6 +5438,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{threshold} or more expected</source>
    <translation>{threshold} oder mehr erwartet</translation>
+  </message>
+  <message>
+   <source>{tiles} tiles in {seconds:.1f} s, {rate:.3g} a second on {device}.</source>
+   <translation>{tiles} Kacheln in {seconds:.1f} s, {rate:.3g} je Sekunde auf {device}.</translation>
   </message>
   <message>
    <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>

@@ -340,6 +340,10 @@
    <translation>A {resolution_cm:g} cm por píxel no queda nada de la imagen; indique otra RESOLUTION.</translation>
   </message>
   <message>
+   <source>Auto</source>
+   <translation>Automático</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>Automático</translation>
   </message>
@@ -730,6 +734,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Describing windows</source>
    <translation>Describiendo ventanas</translation>
+  </message>
+  <message>
+   <source>Device</source>
+   <translation>Dispositivo</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -1352,6 +1360,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Instalar</translation>
   </message>
   <message>
+   <source>Install a package for…</source>
+   <translation>Instalar un paquete para…</translation>
+  </message>
+  <message>
    <source>Install from a folder of wheels…</source>
    <translation>Instalar desde una carpeta de wheels…</translation>
   </message>
@@ -1362,6 +1374,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Installed by SemRef</source>
    <translation>Instalado por SemRef</translation>
+  </message>
+  <message>
+   <source>Installed; it is used once QGIS has been restarted.</source>
+   <translation>Instalado; se usará cuando QGIS se haya reiniciado.</translation>
   </message>
   <message>
    <source>Installing torch and what goes with it; this takes minutes…</source>
@@ -1872,6 +1888,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Red</translation>
   </message>
   <message>
+   <source>Networks run on</source>
+   <translation>Las redes se ejecutan en</translation>
+  </message>
+  <message>
    <source>Next image (Alt+Down)</source>
    <translation>Imagen siguiente (Alt+Abajo)</translation>
   </message>
@@ -1974,6 +1994,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Not good for</source>
    <translation>No sirve para</translation>
+  </message>
+  <message>
+   <source>Not there, with the Python package that brings it: {devices}.</source>
+   <translation>No están, con el paquete de Python que los trae: {devices}.</translation>
   </message>
   <message>
    <source>Nothing in the two images tells a common motion; they may show different ground.</source>
@@ -2334,6 +2358,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
    <translation>QGIS no trae estos paquetes de Python en todas partes. SemRef puede instalarlos para este QGIS en una carpeta propia; lo que QGIS tiene, sobre todo numpy, queda como está.</translation>
+  </message>
+  <message>
+   <source>QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.</source>
+   <translation>QGIS encuentra primero {path}, que SemRef no instaló; sustitúyalo por {package} donde se instaló.</translation>
   </message>
   <message>
    <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
@@ -3504,6 +3532,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Tamaño de tesela (píxeles)</translation>
   </message>
   <message>
+   <source>Tiles a second</source>
+   <translation>Teselas por segundo</translation>
+  </message>
+  <message>
    <source>Time limit (minutes)</source>
    <translation>Límite de tiempo (minutos)</translation>
   </message>
@@ -3732,8 +3764,16 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
    <translation>De qué se compone el radio del 95 %: {parts}.</translation>
   </message>
   <message>
+   <source>What networks run on. A device that does not start is replaced by the processor; the log and the results say so, and how many tiles a second there were.</source>
+   <translation>En qué se ejecutan las redes. Un dispositivo que no arranca se sustituye por el procesador; el registro y los resultados lo dicen, y también cuántas teselas por segundo fueron.</translation>
+  </message>
+  <message>
    <source>What radius and confidence are worth</source>
    <translation>Lo que valen el radio y la confianza</translation>
+  </message>
+  <message>
+   <source>What ran the network</source>
+   <translation>En qué se ejecutó la red</translation>
   </message>
   <message>
    <source>What the confidence is worth</source>
@@ -4110,6 +4150,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>it ended without a word</source>
    <translation>terminó sin decir nada</translation>
+  </message>
+  <message>
+   <source>its driver or its libraries could not be loaded</source>
+   <translation>no se pudieron cargar su controlador o sus bibliotecas</translation>
   </message>
   <message>
    <source>kind</source>
@@ -4530,6 +4574,30 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{database}, images cut from {labels}</source>
    <translation>{database}, imágenes cortadas de {labels}</translation>
+  </message>
+  <message>
+   <source>{device} ({package})</source>
+   <translation>{device} ({package})</translation>
+  </message>
+  <message>
+   <source>{device} could not be started ({reason}); the network runs on {other}.</source>
+   <translation>{device} no se pudo iniciar ({reason}); la red se ejecuta en {other}.</translation>
+  </message>
+  <message>
+   <source>{device} from a folder of wheels…</source>
+   <translation>{device} desde una carpeta de wheels…</translation>
+  </message>
+  <message>
+   <source>{device} is not there: it comes with the Python package {package}.</source>
+   <translation>{device} no está: viene con el paquete de Python {package}.</translation>
+  </message>
+  <message>
+   <source>{device} was asked for, but this onnxruntime does not have it: it comes with the Python package {package}; the network runs on {other}.</source>
+   <translation>Se pidió {device}, pero este onnxruntime no lo tiene: viene con el paquete de Python {package}; la red se ejecuta en {other}.</translation>
+  </message>
+  <message>
+   <source>{device}, {rate:.3g} tiles a second.</source>
+   <translation>{device}, {rate:.3g} teselas por segundo.</translation>
   </message>
   <message>
    <source>{fixes} of {images} images have a fix.</source>
@@ -5370,6 +5438,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{threshold} or more expected</source>
    <translation>{threshold} o más esperado</translation>
+  </message>
+  <message>
+   <source>{tiles} tiles in {seconds:.1f} s, {rate:.3g} a second on {device}.</source>
+   <translation>{tiles} teselas en {seconds:.1f} s, {rate:.3g} por segundo en {device}.</translation>
   </message>
   <message>
    <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>

@@ -340,6 +340,10 @@
    <translation>À {resolution_cm:g} cm par pixel, il ne reste rien de l’image ; indiquez une autre RESOLUTION.</translation>
   </message>
   <message>
+   <source>Auto</source>
+   <translation>Automatique</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>Automatique</translation>
   </message>
@@ -730,6 +734,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Describing windows</source>
    <translation>Description des fenêtres</translation>
+  </message>
+  <message>
+   <source>Device</source>
+   <translation>Appareil</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -1352,6 +1360,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Installer</translation>
   </message>
   <message>
+   <source>Install a package for…</source>
+   <translation>Installer un paquet pour…</translation>
+  </message>
+  <message>
    <source>Install from a folder of wheels…</source>
    <translation>Installer depuis un dossier de wheels…</translation>
   </message>
@@ -1362,6 +1374,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Installed by SemRef</source>
    <translation>Installé par SemRef</translation>
+  </message>
+  <message>
+   <source>Installed; it is used once QGIS has been restarted.</source>
+   <translation>Installé ; il servira une fois QGIS redémarré.</translation>
   </message>
   <message>
    <source>Installing torch and what goes with it; this takes minutes…</source>
@@ -1872,6 +1888,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Réseau</translation>
   </message>
   <message>
+   <source>Networks run on</source>
+   <translation>Les réseaux tournent sur</translation>
+  </message>
+  <message>
    <source>Next image (Alt+Down)</source>
    <translation>Image suivante (Alt+Bas)</translation>
   </message>
@@ -1974,6 +1994,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Not good for</source>
    <translation>Ne convient pas pour</translation>
+  </message>
+  <message>
+   <source>Not there, with the Python package that brings it: {devices}.</source>
+   <translation>Absents, avec le paquet Python qui les apporte : {devices}.</translation>
   </message>
   <message>
    <source>Nothing in the two images tells a common motion; they may show different ground.</source>
@@ -2334,6 +2358,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
    <translation>QGIS ne fournit pas ces paquets Python partout. SemRef peut les installer pour ce QGIS dans un dossier à lui ; ce que QGIS possède, numpy surtout, reste tel quel.</translation>
+  </message>
+  <message>
+   <source>QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.</source>
+   <translation>QGIS trouve d’abord {path}, que SemRef n’a pas installé ; remplacez-le par {package} là d’où il vient.</translation>
   </message>
   <message>
    <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
@@ -3504,6 +3532,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Taille de tuile (pixels)</translation>
   </message>
   <message>
+   <source>Tiles a second</source>
+   <translation>Tuiles par seconde</translation>
+  </message>
+  <message>
    <source>Time limit (minutes)</source>
    <translation>Limite de temps (minutes)</translation>
   </message>
@@ -3732,8 +3764,16 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
    <translation>Ce qui compose le rayon à 95 % : {parts}.</translation>
   </message>
   <message>
+   <source>What networks run on. A device that does not start is replaced by the processor; the log and the results say so, and how many tiles a second there were.</source>
+   <translation>Ce sur quoi les réseaux tournent. Un appareil qui ne démarre pas est remplacé par le processeur ; le journal et les résultats le disent, ainsi que le nombre de tuiles par seconde.</translation>
+  </message>
+  <message>
    <source>What radius and confidence are worth</source>
    <translation>Ce que valent le rayon et la confiance</translation>
+  </message>
+  <message>
+   <source>What ran the network</source>
+   <translation>Ce qui a fait tourner le réseau</translation>
   </message>
   <message>
    <source>What the confidence is worth</source>
@@ -4110,6 +4150,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>it ended without a word</source>
    <translation>il s’est terminé sans un mot</translation>
+  </message>
+  <message>
+   <source>its driver or its libraries could not be loaded</source>
+   <translation>son pilote ou ses bibliothèques n’ont pas pu être chargés</translation>
   </message>
   <message>
    <source>kind</source>
@@ -4530,6 +4574,30 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{database}, images cut from {labels}</source>
    <translation>{database}, images découpées dans {labels}</translation>
+  </message>
+  <message>
+   <source>{device} ({package})</source>
+   <translation>{device} ({package})</translation>
+  </message>
+  <message>
+   <source>{device} could not be started ({reason}); the network runs on {other}.</source>
+   <translation>{device} n’a pas pu démarrer ({reason}) ; le réseau tourne sur {other}.</translation>
+  </message>
+  <message>
+   <source>{device} from a folder of wheels…</source>
+   <translation>{device} depuis un dossier de wheels…</translation>
+  </message>
+  <message>
+   <source>{device} is not there: it comes with the Python package {package}.</source>
+   <translation>{device} n’est pas là : il vient avec le paquet Python {package}.</translation>
+  </message>
+  <message>
+   <source>{device} was asked for, but this onnxruntime does not have it: it comes with the Python package {package}; the network runs on {other}.</source>
+   <translation>{device} était demandé, mais cet onnxruntime ne l’a pas : il vient avec le paquet Python {package} ; le réseau tourne sur {other}.</translation>
+  </message>
+  <message>
+   <source>{device}, {rate:.3g} tiles a second.</source>
+   <translation>{device}, {rate:.3g} tuiles par seconde.</translation>
   </message>
   <message>
    <source>{fixes} of {images} images have a fix.</source>
@@ -5370,6 +5438,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{threshold} or more expected</source>
    <translation>{threshold} ou plus attendus</translation>
+  </message>
+  <message>
+   <source>{tiles} tiles in {seconds:.1f} s, {rate:.3g} a second on {device}.</source>
+   <translation>{tiles} tuiles en {seconds:.1f} s, {rate:.3g} par seconde sur {device}.</translation>
   </message>
   <message>
    <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>

@@ -340,6 +340,10 @@
    <translation>按每像元 {resolution_cm:g} cm，影像将所剩无几；请给出其他 RESOLUTION。</translation>
   </message>
   <message>
+   <source>Auto</source>
+   <translation>自动</translation>
+  </message>
+  <message>
    <source>Automatic</source>
    <translation>自动</translation>
   </message>
@@ -730,6 +734,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Describing windows</source>
    <translation>正在描述窗口</translation>
+  </message>
+  <message>
+   <source>Device</source>
+   <translation>设备</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -1352,6 +1360,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>安装</translation>
   </message>
   <message>
+   <source>Install a package for…</source>
+   <translation>安装软件包以使用…</translation>
+  </message>
+  <message>
    <source>Install from a folder of wheels…</source>
    <translation>从 wheel 文件夹安装…</translation>
   </message>
@@ -1362,6 +1374,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Installed by SemRef</source>
    <translation>由 SemRef 安装</translation>
+  </message>
+  <message>
+   <source>Installed; it is used once QGIS has been restarted.</source>
+   <translation>已安装；重启 QGIS 后使用。</translation>
   </message>
   <message>
    <source>Installing torch and what goes with it; this takes minutes…</source>
@@ -1872,6 +1888,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>网络</translation>
   </message>
   <message>
+   <source>Networks run on</source>
+   <translation>网络运行于</translation>
+  </message>
+  <message>
    <source>Next image (Alt+Down)</source>
    <translation>下一幅影像 (Alt+Down)</translation>
   </message>
@@ -1974,6 +1994,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Not good for</source>
    <translation>不适用于</translation>
+  </message>
+  <message>
+   <source>Not there, with the Python package that brings it: {devices}.</source>
+   <translation>没有，括号内为提供它的 Python 软件包：{devices}。</translation>
   </message>
   <message>
    <source>Nothing in the two images tells a common motion; they may show different ground.</source>
@@ -2334,6 +2358,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a folder of its own; what QGIS has, above all numpy, is left as it is.</source>
    <translation>QGIS 并非在所有系统上都自带这些 Python 软件包。SemRef 可以为当前 QGIS 把它们安装到自己的文件夹中；QGIS 已有的软件包，尤其是 numpy，保持不变。</translation>
+  </message>
+  <message>
+   <source>QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.</source>
+   <translation>QGIS 首先找到 {path}，它不是 SemRef 安装的；请在其来源处将它替换为 {package}。</translation>
   </message>
   <message>
    <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
@@ -3504,6 +3532,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>图块大小（像元）</translation>
   </message>
   <message>
+   <source>Tiles a second</source>
+   <translation>每秒瓦片数</translation>
+  </message>
+  <message>
    <source>Time limit (minutes)</source>
    <translation>时间限制（分钟）</translation>
   </message>
@@ -3732,8 +3764,16 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>95 % 半径的构成：{parts}。</translation>
   </message>
   <message>
+   <source>What networks run on. A device that does not start is replaced by the processor; the log and the results say so, and how many tiles a second there were.</source>
+   <translation>网络在什么上运行。无法启动的设备由处理器代替；日志和结果会说明这一点以及每秒处理的瓦片数。</translation>
+  </message>
+  <message>
    <source>What radius and confidence are worth</source>
    <translation>半径和置信度是否可靠</translation>
+  </message>
+  <message>
+   <source>What ran the network</source>
+   <translation>运行网络的设备</translation>
   </message>
   <message>
    <source>What the confidence is worth</source>
@@ -4110,6 +4150,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>it ended without a word</source>
    <translation>它没有任何输出就结束了</translation>
+  </message>
+  <message>
+   <source>its driver or its libraries could not be loaded</source>
+   <translation>无法加载其驱动程序或库</translation>
   </message>
   <message>
    <source>kind</source>
@@ -4530,6 +4574,30 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{database}, images cut from {labels}</source>
    <translation>{database}，影像裁取自 {labels}</translation>
+  </message>
+  <message>
+   <source>{device} ({package})</source>
+   <translation>{device}（{package}）</translation>
+  </message>
+  <message>
+   <source>{device} could not be started ({reason}); the network runs on {other}.</source>
+   <translation>{device} 无法启动（{reason}）；网络在 {other} 上运行。</translation>
+  </message>
+  <message>
+   <source>{device} from a folder of wheels…</source>
+   <translation>{device}，从 wheel 文件夹…</translation>
+  </message>
+  <message>
+   <source>{device} is not there: it comes with the Python package {package}.</source>
+   <translation>没有 {device}：它随 Python 软件包 {package} 提供。</translation>
+  </message>
+  <message>
+   <source>{device} was asked for, but this onnxruntime does not have it: it comes with the Python package {package}; the network runs on {other}.</source>
+   <translation>要求使用 {device}，但此 onnxruntime 没有它：它随 Python 软件包 {package} 提供；网络在 {other} 上运行。</translation>
+  </message>
+  <message>
+   <source>{device}, {rate:.3g} tiles a second.</source>
+   <translation>{device}，每秒 {rate:.3g} 个瓦片。</translation>
   </message>
   <message>
    <source>{fixes} of {images} images have a fix.</source>
@@ -5370,6 +5438,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{threshold} or more expected</source>
    <translation>预期达 {threshold} 以上</translation>
+  </message>
+  <message>
+   <source>{tiles} tiles in {seconds:.1f} s, {rate:.3g} a second on {device}.</source>
+   <translation>{tiles} 个瓦片用时 {seconds:.1f} 秒，在 {device} 上每秒 {rate:.3g} 个。</translation>
   </message>
   <message>
    <source>{touched} of {windows} windows changed; {removed} landmarks removed, {added} added.</source>

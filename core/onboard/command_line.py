@@ -27,6 +27,7 @@ from ..localizer.localizer import Localizer
 from ..localizer.record import fixes_per_error, record
 from ..localizer.settings import LOCALIZER
 from ..segmentation.class_bias import KnownBiases, known_biases
+from ..segmentation.devices import AUTO, KEYS
 from ..sentences import english
 from .format import OnboardDatabase
 from .log import json_line, say, start_log
@@ -183,6 +184,8 @@ def _parser() -> argparse.ArgumentParser:
         sun = "direction of the sun, degrees clockwise from grid north: biases of the model turn with it"
         command.add_argument("--sun", type=float, metavar="DEG", help=sun)
         command.add_argument("--threads", type=int, default=1, help="for OpenCV and the network (default: 1)")
+        text = f"what the network runs on (default: {AUTO}, the first that is there and starts)"
+        command.add_argument("--device", choices=KEYS, default=AUTO, help=text)
     for command in (info, localize, watch):
         text = "take DATABASE only if it was signed with this key when it was exported"
         command.add_argument("--require-signature", metavar="KEYFILE", help=text)
@@ -277,7 +280,7 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
     if method == Method.MAP_CORRELATION and not localizer.has_overview:
         raise DatabaseError("onboard.no_overview", database=options.database)
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
-    read_labels, known = label_reader(options.model, options.threads, onboard.database.class_table)
+    read_labels, known = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
     localizer.heed_biases(known.class_biases, known.class_spread)
     say(logging.INFO, "ready", database=options.database, content_hash=onboard.content_hash)
 
@@ -313,7 +316,7 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
 
 
 def label_reader(
-    model_path: str | None, threads: int, table: ClassTable
+    model_path: str | None, threads: int, table: ClassTable, device: str = AUTO
 ) -> tuple[Callable[[str], SeenLabels], KnownBiases]:
     """The function path → labels, of label images or with a model of photos; and how these labels are shifted."""
     if not model_path:
@@ -322,7 +325,10 @@ def label_reader(
     from ..segmentation.model import SegmentationModel
     from ..segmentation.photo_labels import PhotoLabels
 
-    model = SegmentationModel(model_path, threads)
+    model = SegmentationModel(model_path, threads, device=device)
+    for fallback in model.fallbacks:
+        say(logging.WARNING, "device", reason=english(fallback))
+    say(logging.INFO, "model", model=model_path, device=model.device.title)
     values = model.classes.values_in(table, model_path)
 
     def labels_of(path: str) -> SeenLabels:

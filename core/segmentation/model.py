@@ -1,12 +1,9 @@
-"""ONNX segmentation networks: the only file that uses onnxruntime."""
+"""ONNX segmentation networks: images to scores of classes."""
 
 from __future__ import annotations
 
-import os
-import re
-from collections.abc import Sequence
-from types import ModuleType
-from typing import TYPE_CHECKING, Callable
+import threading
+from collections.abc import Mapping, Sequence
 
 import cv2
 import numpy as np
@@ -16,20 +13,9 @@ from ..labels.class_table import ClassTable
 from ..sentences import Sentence
 from .certainty import are_probabilities, softmax
 from .class_bias import read_class_bias
+from .devices import AUTO, CPU, Device, device_of, devices_to_try
 from .metadata import named_channels, read_classes, read_settings
-from .onnx_file import read_header, smallest_model
-
-if TYPE_CHECKING:
-    from onnxruntime import InferenceSession
-
-PROVIDERS = (
-    "CUDAExecutionProvider",
-    "ROCMExecutionProvider",
-    "DmlExecutionProvider",
-    "CoreMLExecutionProvider",
-    "CPUExecutionProvider",
-)
-"""What may run a network, best first; of those that onnxruntime has, it falls back on the next when one fails."""
+from .session import available_providers, failures_of_a_run, open_session, reason_of
 
 DEFAULT_TILE_SIZE_PX = 512
 """Edge of a tile for networks that take any size and don't say which they were trained on."""
@@ -44,10 +30,6 @@ RUNS_AT_ONCE = 2
 """How often the network runs side by side on a CPU: two runs of half the threads each wait less for one another than
 one run of all, and each that runs holds its own intermediate results in memory."""
 
-_CPU = PROVIDERS[-1]
-_IR_VERSION_OF_ALL, _OPSET_OF_ALL, _HIGHEST_ASKED = 4, 11, 100
-"""Versions that every onnxruntime knows, and one that none knows."""
-
 _FLOATS = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
 _BANDS = 3
 
@@ -56,32 +38,21 @@ class SegmentationModel:
     """A network from an ONNX file: images → scores of its classes.
 
     ``classes`` and ``settings``: its metadata. ``tile_hw``: (height, width) of the images it takes. ``tiles_at_once``:
-    how many of them best. ``runs_at_once``: how many threads may call ``scores`` at a time with gain. ``provider``:
-    what runs it. ``class_bias``: how far off it shows its classes, by name in small letters, as far as it says so.
-    ``notes``: sentences on metadata that were overruled.
+    how many of them best. ``runs_at_once``: how many threads may call ``scores`` at a time with gain. ``device``: what
+    runs it. ``fallbacks``: why other devices don't, as far as they were asked for or tried. ``class_bias``: how far off
+    it shows its classes, by name in small letters, as far as it says so. ``notes``: sentences on metadata that were
+    overruled. ``tiles_seen``: how many images it was given so far.
     """
 
-    def __init__(self, path: str, threads: int, class_table: ClassTable | None = None) -> None:
-        """``threads``: for the CPU. ``class_table``: the user's, see ``read_classes``.
+    def __init__(self, path: str, threads: int, class_table: ClassTable | None = None, device: str = AUTO) -> None:
+        """``threads``: for the CPU. ``class_table``: the user's, see ``read_classes``. ``device``: of ``devices.KEYS``.
 
         Raises ModelError when onnxruntime is missing, or the file or what it says about itself can't be used.
         """
         self.path = path
-        self.notes: list[Sentence] = []
-        self.runs_at_once = min(RUNS_AT_ONCE, threads) if _providers()[:1] == [_CPU] else 1
-        self._session = _open(path, -(-threads // self.runs_at_once))
-        self.provider = self._session.get_providers()[0]
-        try:
-            texts = self._session.get_modelmeta().custom_metadata_map
-            self.settings = read_settings(texts, path)
-            self._read_input()
-        except UnicodeDecodeError:
-            raise ModelError("segmentation.not_text", path=path) from None
-        mean, std = (np.array(v, np.float32) for v in (self.settings.mean, self.settings.std))
-        # (pixel / 255 - mean) / std of each of the 256 pixel values, for each band.
-        self._standardized = ((np.arange(256, dtype=np.float32) / 255)[None] - mean[:, None]) / std[:, None]
+        self.tiles_seen, self._counting = 0, threading.Lock()
+        texts, outputs = self._start(threads, device)
         names = named_channels(texts, path)
-        outputs = self._probe()
         single = outputs.ndim == 3 or outputs.shape[1] == 1
         self._gives_numbers = single and (outputs.dtype.kind in "iu" or (names is not None and len(names) > 2))
         self._gives_probability = single and not self._gives_numbers
@@ -97,6 +68,45 @@ class SegmentationModel:
         """What ``probabilities`` divides scores by, as the model states; None without such scores."""
         return None if self._gives_probabilities or self._gives_probability else self.settings.temperature
 
+    def _start(self, threads: int, asked: str) -> tuple[Mapping[str, str], np.ndarray]:
+        """Opens the network on the first device that runs it; its metadata, and what it gives for a black image."""
+        devices, chosen = devices_to_try(asked, available_providers()), device_of(asked)
+        reasons: dict[Device, object] = {}
+        for device in devices[:-1]:
+            try:
+                found = self._open(device, threads)
+                break
+            except ModelError as error:
+                reasons[device] = dict(error.sentence.values).get("reason", error.sentence)
+        else:
+            found = self._open(devices[-1], threads)
+        other = self.device.title
+        self.fallbacks = [
+            Sentence("segmentation.device_failed", device=device.title, reason=reason, other=other)
+            for device, reason in reasons.items()
+        ]
+        if chosen is not None and chosen not in devices:
+            missing = Sentence("segmentation.device_missing", device=chosen.title, package=chosen.package, other=other)
+            self.fallbacks.append(missing)
+        return found
+
+    def _open(self, device: Device, threads: int) -> tuple[Mapping[str, str], np.ndarray]:
+        """Opens the network on a device; its metadata, and what it gives for a black image. Raises ModelError."""
+        self.device = device
+        self.notes: list[Sentence] = []
+        self.runs_at_once = min(RUNS_AT_ONCE, threads) if device is CPU else 1
+        self._session = open_session(self.path, -(-threads // self.runs_at_once), device.provider)
+        try:
+            texts = self._session.get_modelmeta().custom_metadata_map
+            self.settings = read_settings(texts, self.path)
+            self._read_input()
+        except UnicodeDecodeError:
+            raise ModelError("segmentation.not_text", path=self.path) from None
+        mean, std = (np.array(v, np.float32) for v in (self.settings.mean, self.settings.std))
+        # (pixel / 255 - mean) / std of each of the 256 pixel values, for each band.
+        self._standardized = ((np.arange(256, dtype=np.float32) / 255)[None] - mean[:, None]) / std[:, None]
+        return texts, self._probe()
+
     def scores(self, images: Sequence[np.ndarray]) -> np.ndarray:
         """(N, C, H, W) float32: for each image the score of each class; the highest is the pixel's.
 
@@ -104,6 +114,8 @@ class SegmentationModel:
         Raises ModelError when the network fails or gives values that are no numbers.
         """
         outputs = self._run(images)
+        with self._counting:
+            self.tiles_seen += len(images)
         if self._gives_numbers:
             return self._votes(outputs)
         found = outputs.astype(np.float32, copy=False)
@@ -157,7 +169,7 @@ class SegmentationModel:
                 "segmentation.tile_too_large", path=self.path, width=fixed[1], height=fixed[0], most=LARGEST_TILE_PX
             )
         fixed_batch = isinstance(shape[0], int)
-        self.tiles_at_once = 1 if fixed_batch or self.provider == _CPU else TILES_AT_ONCE
+        self.tiles_at_once = 1 if fixed_batch or self.device is CPU else TILES_AT_ONCE
         if fixed_batch and shape[0] != 1:
             raise ModelError("segmentation.batch_size", path=self.path, count=shape[0])
 
@@ -186,125 +198,15 @@ class SegmentationModel:
     def _run(self, images: Sequence[np.ndarray]) -> np.ndarray:
         try:
             found = self._session.run(None, {self._name: self._planes(images)})[0]
-        except _failures_of_a_run() as error:
+        except failures_of_a_run() as error:
             height, width = self.tile_hw
             raise ModelError(
-                "segmentation.run_failed", path=self.path, width=width, height=height, reason=_reason(error)
+                "segmentation.run_failed", path=self.path, width=width, height=height, reason=reason_of(error)
             ) from error
         if not isinstance(found, np.ndarray) or found.dtype.kind not in "fiub":
             kind = found.dtype.name if isinstance(found, np.ndarray) else type(found).__name__
             raise ModelError("segmentation.output_kind", path=self.path, kind=kind)
         return found
-
-
-def _onnxruntime() -> ModuleType:
-    try:
-        import onnxruntime
-    except ImportError as error:
-        raise ModelError("segmentation.no_onnxruntime", reason=str(error)) from None
-    return onnxruntime
-
-
-def _failures_of_a_run() -> tuple[type[BaseException], ...]:
-    return (*_failures(), MemoryError, cv2.error)
-
-
-def _failures() -> tuple[type[BaseException], ...]:
-    """The exceptions of onnxruntime, which have no base of their own."""
-    from onnxruntime.capi import onnxruntime_pybind11_state as state
-
-    names = (
-        "EPFail",
-        "EngineError",
-        "Fail",
-        "InvalidArgument",
-        "InvalidGraph",
-        "InvalidProtobuf",
-        "ModelLoaded",
-        "NoModel",
-        "NoSuchFile",
-        "NotImplemented",
-        "RuntimeException",
-    )
-    return (*(getattr(state, name) for name in names if hasattr(state, name)), RuntimeError, ValueError)
-
-
-def _providers() -> list[str]:
-    """What onnxruntime has to run a network, best first."""
-    there = _onnxruntime().get_available_providers()
-    return [name for name in PROVIDERS if name in there]
-
-
-def _open(path: str, threads: int) -> InferenceSession:
-    onnxruntime = _onnxruntime()
-    if not os.path.isfile(path):
-        raise ModelError("segmentation.no_model_file", path=path)
-    options = onnxruntime.SessionOptions()
-    options.intra_op_num_threads = threads
-    # A thread that spins while it waits takes the core from reading and blending.
-    options.add_session_config_entry("session.intra_op.allow_spinning", "0")
-    # Errors are raised; onnxruntime would write them to a console that QGIS users don't have, too.
-    options.log_severity_level = 4
-    try:
-        return onnxruntime.InferenceSession(path, options, providers=_providers())
-    except _failures() as error:
-        raise ModelError(_why_not_opened(path, error, onnxruntime.__version__)) from error
-
-
-def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
-    """One sentence for why onnxruntime refused a file; by what is in the file, for messages change with releases."""
-    header = read_header(_content(path))
-    if header is None:
-        return Sentence("segmentation.no_onnx", path=path)
-    known = _newest_known(header.ir_version, lambda ir_version: smallest_model(ir_version, _OPSET_OF_ALL))
-    if known < header.ir_version:
-        return Sentence("segmentation.newer_ir", path=path, found=header.ir_version, version=version, known=known)
-    known = _newest_known(header.opset, lambda opset: smallest_model(_IR_VERSION_OF_ALL, opset))
-    if known < header.opset:
-        return Sentence("segmentation.newer_opset", path=path, found=header.opset, version=version, known=known)
-    missing = header.missing_weights(path)
-    if missing:
-        return Sentence("segmentation.weights_missing", path=path, reason=missing)
-    return Sentence("segmentation.not_run", path=path, version=version, reason=_reason(error))
-
-
-def _content(path: str) -> bytes:
-    try:
-        with open(path, "rb") as file:
-            return file.read()
-    except OSError:
-        return b""
-
-
-def _newest_known(asked: int, model: Callable[[int], bytes]) -> int:
-    """The highest version up to the one asked for that onnxruntime opens a model of."""
-    for tried in range(min(asked, _HIGHEST_ASKED), 0, -1):
-        if _opens(model(tried)):
-            return asked if tried == min(asked, _HIGHEST_ASKED) < _HIGHEST_ASKED else tried
-    return 0
-
-
-def _opens(model: bytes) -> bool:
-    onnxruntime = _onnxruntime()
-    from onnxruntime.capi import onnxruntime_pybind11_state as state
-
-    options = onnxruntime.SessionOptions()
-    options.log_severity_level = 4
-    try:
-        onnxruntime.InferenceSession(model, options, providers=[_CPU])
-    except state.NotImplemented:
-        # The version is known, but this build lacks the one operator.
-        return True
-    except _failures():
-        return False
-    return True
-
-
-def _reason(error: object) -> str:
-    """The last part of onnxruntime's message, without its error code and source files, as part of a sentence."""
-    text = re.sub(r"\[ONNXRuntimeError\] : \d+ : [A-Z_]+ : ", "", " ".join(str(error).split()))
-    text = re.sub(r"\S*/onnxruntime/\S+:\d+ [^\n]*?\) ", "", text)
-    return re.sub(r"\.\s+(?=[A-Z])", "; ", text)[:300].rstrip(". ")
 
 
 def _shape_text(shape: Sequence[object]) -> str:

@@ -98,6 +98,12 @@ SENTENCES = {
     ),
     "segmentation.not_text": "{path} has names or metadata that are no text in UTF-8; export the network again.",
     "segmentation.no_onnx": "{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.",
+    "segmentation.device_failed": "{device} could not be started ({reason}); the network runs on {other}.",
+    "segmentation.device_missing": (
+        "{device} was asked for, but this onnxruntime does not have it: it comes with the Python package {package}; "
+        "the network runs on {other}."
+    ),
+    "segmentation.device_left_out": "its driver or its libraries could not be loaded",
     "segmentation.not_run": "{path} can't be run by onnxruntime {version}: {reason}.",
     "segmentation.other_tile_size": (
         "tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are "

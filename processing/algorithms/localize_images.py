@@ -21,6 +21,7 @@ from ..framework.declarations import (
 from ..framework.localized_image import LabelImages, say, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches, write_positions
 from ..framework.localizing import LocalizeAlgorithm, localize_image
+from ..framework.photo_labels import pace_results
 from ..framework.photo_source import PhotoSource
 from ..translation import tr
 
@@ -84,6 +85,7 @@ class LocalizeImages(LocalizeAlgorithm):
             ),
             *self._layer_parameters(),
             self.sun_parameter(),
+            *pace_results(),
         )
 
     def _layer_parameters(self) -> tuple[Declared, ...]:
@@ -202,4 +204,7 @@ class LocalizeImages(LocalizeAlgorithm):
             write_matches(outputs, self.MATCHES, localized, database, crs)
         fixes = sum(1 for item in localized if item.result is not None and item.result.is_fix)
         feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
-        return {self.FIX_COUNT: fixes}
+        if read_labels.pace is None:
+            return {self.FIX_COUNT: fixes}
+        feedback.pushInfo(read_labels.pace.told())
+        return {self.FIX_COUNT: fixes, **read_labels.pace.results}

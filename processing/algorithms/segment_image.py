@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable, Iterator
 from contextlib import closing
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ...core.errors import ParameterError
 from ..compat import wkt_for_gdal
@@ -12,11 +13,10 @@ from ..framework import offers
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
 from ..framework.declarations import Number, PolygonOutput, RasterLayer, RasterOutput
 from ..framework.label_polygons import write_polygons
-from ..framework.photo_labels import describe
+from ..framework.photo_labels import Pace, describe, open_model, pace_results
 from ..framework.photo_source import PhotoSource
 from ..framework.segmented_files import SeenGrid, SegmentedFiles
 from ..packages.components import ONNXRUNTIME, OPENCV, SHAPELY, how_to_install, missing
-from ..threads import worker_threads
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -92,6 +92,7 @@ class SegmentImage(SemRefAlgorithm):
             *self._polygon_parameters(),
             offers.mask(),
             *self._certainty_parameters(),
+            *pace_results(),
         )
 
     def _tile_parameters(self) -> tuple[Declared, ...]:
@@ -175,14 +176,13 @@ class SegmentImage(SemRefAlgorithm):
         area = drawn_area(values.source(self.MASK))
         self._source = PhotoSource(values, self.INPUT, self.EXTENT, area)
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         from ...core.segmentation.certainty import Certainty
-        from ...core.segmentation.model import SegmentationModel
         from ...core.segmentation.tiling import segment
 
         table = values.class_table(self.CLASS_TABLE)
         feedback.setProgressText(tr("Loading the model"))
-        model = SegmentationModel(values.file(self.MODEL), worker_threads(), table)
+        model = open_model(values.file(self.MODEL), table)
         check_canceled(feedback)
         resolution_cm = values.optional_number(self.RESOLUTION)
         resolution_m = model.settings.resolution_m if resolution_cm is None else resolution_cm / 100
@@ -196,13 +196,17 @@ class SegmentImage(SemRefAlgorithm):
         classes = model.classes
         grid = SeenGrid(image.shape_hw, transform, wkt_for_gdal(photo.crs))
         feedback.setProgressText(tr("Segmenting"))
+        begun = time.perf_counter()
         with (
             SegmentedFiles(outputs, grid, model, (self.OUTPUT, self.CONFIDENCE, self.PROBABILITIES), wanted) as files,
             closing(segment(model, image, classes.values, overlap, wanted)) as steps,
         ):
             # The steps are closed first: threads they hold are let go before the files are cleared away.
             files.write(_followed(steps, feedback))
+        pace = Pace(model, time.perf_counter() - begun)
+        feedback.pushInfo(pace.told())
         write_polygons(values, outputs, self.POLYGONS, files.label_map, photo.crs, classes.table, feedback)
+        return pace.results
 
     def _at_resolution(
         self, photo: Photo, resolution_m: float | None, model: SegmentationModel, feedback: QgsProcessingFeedback

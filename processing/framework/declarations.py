@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 
 from qgis.core import (
     QgsProcessingOutputNumber,
+    QgsProcessingOutputString,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterCrs,
     QgsProcessingParameterDefinition,
@@ -256,6 +257,18 @@ class PolygonOutput(Output):
     def more(self) -> dict:
         """Further arguments of KIND, by name."""
         return {"type": SOURCE_POLYGON}
+
+
+@dataclass(frozen=True)
+class TextResult:
+    """A text that an algorithm tells beside what it writes."""
+
+    key: str
+    title: str
+
+    def definition(self) -> QgsProcessingOutputString:
+        """QGIS's own output; the caller, ``addOutput``, takes it."""
+        return QgsProcessingOutputString(self.key, self.title)
 
 
 @dataclass(frozen=True)

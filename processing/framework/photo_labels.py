@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import time
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from qgis.core import QgsProcessingFeedback
@@ -10,15 +12,64 @@ from qgis.core import QgsProcessingFeedback
 from ...core.errors import ImageError, ModelError
 from ...core.labels.class_table import ClassTable
 from ..packages.components import ONNXRUNTIME, how_to_install, missing
+from ..packages.devices import chosen_device
 from ..threads import worker_threads
 from ..translation import tr
+from ..wording.sentences import worded
 from .base import check_canceled
+from .declarations import NumberResult, TextResult
 
 if TYPE_CHECKING:
     from ...core.labels.class_shares import SeenLabels
     from ...core.segmentation.class_bias import KnownBiases
     from ...core.segmentation.model import SegmentationModel
     from ...storage.images import GdalImage
+
+
+DEVICE, TILES_PER_SECOND = "DEVICE", "TILES_PER_SECOND"
+"""Keys of what algorithms tell of a network's run."""
+
+
+def open_model(path: str, table: ClassTable | None = None) -> SegmentationModel:
+    """A network on the device of the options. Raises ModelError."""
+    from ...core.segmentation.model import SegmentationModel
+
+    return SegmentationModel(path, worker_threads(), table, chosen_device())
+
+
+def pace_results() -> tuple[TextResult, NumberResult]:
+    """What algorithms tell of a network's run, beside what they write."""
+    return TextResult(DEVICE, tr("What ran the network")), NumberResult(TILES_PER_SECOND, tr("Tiles a second"))
+
+
+@dataclass(frozen=True)
+class Pace:
+    """What ran a network, and how fast.
+
+    Attributes:
+        model: The network.
+        seconds: That it took, with reading images and putting tiles together.
+    """
+
+    model: SegmentationModel
+    seconds: float
+
+    @property
+    def results(self) -> dict[str, Any]:
+        """What algorithms tell, by key."""
+        why = " ".join(map(worded, self.model.fallbacks))
+        device = self.model.device.title
+        return {DEVICE: f"{device} ({why})" if why else device, TILES_PER_SECOND: self._rate}
+
+    @property
+    def _rate(self) -> float:
+        return self.model.tiles_seen / self.seconds if self.seconds else 0.0
+
+    def told(self) -> str:
+        """One sentence in the user's language."""
+        text = tr("{tiles} tiles in {seconds:.1f} s, {rate:.3g} a second on {device}.")
+        rate, device = self._rate, self.model.device.title
+        return text.format(tiles=self.model.tiles_seen, seconds=self.seconds, rate=rate, device=device)
 
 
 class PhotoLabels:
@@ -29,16 +80,16 @@ class PhotoLabels:
 
     def __init__(self, model_path: str, table: ClassTable, feedback: QgsProcessingFeedback) -> None:
         from ...core.segmentation.class_bias import known_biases
-        from ...core.segmentation.model import SegmentationModel
 
         lacking = missing([ONNXRUNTIME])
         if lacking:
             raise ModelError(how_to_install(lacking))
-        self._model = SegmentationModel(model_path, worker_threads())
+        self._model = open_model(model_path)
         self._values = self._model.classes.values_in(table, model_path)
         self._biases = known_biases(self._model.class_bias, table)
         self._feedback = feedback
         self._is_described = False
+        self._seconds = 0.0
 
     @property
     def resolution_m(self) -> float | None:
@@ -81,15 +132,23 @@ class PhotoLabels:
         if not self._is_described:
             describe(self._model, photo, self._feedback)
             self._is_described = True
+        begun = time.perf_counter()
         for _ in labels.steps():
             check_canceled(self._feedback)
+        self._seconds += time.perf_counter() - begun
         return SeenLabels(labels.labels_hw, labels.shares)
+
+    @property
+    def pace(self) -> Pace:
+        """What ran, and how fast."""
+        return Pace(self._model, self._seconds)
 
 
 class LabelImageReader:
     """Reads label images: ``label_images(path)`` gives (H, W) uint8 labels in the classes of ``table``."""
 
     stated_biases = ""
+    pace = None
 
     def __init__(self, table: ClassTable) -> None:
         self._table = table
@@ -120,9 +179,11 @@ def describe(model: SegmentationModel, image: GdalImage, feedback: QgsProcessing
     """Says what runs, which bands it sees, and what of the model's metadata was overruled."""
     text = tr("{model}: {classes}; run by {provider}, tiles of {width} × {height} pixels.")
     classes = ", ".join(model.classes.names)
-    provider = model.provider.replace("ExecutionProvider", "")
+    provider = model.device.title
     height, width = model.tile_hw
     feedback.pushInfo(text.format(model=model.path, classes=classes, provider=provider, width=width, height=height))
+    for fallback in model.fallbacks:
+        feedback.pushWarning(worded(fallback))
     red, green, blue = image.bands
     feedback.pushInfo(tr("Red, green and blue: bands {red}, {green}, {blue}.").format(red=red, green=green, blue=blue))
     if image.stretch is not None:
@@ -133,4 +194,4 @@ def describe(model: SegmentationModel, image: GdalImage, feedback: QgsProcessing
         text = tr("{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.")
         feedback.pushInfo(text.format(name=name, east=east, north=north))
     for note in model.notes:
-        feedback.pushWarning(note)
+        feedback.pushWarning(worded(note))

@@ -14,7 +14,7 @@ import shutil
 import sys
 import sysconfig
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.machinery import PathFinder
 from pathlib import Path
 
@@ -44,6 +44,13 @@ class Package:
     limits_before_numpy_2: str = ""
     other_names: tuple[str, ...] = ()
     """Names under which the same module is packaged, too."""
+    own_folder: str = ""
+    """Of those that SemRef installed; that of its module where this is empty."""
+
+    @property
+    def folder(self) -> Path:
+        """Where SemRef installs it for the running Python and numpy."""
+        return components_folder() / (self.own_folder or self.module)
 
     @property
     def needed_module(self) -> str:
@@ -107,7 +114,26 @@ ONNXRUNTIME = Package(
     # From 1.19 its wheels work with numpy 1 and 2.
     limits=">=1.19,<1.32",
     limits_before_numpy_2=">=1.19,<1.32",
+    other_names=("onnxruntime-gpu", "onnxruntime-directml", "onnxruntime-openvino"),
 )
+ONNXRUNTIME_VARIANTS = tuple(
+    replace(
+        ONNXRUNTIME,
+        title=title,
+        pip_name=name,
+        **dict.fromkeys(("debian", "fedora", "arch", "conda"), ""),
+        other_names=(),
+        own_folder=name,
+    )
+    for name, title in (
+        ("onnxruntime-gpu", "ONNX Runtime, CUDA"),
+        ("onnxruntime-directml", "ONNX Runtime, DirectML"),
+        ("onnxruntime-openvino", "ONNX Runtime, OpenVINO"),
+    )
+)
+"""The same module with more devices (core/segmentation/devices.py); a folder of its own keeps what runs from being
+replaced, and the newest one comes first."""
+
 PACKAGES = (OPENCV, SHAPELY, ONNXRUNTIME)
 
 
@@ -177,8 +203,9 @@ def components_folder() -> Path:
 
 def add_components_to_path() -> None:
     """Appends what SemRef installed to Python's path; nothing where nothing is installed."""
-    for package in PACKAGES:
-        folder = str(components_folder() / package.module)
+    variants = [package.folder for package in ONNXRUNTIME_VARIANTS if package.folder.is_dir()]
+    newest_first = sorted(variants, key=lambda folder: folder.stat().st_mtime, reverse=True)
+    for folder in map(str, (*newest_first, *(package.folder for package in PACKAGES))):
         if os.path.isdir(folder) and folder not in sys.path:
             sys.path.append(folder)
     importlib.invalidate_caches()
@@ -216,8 +243,8 @@ def install_command(packages: list[Package]) -> str:
     if manager not in _INSTALL:
         return _pip_install(packages)
     lacking = set() if manager == "conda" else lacking_in_release(_os_release())
-    there = [package for package in packages if package.module not in lacking]
-    others = [package for package in packages if package.module in lacking]
+    there = [package for package in packages if package.module not in lacking and getattr(package, manager)]
+    others = [package for package in packages if package not in there]
     commands = [" ".join([_INSTALL[manager], *(getattr(package, manager) for package in there)])] if there else []
     return " && ".join(commands + ([_pip_install(others)] if others else []))
 

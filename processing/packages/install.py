@@ -25,7 +25,7 @@ from ...core.errors import ComponentError
 from ...core.sentences import Sentence
 from ...storage.files import folder_written_beside
 from ..translation import tr
-from .components import Package, components_folder, how_to_get_pip, install_command, is_too_old
+from .components import Package, components_folder, components_root, how_to_get_pip, install_command, is_too_old
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ def installing(packages: list[Package], wheels: str = "") -> Commands:
     python = yield from _find_python(packages)
     for package in packages:
         _refuse_older_one(package)
-        final = components_folder() / package.module
+        final = package.folder
         try:
             with folder_written_beside(str(final), f"{package.module}/__init__.py") as folder:
                 yield from _install(python, package, folder, wheels)
@@ -146,6 +146,9 @@ def _refuse_older_one(package: Package) -> None:
     """An older package elsewhere comes before SemRef's on Python's path."""
     if is_too_old(package):
         raise ComponentError("packages.older_one", path=importlib.util.find_spec(package.module).origin)
+    found = importlib.util.find_spec(package.module) if package.own_folder else None
+    if found is not None and found.origin and not found.origin.startswith(str(components_root())):
+        raise ComponentError("packages.another_first", path=found.origin, package=package.pip_name)
 
 
 _CHECK = """
@@ -169,7 +172,8 @@ def _install(python: str, package: Package, folder: str, wheels: str) -> Command
     pip = yield Command(title, python, pip_arguments(asked, folder, wheels), str(temporary), variables)
     if pip.status != 0:
         raise ComponentError(why_pip_failed(requirement, pip.output, wheels))
-    path = json.dumps([*sys.path, folder])
+    # Of a variant the module may be there twice; SemRef's newest comes first.
+    path = json.dumps([folder, *sys.path] if package.own_folder else [*sys.path, folder])
     title = tr("Checking {package}…").format(package=package.pip_name)
     arguments = ["-c", _CHECK, path, package.needed_module, np.__version__]
     check = yield Command(title, python, arguments, str(temporary), {"PYTHONDONTWRITEBYTECODE": "1"})

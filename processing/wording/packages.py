@@ -26,6 +26,9 @@ SENTENCES = {
     "packages.older_one": (
         "{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it."
     ),
+    "packages.another_first": (
+        "QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from."
+    ),
     "packages.unusable": (
         "{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again."
     ),

@@ -107,3 +107,78 @@ def test_what_goes_wrong_with_the_environment_is_shown_and_can_be_tried_again(pa
     installer.failed.emit("The environment for training could not be filled: no network.")
     assert "no network" in page.training.state.text() and page.training.make.isEnabled()
     assert "no network" in iface.bar.currentItem().text()
+
+
+# --- devices ---
+
+
+@pytest.fixture
+def no_choice():
+    from qgis.core import QgsSettings
+
+    from semref.processing.packages.devices import DEVICE_SETTING
+
+    QgsSettings().remove(DEVICE_SETTING)
+    yield
+    QgsSettings().remove(DEVICE_SETTING)
+
+
+def fake_providers(monkeypatch, *there):
+    import onnxruntime
+
+    monkeypatch.setattr(onnxruntime, "get_available_providers", lambda: [f"{name}ExecutionProvider" for name in there])
+
+
+def choosable(page) -> dict[str, bool]:
+    box = page.devices.device
+    return {box.itemData(place): box.model().item(place).isEnabled() for place in range(box.count())}
+
+
+def test_devices_that_onnxruntime_reports_can_be_chosen_and_the_choice_is_kept(
+    lacking, no_choice, plugin, iface, monkeypatch
+):
+    from semref.processing.packages.devices import chosen_device
+
+    lacking.clear()
+    fake_providers(monkeypatch, "CUDA", "CPU")
+    page = iface.options_factories[0].createWidget(None)
+    only = {"auto": True, "cpu": True, "cuda": True, "directml": False, "coreml": False, "openvino": False}
+    assert choosable(page) == only
+    assert page.devices.device.currentData() == "auto"
+    text = page.devices.missing.text()
+    assert "DirectML (onnxruntime-directml, Windows)" in text and "OpenVINO (onnxruntime-openvino)" in text
+    assert "CUDA" not in text
+    page.devices.device.setCurrentIndex(page.devices.device.findData("cuda"))
+    page.apply()
+    assert chosen_device() == "cuda"
+    # Without its package the choice stays, for it to come back.
+    fake_providers(monkeypatch, "CPU")
+    again = iface.options_factories[0].createWidget(None)
+    assert again.devices.device.currentData() == "cuda" and "CUDA (onnxruntime-gpu)" in again.devices.missing.text()
+    page.resize(420, 700)
+    page.show()
+    keep_picture(page, "components_page_devices")
+    page.hide()
+
+
+def test_a_package_that_brings_a_device_is_installed_from_the_index_or_a_folder(page, lacking, monkeypatch, tmp_path):
+    from qgis.PyQt.QtWidgets import QFileDialog
+
+    lacking.clear()
+    fake_providers(monkeypatch, "CPU")
+    page.devices.show_devices("auto")
+    asked = []
+    monkeypatch.setattr(page._installer, "start", lambda packages, wheels: asked.append((packages[0].pip_name, wheels)))
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    actions = page.devices.install.menu().actions()
+    assert [action.text() for action in actions] == [
+        "CUDA (onnxruntime-gpu)",
+        "OpenVINO (onnxruntime-openvino)",
+        "CUDA from a folder of wheels…",
+        "OpenVINO from a folder of wheels…",
+    ]
+    actions[0].trigger()
+    actions[3].trigger()
+    assert asked == [("onnxruntime-gpu", ""), ("onnxruntime-openvino", str(tmp_path))]
+    page._installer.installed.emit()
+    assert "once QGIS has been restarted" in page.state.text()

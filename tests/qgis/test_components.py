@@ -10,6 +10,7 @@ import sys
 import sysconfig
 import time
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -30,10 +31,11 @@ GOOD = Package("Made", "semref_made", "semref-made", "python3-made", "made", "py
 BROKEN = Package("Broken", "semref_broken", "semref-broken", "python3-broken", "broken", "python-broken", "broken")
 
 
-def make_wheel(folder: Path, package: Package, code: str) -> None:
+def make_wheel(folder: Path, package: Package, code: str, pip_name: str = "") -> None:
     """A wheel of one module; it asks for another numpy, which must not be heeded."""
-    information = f"{package.module}-1.0.dist-info"
-    metadata = f"Metadata-Version: 2.1\nName: {package.pip_name}\nVersion: 1.0\nRequires-Dist: numpy>=9\n"
+    name = (pip_name or package.pip_name).replace("-", "_")
+    information = f"{name}-1.0.dist-info"
+    metadata = f"Metadata-Version: 2.1\nName: {pip_name or package.pip_name}\nVersion: 1.0\nRequires-Dist: numpy>=9\n"
     files = {
         f"{package.module}/__init__.py": code,
         f"{information}/METADATA": metadata,
@@ -41,7 +43,7 @@ def make_wheel(folder: Path, package: Package, code: str) -> None:
     }
     files[f"{information}/RECORD"] = "".join(f"{path},,\n" for path in [*files, f"{information}/RECORD"])
     folder.mkdir(exist_ok=True)
-    with zipfile.ZipFile(folder / f"{package.module}-1.0-py3-none-any.whl", "w") as wheel:
+    with zipfile.ZipFile(folder / f"{name}-1.0-py3-none-any.whl", "w") as wheel:
         for path, text in files.items():
             wheel.writestr(path, text)
 
@@ -115,6 +117,37 @@ def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, 
     assert sys.path[-1] == str(folder), "what QGIS has must come first"
     assert not list(folder.parent.glob(".*")) and not list(folder.rglob("numpy*"))
     assert importlib.util.find_spec("numpy").origin == numpy_path
+
+
+@needs_pip
+def test_a_variant_lies_beside_the_plain_package_and_comes_first_from_the_next_start_on(
+    root, tmp_path, wheels, installer, monkeypatch
+):
+    variant = replace(GOOD, pip_name="semref-made-gpu", own_folder="semref-made-gpu")
+    monkeypatch.setattr(components, "ONNXRUNTIME_VARIANTS", (variant,))
+    installer.start([GOOD], str(wheels))
+    assert end_of(installer) == "installed", installer.log
+    installer.ends.clear()
+    make_wheel(tmp_path / "more", GOOD, "import numpy\nVALUE = 8\n", "semref-made-gpu")
+    installer.start([variant], str(tmp_path / "more"))
+    assert end_of(installer) == "installed", installer.log
+    assert sorted(path.name for path in components.components_folder().iterdir()) == ["semref-made-gpu", GOOD.module]
+    # As it is when QGIS starts the next time.
+    sys.path[:] = [entry for entry in sys.path if not entry.startswith(str(root))]
+    importlib.invalidate_caches()
+    components.add_components_to_path()
+    assert importlib.import_module(GOOD.module).VALUE == 8
+
+
+def test_a_variant_is_refused_where_another_one_comes_first(root, tmp_path, wheels, installer, monkeypatch):
+    own = tmp_path / "site"
+    (own / GOOD.module).mkdir(parents=True)
+    (own / GOOD.module / "__init__.py").write_text("VALUE = 1\n")
+    monkeypatch.syspath_prepend(str(own))
+    installer.start([replace(GOOD, own_folder="semref-made-gpu")], str(wheels))
+    sentence = end_of(installer)
+    assert str(own) in sentence and "did not install" in sentence
+    assert is_tidy(root)
 
 
 @pytest.mark.slow

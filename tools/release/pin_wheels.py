@@ -22,7 +22,19 @@ INDEX = "https://pypi.org/simple/{name}/"
 FORMAT = "application/vnd.pypi.simple.v1+json"
 OLD, MIDDLE, NEW = 'python_version < "3.10"', 'python_version >= "3.10"', 'python_version >= "3.14"'
 BEFORE_NEW = 'python_version >= "3.10" and python_version < "3.14"'
-SHARED = (("shapely", "2.0.7", OLD), ("shapely", "2.1.2", MIDDLE), ("onnxruntime", "1.19.2", OLD))
+SHARED = (
+    ("shapely", "2.0.7", OLD),
+    ("shapely", "2.1.2", MIDDLE),
+    ("onnxruntime", "1.19.2", OLD),
+    ("onnxruntime-gpu", "1.19.2", OLD),
+    ("onnxruntime-directml", "1.19.2", OLD),
+    ("onnxruntime-openvino", "1.19.0", OLD),
+    ("onnxruntime-gpu", "1.23.2", BEFORE_NEW),
+    ("onnxruntime-directml", "1.23.0", BEFORE_NEW),
+    ("onnxruntime-openvino", "1.23.0", BEFORE_NEW),
+    ("onnxruntime-gpu", "1.31.1", NEW),
+    ("onnxruntime-directml", "1.24.4", NEW),
+)
 PINS = {
     "wheels_numpy1.txt": (
         ("opencv-python-headless", "4.11.0.86", ""),

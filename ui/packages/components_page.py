@@ -11,6 +11,7 @@ from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtGui import QFontDatabase, QTextCursor
 from qgis.PyQt.QtWidgets import (
     QFileDialog,
+    QFrame,
     QGridLayout,
     QGroupBox,
     QHBoxLayout,
@@ -19,9 +20,11 @@ from qgis.PyQt.QtWidgets import (
     QPlainTextEdit,
     QProgressBar,
     QPushButton,
+    QScrollArea,
     QTreeWidget,
     QTreeWidgetItem,
     QVBoxLayout,
+    QWidget,
 )
 
 from ...core.errors import ComponentError
@@ -42,6 +45,7 @@ from ...processing.wording.sentences import worded
 from ..models.model_list import ModelsDialog
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
+from .device_group import DeviceGroup
 from .training_group import TrainingGroup
 
 PAGE = "SemRefOptions"
@@ -64,6 +68,8 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.setObjectName(PAGE)
         self._installer = installer
         self.training = None if training_installer is None else TrainingGroup(training_installer)
+        self.devices = DeviceGroup()
+        self._is_variant = False
         self.list = QTreeWidget()
         self.install = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Install"))
         self.install_wheels = QPushButton(tr("Install from a folder of wheels…"))
@@ -80,7 +86,8 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._add_to_log(installer.log)
 
     def apply(self) -> None:
-        """Keeps which Python trains; nothing else waits for OK: each button acts at once."""
+        """Keeps the device and which Python trains; nothing else waits for OK: each button acts at once."""
+        self.devices.apply()
         if self.training is not None:
             self.training.apply()
 
@@ -121,12 +128,22 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout.addWidget(self.log, _LOG_STRETCH)
         # Keeps the rest together while there is no log.
         layout.addStretch(1)
-        layout = QVBoxLayout(self)
+        whole = QWidget()
+        layout = QVBoxLayout(whole)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(group, 1)
+        layout.addWidget(self.devices)
         if self.training is not None:
             layout.addWidget(self.training)
         layout.addLayout(row_of((QLabel(tr("The folder of your models, and what each is good for:")), 1), self.models))
+        # Longer than the dialog is on small screens.
+        area = QScrollArea()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setWidget(whole)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(area)
 
     def _connect(self) -> None:
         self.list.itemChanged.connect(self._enable)
@@ -136,6 +153,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.remove.clicked.connect(self._remove)
         self.cancel.clicked.connect(self._installer.cancel)
         self.models.clicked.connect(self._show_models)
+        self.devices.installAsked.connect(self._install_variant)
         self._installer.began.connect(self.state.setText)
         self._installer.said.connect(self._add_to_log)
         self._installer.installed.connect(self._show_installed)
@@ -171,6 +189,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         for button in (self.install, self.install_wheels, self.copy):
             button.setEnabled(not running and bool(self._chosen()))
         self.list.setEnabled(not running)
+        self.devices.install.setEnabled(not running)
         self.remove.setEnabled(not running and components_root().is_dir())
         self.progress.setVisible(running)
         self.cancel.setVisible(running)
@@ -179,18 +198,30 @@ class ComponentsPage(QgsOptionsPageWidget):
     # --- what can be done ---
 
     def _install(self) -> None:
-        self._start("")
+        self._start(self._chosen(), "")
 
     def _choose_wheels(self) -> None:
+        folder = self._asked_folder()
+        if folder:
+            self._start(self._chosen(), folder)
+
+    def _install_variant(self, package: Package, from_folder: bool) -> None:
+        folder = self._asked_folder() if from_folder else ""
+        if folder or not from_folder:
+            self._start([package], folder, is_variant=True)
+
+    def _asked_folder(self) -> str:
+        """A folder of wheels; empty where the user thought better of it."""
         last = QgsSettings().value(_WHEELS_SETTING, "", type=str)
         folder = QFileDialog.getExistingDirectory(self, tr("Choose a folder with wheels (*.whl)"), last)
         if folder:
             QgsSettings().setValue(_WHEELS_SETTING, folder)
-            self._start(folder)
+        return folder
 
-    def _start(self, wheels: str) -> None:
+    def _start(self, packages: list[Package], wheels: str, is_variant: bool = False) -> None:
+        self._is_variant = is_variant
         self.log.clear()
-        self._installer.start(self._chosen(), wheels)
+        self._installer.start(packages, wheels)
         self._enable()
 
     def _copy_command(self) -> None:
@@ -218,7 +249,10 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._enable()
 
     def _show_installed(self) -> None:
-        self._show_end(tr("Installed and ready; QGIS need not be restarted."))
+        if self._is_variant:
+            self._show_end(tr("Installed; it is used once QGIS has been restarted."))
+        else:
+            self._show_end(tr("Installed and ready; QGIS need not be restarted."))
 
     def _show_bug(self, report: str) -> None:
         self._add_to_log(report)
@@ -230,6 +264,7 @@ class ComponentsPage(QgsOptionsPageWidget):
     def _show_end(self, sentence: str) -> None:
         self.state.setText(sentence)
         self._show_packages()
+        self.devices.show_devices(self.devices.device.currentData())
 
 
 def _tested(package: Package) -> str:

@@ -72,7 +72,8 @@ class TrainingGroup(QGroupBox):
         self.small.setChecked(True)
         layout = QVBoxLayout(self)
         layout.addWidget(explanation)
-        for row in ((QLabel(tr("Python that trains")), self.python), (self.make, self.make_from_wheels, self.remove)):
+        chosen = QLabel(tr("Python that trains")), self.python
+        for row in (chosen, (self.make, self.remove), (self.make_from_wheels,)):
             line = QHBoxLayout()
             for widget in row:
                 line.addWidget(widget)

@@ -8,7 +8,6 @@ from made_models import NAMES, brightest_color, metadata, painted, write_model, 
 
 from semref.core.errors import ModelError
 from semref.core.labels.class_table import class_table_from_csv
-from semref.core.segmentation import model as segmentation_model
 from semref.core.segmentation.model import SegmentationModel
 
 LABELS = np.random.default_rng(2).integers(1, 4, (64, 64)).astype(np.uint8)
@@ -35,7 +34,7 @@ def test_the_highest_score_is_the_class(load):
     model = load()
     np.testing.assert_array_equal(seen_by(model), LABELS)
     assert (model.tile_hw, model.classes.names, model.notes) == ((64, 64), NAMES, [])
-    assert model.provider.endswith("ExecutionProvider")
+    assert model.device.provider.endswith("ExecutionProvider")
 
 
 def test_images_are_standardized_as_the_model_was_trained(load):
@@ -190,22 +189,3 @@ def test_a_missing_onnxruntime_is_said_with_how_to_get_it(load, monkeypatch):
     monkeypatch.setitem(sys.modules, "onnxruntime", None)
     with pytest.raises(ModelError, match="Segmentation needs the Python package onnxruntime .*pip install onnxruntime"):
         load()
-
-
-def test_the_best_provider_that_is_there_is_asked_for(tmp_path, monkeypatch):
-    import onnxruntime
-
-    asked = []
-    session = onnxruntime.InferenceSession
-    monkeypatch.setattr(
-        onnxruntime, "get_available_providers", lambda: ["CPUExecutionProvider", "XyzProvider", "DmlExecutionProvider"]
-    )
-
-    def open_session(path, options, providers):
-        asked.extend(providers)
-        return session(path, options, providers=["CPUExecutionProvider"])
-
-    monkeypatch.setattr(onnxruntime, "InferenceSession", open_session)
-    assert SegmentationModel(str(write_model(tmp_path / "m.onnx")), 3).provider == "CPUExecutionProvider"
-    assert asked == ["DmlExecutionProvider", "CPUExecutionProvider"]
-    assert segmentation_model.PROVIDERS[-1] == "CPUExecutionProvider"

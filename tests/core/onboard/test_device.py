@@ -1,0 +1,48 @@
+"""``python -m core --device``: what the network runs on, and a word in the log where it runs on something else."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from made_models import NAMES, write_model
+
+from semref.core.labels.class_table import class_table_from_csv
+from semref.core.onboard.command_line import label_reader, main
+from semref.core.onboard.log import start_log
+
+TABLE = class_table_from_csv("value,name\n" + "".join(f"{n},{name}\n" for n, name in enumerate(NAMES, start=1)))
+
+
+@pytest.fixture
+def logged(tmp_path, monkeypatch, capsys):
+    """`logged(device)`: the lines of the log, where there is the CPU alone."""
+    import onnxruntime
+
+    monkeypatch.setattr(onnxruntime, "get_available_providers", lambda: ["CPUExecutionProvider"])
+    model = write_model(tmp_path / "m.onnx")
+
+    def run(device):
+        start_log("info")
+        label_reader(str(model), 1, TABLE, device)
+        return [json.loads(line) for line in capsys.readouterr().err.splitlines()]
+
+    return run
+
+
+@pytest.mark.parametrize("device", ["auto", "cpu"])
+def test_the_log_says_what_the_network_runs_on(logged, device):
+    (line,) = logged(device)
+    assert (line["event"], line["device"]) == ("model", "CPU")
+
+
+def test_a_device_that_is_not_there_is_a_warning(logged):
+    warning, line = logged("cuda")
+    assert (warning["level"], warning["event"]) == ("warning", "device")
+    assert "CUDA was asked for" in warning["reason"] and line["device"] == "CPU"
+
+
+def test_a_device_that_is_none_is_a_wrong_command_line(capsys):
+    with pytest.raises(SystemExit) as ended:
+        main(["localize", "a.png", "--database", "a.npz", "--device", "abacus"])
+    assert ended.value.code == 2 and "directml" in capsys.readouterr().err

@@ -1,0 +1,96 @@
+"""The device of the options: kept, heeded by algorithms, told with its pace, and never replaced without a word."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+from made_inputs import write_raster
+from made_models import metadata, painted, write_model
+from qgis.core import QgsSettings
+
+from semref.core.segmentation.devices import AUTO, CPU, CUDA, DIRECTML, OPENVINO
+from semref.processing.packages import components, devices
+
+SEGMENT = "semref:segmentimage"
+PHOTO = np.moveaxis(painted(np.random.default_rng(1).integers(1, 4, (100, 150))), 2, 0)
+
+
+@pytest.fixture(autouse=True)
+def no_choice():
+    QgsSettings().remove(devices.DEVICE_SETTING)
+    yield
+    QgsSettings().remove(devices.DEVICE_SETTING)
+
+
+@pytest.fixture
+def segment(run_algorithm, feedback, tmp_path):
+    def run(**options):
+        image, model = write_raster(tmp_path / "a.tif", PHOTO), write_model(tmp_path / "m.onnx", **options)
+        given = {"INPUT": str(image), "MODEL": str(model), "OUTPUT": str(tmp_path / "labels.tif")}
+        return run_algorithm(SEGMENT, given, feedback)
+
+    return run
+
+
+def test_the_choice_is_kept_and_an_unknown_one_is_automatic():
+    assert devices.chosen_device() == AUTO
+    devices.choose_device("cuda")
+    assert devices.chosen_device() == "cuda"
+    devices.choose_device("of another version")
+    assert devices.chosen_device() == AUTO
+
+
+def test_what_ran_and_how_fast_is_told(segment, feedback):
+    devices.choose_device("cpu")
+    found = segment()
+    assert found["DEVICE"] == "CPU" and found["TILES_PER_SECOND"] > 0
+    assert "6 tiles in" in feedback.textLog() and "a second on CPU" in feedback.textLog()
+
+
+def test_a_device_that_is_not_there_is_told_in_log_and_result(segment, feedback, monkeypatch):
+    import onnxruntime
+
+    monkeypatch.setattr(onnxruntime, "get_available_providers", lambda: [CPU.provider])
+    devices.choose_device("cuda")
+    found = segment()
+    sentence = "CUDA was asked for, but this onnxruntime does not have it"
+    assert found["DEVICE"].startswith(f"CPU ({sentence}") and sentence in feedback.textLog()
+
+
+def test_metadata_that_were_overruled_are_told(segment, feedback):
+    segment(size=(64, 64), metadata=metadata(tile_size=32))
+    assert "64 × 64" in feedback.textLog() and "32" in feedback.textLog()
+
+
+def test_what_can_be_chosen_is_what_onnxruntime_reports(monkeypatch):
+    import onnxruntime
+
+    there = ["TensorrtExecutionProvider", CUDA.provider, OPENVINO.provider, CPU.provider]
+    monkeypatch.setattr(onnxruntime, "get_available_providers", lambda: there)
+    assert devices.available_devices() == [CPU, CUDA, OPENVINO]
+    monkeypatch.setattr(devices, "is_missing", lambda package: True)
+    assert devices.available_devices() == []
+
+
+@pytest.mark.parametrize(
+    ("system", "offered"),
+    [("linux", [CUDA, OPENVINO]), ("win32", [CUDA, DIRECTML]), ("darwin", [])],
+)
+def test_packages_are_offered_where_there_are_wheels_of_them(monkeypatch, system, offered):
+    monkeypatch.setattr(sys, "platform", system)
+    assert [device for device in devices.DEVICES if devices.package_of(device) is not None] == offered
+
+
+@pytest.mark.parametrize("numpy_version", ["1.24.2", "2.1.0"])
+def test_every_package_that_is_offered_is_pinned(numpy_version):
+    for package in components.ONNXRUNTIME_VARIANTS:
+        lines = package.pinned(numpy_version)
+        assert lines and all("--hash=sha256:" in line for line in lines)
+
+
+def test_what_to_type_for_a_variant_is_pip_everywhere(monkeypatch):
+    monkeypatch.setattr(components, "_package_manager", lambda: "debian")
+    command = components.install_command([components.ONNXRUNTIME_VARIANTS[0]])
+    assert "apt" not in command and "onnxruntime-gpu" in command

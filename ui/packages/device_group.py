@@ -1,0 +1,94 @@
+"""The part of the options page about devices: what networks run on, and how to get what is not there."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import QComboBox, QGroupBox, QHBoxLayout, QLabel, QMenu, QPushButton, QVBoxLayout
+
+from ...processing.packages.devices import (
+    AUTO,
+    DEVICES,
+    Device,
+    available_devices,
+    choose_device,
+    chosen_device,
+    package_name,
+    package_of,
+)
+from ...processing.translation import tr
+
+
+class DeviceGroup(QGroupBox):
+    """installAsked: a package that brings a device, and whether it comes from a folder of wheels."""
+
+    installAsked = pyqtSignal(object, bool)
+
+    def __init__(self) -> None:
+        super().__init__(tr("Device"))
+        self.device = QComboBox()
+        self.missing = QLabel()
+        self.install = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Install a package for…"))
+        self.install.setMenu(QMenu(self.install))
+        self._lay_out()
+        self.show_devices(chosen_device())
+
+    def apply(self) -> None:
+        """Keeps which device networks run on."""
+        choose_device(self.device.currentData())
+
+    def _lay_out(self) -> None:
+        explanation = QLabel(
+            tr(
+                "What networks run on. A device that does not start is replaced by the processor; the log and the "
+                "results say so, and how many tiles a second there were."
+            )
+        )
+        for label in (explanation, self.missing):
+            label.setWordWrap(True)
+        label = QLabel(tr("Networks run on"))
+        label.setBuddy(self.device)
+        layout = QVBoxLayout(self)
+        layout.addWidget(explanation)
+        for widgets in ((label, self.device), (self.install,)):
+            row = QHBoxLayout()
+            for widget in widgets:
+                row.addWidget(widget)
+            row.addStretch(1)
+            layout.addLayout(row)
+        layout.insertWidget(2, self.missing)
+
+    def show_devices(self, chosen: str) -> None:
+        """Shows what can be chosen now, and chooses one by its key."""
+        there = available_devices()
+        self.device.clear()
+        self.device.addItem(tr("Auto"), AUTO)
+        for device in DEVICES:
+            self.device.addItem(device.title, device.key)
+            if device not in there:
+                place = self.device.count() - 1
+                self.device.model().item(place).setEnabled(device.key == chosen)
+                self.device.setItemData(place, _where(device), Qt.ItemDataRole.ToolTipRole)
+        self.device.setCurrentIndex(max(0, self.device.findData(chosen)))
+        lacking = [device for device in DEVICES if device not in there]
+        each = ", ".join(f"{device.title} ({package_name(device)})" for device in lacking)
+        self.missing.setText(tr("Not there, with the Python package that brings it: {devices}.").format(devices=each))
+        self.missing.setVisible(bool(lacking))
+        self._offer([device for device in lacking if package_of(device) is not None])
+
+    def _offer(self, devices: list[Device]) -> None:
+        menu = self.install.menu()
+        menu.clear()
+        for text, from_folder in ((tr("{device} ({package})"), False), (tr("{device} from a folder of wheels…"), True)):
+            for device in devices:
+                named = text.format(device=device.title, package=device.package)
+                menu.addAction(named, partial(self.installAsked.emit, package_of(device), from_folder))
+        self.install.setVisible(bool(devices))
+
+
+def _where(device: Device) -> str:
+    """Which package brings a device."""
+    text = tr("{device} is not there: it comes with the Python package {package}.")
+    return text.format(device=device.title, package=package_name(device))
