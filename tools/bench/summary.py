@@ -56,6 +56,7 @@ LINES = (
     Line("images that lie nowhere, RISK 1 in 10,000: fixes", "0", "reliability", "not of the map", "RISK 0.0001"),
     Line("a query, ms (median, p95)", "p95 ≤ 100", "localization", "20 % missed", "ms median"),
     Line("fixes of images from elsewhere", "0 of 30,000", "elsewhere", "all", "fixes"),
+    Line("wrong fixes among 10⁶ landmarks", "0", "catalogue sizes", "1,000,000|other", "wrong", "catalogue_sizes"),
     Line(
         "a map of another date, 6.4 km, automatic", "≥ 99.5 %", "two dates", "6.4 km, 2018|auto", "right", "two_dates"
     ),
