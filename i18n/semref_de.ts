@@ -5132,6 +5132,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} ist keine Datei; wählen Sie eine Tabelle oder ein Protokoll.</translation>
   </message>
   <message>
+   <source>{path} is no flight log that SemRef reads; it reads {kinds}.</source>
+   <translation>{path} ist kein Flugprotokoll, das SemRef liest; es liest {kinds}.</translation>
+  </message>
+  <message>
    <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
    <translation>{path} ist kein von SemRef trainiertes Netz und kann daher nicht weitertrainiert werden; ein anderes Ausgangsmodell wählen oder keines.</translation>
   </message>
@@ -5222,6 +5226,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} takes {kind} values; a segmentation network takes floats.</source>
    <translation>{path} nimmt Werte vom Typ {kind}; ein Segmentierungsnetz nimmt Fließkommazahlen.</translation>
+  </message>
+  <message>
+   <source>{path} tells neither heading nor height nor speed of a flight.</source>
+   <translation>{path} sagt weder Kurs noch Höhe noch Geschwindigkeit eines Fluges.</translation>
   </message>
   <message>
    <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>

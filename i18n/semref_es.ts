@@ -5132,6 +5132,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no es un archivo; elija una tabla o un registro.</translation>
   </message>
   <message>
+   <source>{path} is no flight log that SemRef reads; it reads {kinds}.</source>
+   <translation>{path} no es un registro de vuelo que SemRef lea; lee {kinds}.</translation>
+  </message>
+  <message>
    <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
    <translation>{path} no es una red entrenada por SemRef, así que no se puede seguir entrenando; elija otro modelo de partida o ninguno.</translation>
   </message>
@@ -5222,6 +5226,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} takes {kind} values; a segmentation network takes floats.</source>
    <translation>{path} toma valores {kind}; una red de segmentación toma números de coma flotante.</translation>
+  </message>
+  <message>
+   <source>{path} tells neither heading nor height nor speed of a flight.</source>
+   <translation>{path} no indica ni rumbo ni altura ni velocidad de un vuelo.</translation>
   </message>
   <message>
    <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>

@@ -5132,6 +5132,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} n’est pas un fichier ; choisissez un tableau ou un journal.</translation>
   </message>
   <message>
+   <source>{path} is no flight log that SemRef reads; it reads {kinds}.</source>
+   <translation>{path} n’est pas un journal de vol que SemRef sache lire ; il lit {kinds}.</translation>
+  </message>
+  <message>
    <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
    <translation>{path} n’est pas un réseau entraîné par SemRef et ne peut donc pas être entraîné davantage ; choisissez un autre modèle de départ, ou aucun.</translation>
   </message>
@@ -5222,6 +5226,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} takes {kind} values; a segmentation network takes floats.</source>
    <translation>{path} prend des valeurs {kind} ; un réseau de segmentation prend des nombres à virgule flottante.</translation>
+  </message>
+  <message>
+   <source>{path} tells neither heading nor height nor speed of a flight.</source>
+   <translation>{path} n’indique ni cap, ni hauteur, ni vitesse d’un vol.</translation>
   </message>
   <message>
    <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>

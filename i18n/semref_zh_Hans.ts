@@ -5132,6 +5132,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 不是文件；请选择表格或日志。</translation>
   </message>
   <message>
+   <source>{path} is no flight log that SemRef reads; it reads {kinds}.</source>
+   <translation>{path} 不是 SemRef 能读取的飞行日志；可读取 {kinds}。</translation>
+  </message>
+  <message>
    <source>{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.</source>
    <translation>{path} 不是 SemRef 训练的网络，无法继续训练；请选择其他基础模型或不选。</translation>
   </message>
@@ -5222,6 +5226,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} takes {kind} values; a segmentation network takes floats.</source>
    <translation>{path} 接受 {kind} 值；分割网络接受浮点数。</translation>
+  </message>
+  <message>
+   <source>{path} tells neither heading nor height nor speed of a flight.</source>
+   <translation>{path} 未说明飞行的航向、高度或速度。</translation>
   </message>
   <message>
    <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>

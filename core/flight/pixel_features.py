@@ -14,10 +14,10 @@ import numpy as np
 
 from ..errors import ImageError
 
-WORKING_EDGE = 640
+WORKING_EDGE = 800
 """Pixels of the longer edge that an image is brought to, at most."""
 
-CORNERS = 1500
+CORNERS = 2000
 """Corners that are described of an image, at most."""
 
 CORNER_CONTRAST = 12

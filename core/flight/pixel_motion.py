@@ -6,6 +6,7 @@ of the overlap, each looked for in the other image by itself. A motion counts wh
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import partial
 
@@ -30,11 +31,21 @@ MOST_SCALE = 2.0
 """Of two images of one flight, one shows at most so many times as much ground as the other across its longer edge."""
 
 LEAST_AGREEING = 7
-LEAST_SHARE = 0.4
-"""Cells that must agree: so many, and this share of those with texture in the overlap."""
+CHANCE = 0.03
+LEAST_EVIDENCE = 7.0
+"""At least so many cells must agree, and so many that by chance, if a cell agreed with a wrong motion with probability
+``CHANCE``, it would be so with one below exp(−evidence). Under low cameras trees and roofs leave few on the ground."""
 
 AGREES_WITHIN_PX = 2.5
 """Working pixels from the fitted motion."""
+
+TILT_SHARES = (0.0095, 0.006, 0.023)
+"""Standard deviations that tilts of up to 2° and a lens of 0.5 % make, which two images alone do not tell, for a way of
+one edge: of the place in edges (it grows with the square of the way), the turn and the log scale (with the way)."""
+
+RELIEF_SHARES = (0.03, 0.075, 0.075)
+"""What comes on top, growing with the way, where no cell agrees; it falls with the square of the share that doesn't:
+trees, roofs and slopes move otherwise than the ground on which the cells agree."""
 
 ROUNDS = 2
 """Cells are looked for by the proposed motion, and again by the one fitted to them."""
@@ -79,12 +90,26 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
         at_second, at_first = ground.found()
         found = fitted(at_second, at_first, AGREES_WITHIN_PX) if len(at_first) >= LEAST_AGREEING else None
         agreeing, cells = 0 if found is None else int(found.is_used.sum()), len(ground.corners)
-        if found is None or agreeing < max(LEAST_AGREEING, LEAST_SHARE * cells):
+        if found is None or agreeing < LEAST_AGREEING or evidence(agreeing, cells) < LEAST_EVIDENCE:
             reason = Sentence("flight.overlap_disagrees", agreeing=agreeing, cells=cells)
             return Motion(None, reason, ground.overlap, agreeing, cells)
         mapping = found.mapping
-        motion = Motion(_link(first, second, found, numbers), None, ground.overlap, agreeing, cells)
+        motion = Motion(_link(first, second, found, agreeing / cells, numbers), None, ground.overlap, agreeing, cells)
     return motion
+
+
+def evidence(agreeing: int, cells: int) -> float:
+    """How much speaks against chance: Chernoff's bound of the binomial tail, nats; 0 where chance would do.
+
+    Args:
+        agreeing: Cells that agree.
+        cells: Cells that could, one or more.
+    """
+    share = agreeing / cells
+    if share <= CHANCE:
+        return 0.0
+    others = (1 - share) * math.log((1 - share) / (1 - CHANCE)) if share < 1 else 0.0
+    return cells * (share * math.log(share / CHANCE) + others)
 
 
 def _proposed(first: Features, second: Features) -> np.ndarray | None:
@@ -108,9 +133,15 @@ def _proposed(first: Features, second: Features) -> np.ndarray | None:
     return parameters if 1 / MOST_SCALE <= float(np.hypot(*parameters[:2])) <= MOST_SCALE else None
 
 
-def _link(first: Features, second: Features, found: Fitted, numbers: tuple[int, int]) -> Link:
-    """The motion in pixels of the images."""
+def _link(first: Features, second: Features, found: Fitted, share: float, numbers: tuple[int, int]) -> Link:
+    """The motion in pixels of the images, of which a share of the cells tells."""
     (right, down, turn, log_scale), covariance = found.pose()
+    edge = max(first.picture_hw.shape)
+    way = math.hypot(right, down) / edge
+    tilt = np.array(TILT_SHARES) * (edge * way**2, way, way)
+    relief = (1 - share) ** 2 * np.array(RELIEF_SHARES) * (edge * way, way, way)
+    unseen = (tilt**2 + relief**2)[[0, 0, 1, 2]]
+    covariance = covariance + np.diag(unseen)
     units = np.array([first.scale, first.scale, 1.0, 1.0])
     return Link(
         *numbers,

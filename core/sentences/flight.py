@@ -31,4 +31,6 @@ SENTENCES = {
         "The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; "
         "at most {allowed:.2g} is allowed."
     ),
+    "flight.no_log": "{path} is no flight log that SemRef reads; it reads {kinds}.",
+    "flight.empty_log": "{path} tells neither heading nor height nor speed of a flight.",
 }

@@ -32,6 +32,7 @@ NAMES = (
     "build",
     "memory",
     "matching",
+    "motion",
     "sizes",
     "published",
     "localization",

@@ -13,8 +13,8 @@ def speckled(shape, seed=0):
 
 def test_large_images_are_looked_at_in_a_smaller_version():
     features = photo_features(speckled((900, 1600, 3)))
-    assert features.picture_hw.shape == (360, WORKING_EDGE)
-    assert features.scale == 2.5
+    assert features.picture_hw.shape == (900 * WORKING_EDGE // 1600, WORKING_EDGE)
+    assert features.scale == 1600 / WORKING_EDGE
     assert 0 < len(features.points) <= CORNERS
 
 

@@ -1,15 +1,18 @@
 """Motion of two images from their pixels, from pictures cut out of one scene with known truth."""
 
+import functools
+
 import cv2
 import numpy as np
 import pytest
 
 from semref.core.flight.pixel_features import label_features, photo_features
-from semref.core.flight.pixel_motion import motion_between
+from semref.core.flight.pixel_motion import CHANCE, LEAST_EVIDENCE, evidence, motion_between
 
 EDGE = 320
 
 
+@functools.cache
 def scene(seed, size=1100):
     """(size, size) gray: smooth ground with sharp rectangles on it, as fields and roofs."""
     rng = np.random.default_rng(seed)
@@ -25,6 +28,7 @@ def scene(seed, size=1100):
     return picture
 
 
+@functools.cache
 def class_map(seed, size=1100):
     """(size, size) labels of four classes."""
     levels = np.digitize(cv2.GaussianBlur(scene(seed, size), (0, 0), 3), [80, 120, 160])
@@ -143,3 +147,20 @@ def test_ground_that_an_image_does_not_show_is_left_out():
     )
     assert part.cells < whole.cells
     assert part.link.translation == pytest.approx(whole.link.translation, abs=0.1)
+
+
+def test_the_spread_grows_with_the_way_because_of_what_two_images_do_not_tell():
+    def deviations(shift):
+        views = ((500, 500), 0, 1.0), ((500 + shift, 500), 0, 1.0)
+        link = motion_between(*(photo_features(cut(scene(1), *view)) for view in views)).link
+        return np.sqrt(np.diag(link.covariance))
+
+    near, far = deviations(20), deviations(160)
+    assert (far > 3 * near).all()
+    assert far[0] == pytest.approx(0.0095 * 160**2 / EDGE, rel=0.2)
+
+
+def test_evidence_is_what_speaks_against_chance():
+    assert evidence(0, 50) == evidence(1, 50) == 0
+    assert evidence(7, 7) == pytest.approx(-7 * np.log(CHANCE))
+    assert evidence(10, 100) < LEAST_EVIDENCE < evidence(14, 100)

@@ -1,0 +1,1 @@
+"""Flight logs as people have them, each read into one ``Telemetry``."""

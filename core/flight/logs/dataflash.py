@@ -1,0 +1,96 @@
+"""ArduPilot's onboard log (``.bin``, “DataFlash”): messages that describe themselves.
+
+Format: https://ardupilot.org/dev/docs/code-overview-adding-a-new-log-message.html. Read are attitude (ATT), the
+filter's velocity (XKF1, NKF1), height above home (POS) and, for the clock alone, satellites' time (GPS).
+"""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+
+from ..telemetry import Telemetry
+from .entries import GPS_EPOCH_S, LEAP_SECONDS, Entries
+
+MAGIC = b"\xa3\x95"
+_FORMAT_TYPE, _FORMAT = 128, struct.Struct("<BB4s16s64s")
+_KINDS = {
+    **dict(zip("bBhHiIfdqQ", "bBhHiIfdqQ")),
+    **dict(zip("anNZMLcCeE", ("64s", "4s", "16s", "64s", "B", "i", "h", "H", "i", "I"))),
+}
+_HUNDREDTHS = "cCeE"
+_WANTED = {"ATT", "XKF1", "NKF1", "POS", "GPS"}
+_WEEK_S = 604_800
+
+
+@dataclass(frozen=True)
+class _Message:
+    name: str
+    packed: struct.Struct
+    kinds: str
+    labels: tuple[str, ...]
+
+    def values(self, data: bytes, place: int) -> dict[str, float]:
+        """Its numbers by label."""
+        told = zip(self.labels, self.kinds, self.packed.unpack_from(data, place))
+        return {
+            label: value / 100 if kind in _HUNDREDTHS else value
+            for label, kind, value in told
+            if isinstance(value, (int, float))
+        }
+
+
+def read_dataflash(data: bytes) -> Telemetry:
+    """Entries of a log, in UTC where satellites told it.
+
+    Args:
+        data: Of the file; what is damaged is passed over.
+    """
+    lengths: dict[int, int] = {_FORMAT_TYPE: 3 + _FORMAT.size}
+    wanted: dict[int, _Message] = {}
+    entries, place = Entries(), 0
+    while place + 3 <= len(data):
+        kind = data[place + 2]
+        length = lengths.get(kind)
+        if data[place : place + 2] != MAGIC or length is None:
+            place = data.find(MAGIC, place + 1)
+            if place < 0:
+                break
+            continue
+        if place + length > len(data):
+            break
+        if kind == _FORMAT_TYPE:
+            _describe(data, place + 3, lengths, wanted)
+        elif kind in wanted:
+            _take(entries, wanted[kind].name, wanted[kind].values(data, place + 3))
+        place += length
+    return entries.telemetry()
+
+
+def _describe(data: bytes, place: int, lengths: dict[int, int], wanted: dict[int, _Message]) -> None:
+    """Takes in how a kind of message is built; one that contradicts itself is only passed over."""
+    kind, length, name, kinds, labels = _FORMAT.unpack_from(data, place)
+    if length < 3 or kind == _FORMAT_TYPE:
+        return
+    lengths[kind] = length
+    texts = [part.split(b"\0")[0].decode("ascii", "replace") for part in (name, kinds, labels)]
+    if texts[0] in _WANTED and set(texts[1]) <= set(_KINDS):
+        packed = struct.Struct("<" + "".join(_KINDS[letter] for letter in texts[1]))
+        if packed.size == length - 3:
+            wanted[kind] = _Message(texts[0], packed, texts[1], tuple(texts[2].split(",")))
+
+
+def _take(entries: Entries, name: str, told: dict[str, float]) -> None:
+    time_s = told.get("TimeUS", -1.0) / 1e6
+    if time_s < 0 or told.get("C", 0) != 0:
+        # Of several filters the first one counts.
+        return
+    if name == "ATT" and {"Roll", "Pitch", "Yaw"} <= set(told):
+        entries.add(time_s, roll=told["Roll"], pitch=told["Pitch"], heading=told["Yaw"])
+    elif name in ("XKF1", "NKF1") and {"VN", "VE"} <= set(told):
+        entries.add(time_s, east=told["VE"], north=told["VN"])
+    elif name == "POS" and "RelHomeAlt" in told:
+        entries.add(time_s, height=told["RelHomeAlt"])
+    elif name == "GPS" and entries.start_s is None and told.get("GWk", 0) > 0 and told.get("Status", 3) >= 3:
+        seconds = told["GWk"] * _WEEK_S + told.get("GMS", 0) / 1000
+        entries.start_s = GPS_EPOCH_S + seconds - LEAP_SECONDS - time_s

@@ -1,0 +1,54 @@
+"""A flight log of any kind that SemRef reads, told by its content, not by its name."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...errors import ParameterError
+from ..table import MOST_BYTES, bytes_of
+from ..telemetry import Telemetry
+from .dataflash import MAGIC as DATAFLASH
+from .dataflash import read_dataflash
+from .geo import is_geo, read_geo
+from .mavlink import is_tlog, read_tlog
+from .srt import is_srt, read_srt
+from .ulog import MAGIC as ULOG
+from .ulog import read_ulog
+
+KINDS = ("DJI .SRT", "geo.txt", "ArduPilot .bin", ".tlog", "PX4 .ulg")
+
+MOST_LOG_BYTES = 1_000_000_000
+"""Of a binary log: an autopilot's card writes some 20 MB a minute at most."""
+
+
+def read_log(path: str) -> Telemetry:
+    """What a flight log tells.
+
+    Args:
+        path: Of the file.
+
+    Raises:
+        ParameterError: It can't be read, is no such log, or tells nothing of a flight.
+    """
+    data = bytes_of(path, MOST_LOG_BYTES)
+    found = _read(data)
+    if found is None:
+        raise ParameterError("flight.no_log", path=path, kinds=KINDS)
+    if not np.isfinite(found.values).any():
+        raise ParameterError("flight.empty_log", path=path)
+    return found
+
+
+def _read(data: bytes) -> Telemetry | None:
+    if data.startswith(ULOG):
+        return read_ulog(data)
+    if data.startswith(DATAFLASH):
+        return read_dataflash(data)
+    if is_tlog(data):
+        return read_tlog(data)
+    if len(data) > MOST_BYTES:
+        return None
+    text = data.decode("utf-8-sig", "replace")
+    if is_srt(text):
+        return read_srt(text)
+    return read_geo(text) if is_geo(text) else None

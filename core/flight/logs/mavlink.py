@@ -1,0 +1,101 @@
+"""Telemetry logs of ground stations (``.tlog``): MAVLink packets of version 1 and 2, each after its time.
+
+Format: https://mavlink.io/en/guide/serialization.html. Read are ATTITUDE, GLOBAL_POSITION_INT (height above home and
+velocity, not the position) and the velocity of LOCAL_POSITION_NED, of the first system that tells an attitude.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+
+from ..telemetry import Telemetry
+from .entries import Entries
+
+_ATTITUDE, _LOCAL, _GLOBAL = 30, 32, 33
+_PACKED = {
+    _ATTITUDE: (struct.Struct("<I6f"), 39),
+    _LOCAL: (struct.Struct("<I6f"), 185),
+    _GLOBAL: (struct.Struct("<Iiiii3hH"), 104),
+}
+"""How a message's content is packed, and the byte that its checksum ends with."""
+
+_SIGNED, _SIGNATURE = 1, 13
+_TIME = 8
+
+
+def is_tlog(data: bytes) -> bool:
+    """Whether the first packet is whole, or of a kind that isn't read here but followed by another one."""
+    size = _size(data, _TIME)
+    return size > 0 and (len(data) == _TIME + size or _size(data, 2 * _TIME + size) > 0)
+
+
+def read_tlog(data: bytes) -> Telemetry:
+    """Entries of a log, in UTC.
+
+    Args:
+        data: Of the file; what is damaged is passed over.
+    """
+    entries, place, system = Entries(start_s=0.0), 0, None
+    while place + _TIME < len(data):
+        size = _size(data, place + _TIME)
+        if size == 0:
+            place += 1
+            continue
+        sender, kind, content, is_whole = _packet(data, place + _TIME, size)
+        if kind in _PACKED and is_whole:
+            system = sender if system is None and kind == _ATTITUDE else system
+            if system == sender:
+                (time_us,) = struct.unpack_from(">Q", data, place)
+                packed = _PACKED[kind][0]
+                _take(entries, time_us / 1e6, kind, packed.unpack(content[: packed.size].ljust(packed.size, b"\0")))
+        elif kind in _PACKED:
+            place += 1
+            continue
+        place += _TIME + size
+    return entries.telemetry()
+
+
+def _size(data: bytes, place: int) -> int:
+    """Bytes of the packet that begins there; 0 where none does."""
+    if place + 3 > len(data) or data[place] not in (0xFE, 0xFD):
+        return 0
+    if data[place] == 0xFE:
+        size = 8 + data[place + 1]
+    else:
+        size = 12 + data[place + 1] + (_SIGNATURE if data[place + 2] & _SIGNED else 0)
+    return size if place + size <= len(data) else 0
+
+
+def _packet(data: bytes, place: int, size: int) -> tuple[int, int, bytes, bool]:
+    """System, kind and content of a packet, and whether its checksum holds."""
+    length = data[place + 1]
+    if data[place] == 0xFE:
+        system, kind, start = data[place + 3], data[place + 5], place + 6
+    else:
+        system, kind, start = data[place + 5], int.from_bytes(data[place + 7 : place + 10], "little"), place + 10
+    content = data[start : start + length]
+    if kind not in _PACKED:
+        return system, kind, content, True
+    found = int.from_bytes(data[start + length : start + length + 2], "little")
+    return system, kind, content, found == checksum(data[place + 1 : start + length] + bytes([_PACKED[kind][1]]))
+
+
+def checksum(content: bytes) -> int:
+    """MAVLink's checksum: CRC-16/MCRF4XX."""
+    total = 0xFFFF
+    for byte in content:
+        part = (byte ^ total) & 0xFF
+        part = (part ^ (part << 4)) & 0xFF
+        total = (total >> 8) ^ (part << 8) ^ (part << 3) ^ (part >> 4)
+    return total & 0xFFFF
+
+
+def _take(entries: Entries, time_s: float, kind: int, told: tuple[float, ...]) -> None:
+    if kind == _ATTITUDE:
+        roll, pitch, yaw = (math.degrees(angle) for angle in told[1:4])
+        entries.add(time_s, roll=roll, pitch=pitch, heading=yaw)
+    elif kind == _LOCAL:
+        entries.add(time_s, north=told[4], east=told[5])
+    else:
+        entries.add(time_s, height=told[4] / 1000, north=told[5] / 100, east=told[6] / 100)
