@@ -48,6 +48,7 @@ NAMES = (
     "footprints",
     "attitude",
     "photos",
+    "evidence",
     "own_ground",
     "assessment",
     "onboard",

@@ -6,11 +6,12 @@ import cv2
 import numpy as np
 import pytest
 
-from semref.core.correlation.class_pyramid import MapPyramid
+from semref.core.correlation.class_pyramid import MapPyramid, class_fractions
 from semref.core.correlation.settings import CORRELATION
 from semref.core.correlation.solver import agreement_at, localize
 from semref.core.errors import LabelMapError
 from semref.core.geometry.frame import MapFrame
+from semref.core.labels.class_shares import ClassShares
 from semref.core.labels.overview import most_frequent_labels
 from semref.core.localization import Place, Prior
 from semref.core.simulation.label_errors import spoil_labels
@@ -230,3 +231,23 @@ def test_a_place_along_a_straight_shore_is_possible_but_no_fix():
     result = localize(view(labels, center, 0, 1.0), pyramid, here)
     assert result.status == "ambiguous" and result.error_95_m > 0.025 * 560 * np.sqrt(2)
     assert "position" in str(result.reason)
+
+
+CENTER = (1500.0, 1000.0)
+SWAPPED = np.array([0, 1, 3, 2, 5, 4, 6], np.uint8)
+"""Seen as: 2 and 3, 4 and 5 taken for one another."""
+
+VALUES = np.arange(1, 7, dtype=np.uint8)
+
+
+def shares_of(labels_hw):
+    return ClassShares(VALUES, class_fractions(labels_hw, VALUES, (280, 280)))
+
+
+def test_shares_count_instead_of_the_labels(labels, pyramid):
+    image = view(labels, CENTER, 33.0, 1.0)
+    by_labels = localize(image, pyramid, PRIOR)
+    by_shares = localize(SWAPPED[image], pyramid, PRIOR, shares=shares_of(image))
+    assert by_labels.is_fix and by_shares.is_fix
+    assert error_m(by_shares.best, CENTER) < 4
+    assert by_shares.peaks.score == pytest.approx(by_labels.peaks.score, abs=0.02)
