@@ -65,6 +65,7 @@ class FlightSolver:
 
     Attributes:
         result: What came of it; of no image before the steps are done.
+        causal: What was known image by image, from those before alone, so far.
     """
 
     def __init__(self, localizer: Localizer, settings: FlightSettings = FLIGHT) -> None:
@@ -76,6 +77,7 @@ class FlightSolver:
         """
         self.localizer, self.settings = localizer, settings
         self.result = FlightResult(())
+        self.causal: tuple[FlightPose, ...] = ()
         self._looked: list[Looked] = []
 
     def steps(self, images: Sequence[FlightImage], links: Sequence[Link]) -> Iterator[tuple[int, int]]:
@@ -100,6 +102,7 @@ class FlightSolver:
                 tracks.append(_Track(tracker.track, 1.0 if risk is None else risk, number, number, number))
             elif tracker.looked.estimate is not None:
                 tracks[-1].last = number
+            self.causal = tuple(poses)
             yield number + 1, len(images)
         earliest = 0
         for track in tracks:

@@ -79,7 +79,7 @@ def by_areas(
     score = score_at(reduced_image(image, decision), pyramid, pose, pyramid.quiet)
     if score == NOT_COMPARABLE or not np.isfinite(spread).all():
         return None
-    spread = noise_factor(score, pyramid.settings) ** 2 * spread
+    spread = (settings.measured_factor * noise_factor(score, pyramid.settings)) ** 2 * spread
     edge_m = float(np.sqrt(labels_hw.size)) * pose.pixel_size_m
     known = known_pose(pose, spread, edge_m, pyramid.frame.pixel_size, errors)
     full = full_covariance(known, pose.pixel_size_m)

@@ -32,7 +32,9 @@ class FlightSettings:
         lost_evidence: A track whose last images' evidence falls below is lost [by hand; flights].
         recent: Images that this counts [by hand; flights].
         apart: Tracks are different from this share of the image's edge on the ground on [as of map correlation].
-        search_every: While a track is held, the whole map is searched at one image of so many [by hand, for the time].
+        search_first: So many images of a flight are searched on the whole map … [by hand, for the time]
+        search_every: … then one of so many before a track is held, and one of so many while one is
+            [by hand, for the time].
         search_noise: Of a refined place of the first look: deviation in its pixels, degrees, ln pixel size
             [Liechtenstein, north; flights].
         assumed: Deviations of a link that is assumed: share of the distance, degrees, ln pixel size [reasoning].
@@ -40,7 +42,8 @@ class FlightSettings:
         map_length: Length over which errors of the map and of labels on it are shared along the track, meters
             [shared errors].
         shared_share: Share of a measurement's variance that its neighbors have alike [Liechtenstein, north; flights].
-        measured_factor: What deviations of measurements are multiplied with [Liechtenstein, north; flights].
+        measured_factor: What deviations of class areas' fits are multiplied with: a single image's are told with room
+            for one that is not known to be near its place [Liechtenstein, north; flights].
         loosest: Measurements whose deviation is more than this share of the image's edge on the ground tell nothing
             [reasoning].
         gate: Measurements farther from what the flight expects than so many deviations are outvoted [reasoning].
@@ -57,17 +60,18 @@ class FlightSettings:
     evidence_curve: tuple[float, float, float, float] = (-2.0, 1.2, -2.0, 10.0)
     overlap_share: float = 0.35
     own_most: float = 9.0
-    risk_curve: tuple[float, float] = (-1.0, 1.2)
+    risk_curve: tuple[float, float] = (-1.0, 1.6)
     lost_evidence: float = -3.0
     recent: int = 5
     apart: float = 0.25
-    search_every: int = 5
+    search_first: int = 4
+    search_every: tuple[int, int] = (2, 5)
     search_noise: tuple[float, float, float] = (0.4, 2.5, 0.04)
     assumed: tuple[float, float, float] = (0.4, 20.0, 0.1)
     size_range: float = 1.15
     map_length: float = 800.0
     shared_share: float = 0.4
-    measured_factor: float = 1.0
+    measured_factor: float = 0.6
     loosest: float = 0.05
     gate: float = 4.0
     drift: float = 0.01

@@ -187,12 +187,14 @@ class FlightTracker:
 
     def _look(self, seen: SeenImage, link: Link | None, weight: float) -> None:
         """The hypotheses, and those of the mirrored flight while no track is held, with the image's evidence."""
-        is_searched = self._held is None or self._number % self.settings.search_every == 0
+        searching, held = self.settings.search_every
+        every = searching if self._held is None else held
+        is_searched = len(self._past) < self.settings.search_first or self._number % every == 0
         self._pool = self._looked(self._pool, Past(seen, link or NOWHERE, weight), self._past if is_searched else None)
         if self._held is None:
             flipped = [Past(mirrored(past.seen), past.link.mirrored(), past.weight) for past in self._past]
             latest = Past(mirrored(seen), (link or NOWHERE).mirrored(), weight)
-            self._mirror = self._looked(self._mirror, latest, flipped)
+            self._mirror = self._looked(self._mirror, latest, flipped if is_searched else None)
 
     def _looked(self, pool: Pool, latest: Past, past: list[Past] | None) -> Pool:
         """Hypotheses after an image; new ones are looked for where ``past`` is told.

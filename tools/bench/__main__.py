@@ -47,6 +47,7 @@ NAMES = (
     "automatic",
     "footprints",
     "attitude",
+    "flights",
     "photos",
     "evidence",
     "own_ground",
