@@ -6,6 +6,7 @@ import csv
 import json
 import math
 from collections.abc import Iterable, Iterator
+from datetime import datetime, timedelta, timezone
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,10 @@ from .pictures import JPEG_QUALITY, write_jpeg
 
 ANNOTATION_FILE, CLASSES_FILE, ORTHOPHOTO_FILE = "landcover.shp", "classes.csv", "orthophoto.tif"
 PHOTOS_FOLDER, PHOTOS_TRUTH_FILE = "photos", "photos.csv"
+FLIGHT_FOLDER, FLIGHT_FILE = "flight", "flight.csv"
+FLIGHT_START, SECONDS_BETWEEN = datetime(2025, 5, 9, 10, tzinfo=timezone.utc), 12
+"""When the first photo of the flight was taken, and how long after it the next one: at some 15 m/s."""
+
 MARKER = "sample.json"
 """Tells a folder of ours from somebody's data."""
 
@@ -51,12 +56,16 @@ def sample_steps(
     yield "Writing the orthophoto", 0.1
     write_orthophoto(landscape, pixel_size, photo_hw3, folder / ORTHOPHOTO_FILE)
     views = pictures.plan_photos(photo_hw3.shape[:2], landscape.seed)
-    (folder / PHOTOS_FOLDER).mkdir()
-    for number, view in enumerate(views):
-        yield "Taking photos", 0.4 + 0.6 * number / len(views)
-        taken = photo.shoot(photo_hw3, view, landscape.seed)
-        write_jpeg(folder / PHOTOS_FOLDER / view.name, np.moveaxis(taken, 2, 0))
+    flight = pictures.plan_flight(photo_hw3.shape[:2])
+    taken = [(PHOTOS_FOLDER, view) for view in views] + [(FLIGHT_FOLDER, view) for view in flight]
+    for name in (PHOTOS_FOLDER, FLIGHT_FOLDER):
+        (folder / name).mkdir()
+    for number, (name, view) in enumerate(taken):
+        yield "Taking photos", 0.4 + 0.6 * number / len(taken)
+        shown_hw3 = photo.shoot(photo_hw3, view, landscape.seed)
+        write_jpeg(folder / name / view.name, np.moveaxis(shown_hw3, 2, 0))
     write_truth(landscape, pixel_size, views, folder / PHOTOS_TRUTH_FILE)
+    write_truth(landscape, pixel_size, flight, folder / FLIGHT_FILE, timed=True)
     about = {"made_by": "semref", "seed": landscape.seed, "pixel_size": pixel_size, "photos": len(views)}
     (folder / MARKER).write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
 
@@ -181,16 +190,21 @@ def write_orthophoto(landscape: Landscape, pixel_size: float, photo_hw3: np.ndar
     _check(failures, path)
 
 
-def write_truth(landscape: Landscape, pixel_size: float, views: Iterable[pictures.Picture], path: Path) -> None:
+def write_truth(
+    landscape: Landscape, pixel_size: float, views: Iterable[pictures.Picture], path: Path, timed: bool = False
+) -> None:
     """Where every picture was cut: its center in map pixels and map units, heading, and scale.
 
     ``rotation_deg`` is the heading of the image's top, clockwise from grid north; ``scale`` is map pixels per image
-    pixel.
+    pixel. ``timed``: with the time of each, as a camera table has it.
     """
     west, north, _, _ = grid_of(landscape, pixel_size)
     with path.open("w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file, lineterminator="\n")
-        rows.writerow(["image", "kind", "column", "row", "x", "y", "rotation_deg", "scale", "window"])
-        for v in views:
+        header = ["image", "kind", "column", "row", "x", "y", "rotation_deg", "scale", "window"]
+        rows.writerow([*header, "time"] if timed else header)
+        for number, v in enumerate(views):
             x, y = west + v.column * pixel_size, north - v.row * pixel_size
-            rows.writerow([v.name, v.kind, v.column, v.row, round(x, 4), round(y, 4), v.heading_deg, v.scale, v.window])
+            when = [(FLIGHT_START + timedelta(seconds=number * SECONDS_BETWEEN)).isoformat()] if timed else []
+            place = round(x, 4), round(y, 4)
+            rows.writerow([v.name, v.kind, v.column, v.row, *place, v.heading_deg, v.scale, v.window, *when])

@@ -24,6 +24,9 @@ COLOR_HEADINGS_DEG = (0, 60, 150, 240)
 COLOR_ON_WINDOW_COUNT, COLOR_OFF_GRID_COUNT = 3, 1
 OFF_GRID_SCALES = (0.8, 1.25)
 PHOTO_COUNT = 12
+FLIGHT_COUNT = 16
+FLIGHT_SCALES = (0.95, 1.05)
+"""Map pixels that an image pixel of the flight shows at its start and at its end: it climbs a little."""
 
 
 @dataclass(frozen=True)
@@ -106,6 +109,22 @@ def plan_photos(shape_hw: tuple[int, int], seed: int, count: int = PHOTO_COUNT) 
     """Where photos are taken: any place, heading and scale; more of them begin with the same ones."""
     rng = np.random.default_rng([seed, 101])
     return tuple(_off_grid(rng, shape_hw, count, "photo", suffix="jpg"))
+
+
+def plan_flight(shape_hw: tuple[int, int], count: int = FLIGHT_COUNT) -> tuple[Picture, ...]:
+    """Where the photos of one flight are taken: from west to east in a curve, tops in the direction of flight."""
+    height, width = shape_hw
+    margin = WINDOW_PX / 2 * np.sqrt(2) * max(OFF_GRID_SCALES) + 2
+    along = np.linspace(0, 1, count)
+    columns = margin + (width - 2 * margin) * along
+    rows = height / 2 + (height / 2 - margin) * np.sin(1.5 * np.pi * along)
+    headings = np.degrees(np.arctan2(np.gradient(columns), -np.gradient(rows))) % 360
+    scales = np.interp(along, (0, 1), FLIGHT_SCALES)
+    values = (np.round(each, 2).tolist() for each in (columns, rows, headings, scales))
+    return tuple(
+        Picture(f"flight_{number:02d}.jpg", "flight", column, row, heading, scale)
+        for number, (column, row, heading, scale) in enumerate(zip(*values), start=1)
+    )
 
 
 def _on(at: tuple[int, int], kind: str, stem: str, **settings: Any) -> Picture:  # noqa: ANN401 - fields of Picture

@@ -38,8 +38,8 @@ class MakeSample(SemRefAlgorithm):
     def summary(self) -> str:
         return tr(
             "Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their "
-            "class table (classes.csv), an orthophoto, and photos taken anywhere above it, with where they were "
-            "really taken (photos.csv).\n\n"
+            "class table (classes.csv), an orthophoto, photos taken anywhere above it, with where they were really "
+            "taken (photos.csv), and the photos of one flight, with that and their times (flight.csv).\n\n"
             "The model that ships with SemRef can read these photos."
         )
 

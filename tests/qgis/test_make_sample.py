@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import time
+from datetime import datetime
 from math import hypot
 from pathlib import Path
 
@@ -71,6 +72,16 @@ def test_the_photos_are_found_with_the_model_that_ships(sample, repository, run_
     for row in QgsVectorLayer(positions, "positions", "ogr").getFeatures():
         x, y = truth[Path(row["image"]).name]
         assert hypot(row["x"] - x, row["y"] - y) < 10
+
+
+@pytest.mark.slow
+def test_it_holds_a_flight_with_the_times_of_its_photos(sample):
+    with (sample / "flight.csv").open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["image"] for row in rows] == sorted(path.name for path in (sample / "flight").iterdir())
+    times = [datetime.fromisoformat(row["time"]) for row in rows]
+    assert {(b - a).total_seconds() for a, b in zip(times, times[1:])} == {12}
+    assert len(rows) == 16
 
 
 def test_a_folder_with_files_is_left_alone(run_algorithm, tmp_path):

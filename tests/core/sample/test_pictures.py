@@ -72,3 +72,14 @@ def test_more_photos_begin_with_the_same_ones():
     few, many = (pictures.plan_photos((3000, 4000), SEED, count) for count in (12, 200))
     assert many[:12] == few
     assert len({view.name for view in many}) == 200
+
+
+def test_the_photos_of_a_flight_overlap_and_their_tops_point_where_it_goes():
+    views = pictures.plan_flight((3000, 4000))
+    labels = np.zeros((3000, 4000), np.uint8)
+    assert all(pictures.cut(labels, view).shape == (640, 640) for view in views)
+    steps = np.diff([(view.column, view.row) for view in views], axis=0)
+    assert (np.hypot(*steps.T) < 0.6 * 640).all()
+    headings = np.degrees(np.arctan2(steps[:, 0], -steps[:, 1])) % 360
+    between = [(a.heading_deg + b.heading_deg) / 2 for a, b in zip(views, views[1:])]
+    np.testing.assert_allclose(headings, between, atol=8)
