@@ -8,27 +8,22 @@ import logging
 import math
 import os
 import sys
-import time
 from dataclasses import replace
-from datetime import datetime, timezone
-from typing import Any, Callable
+from typing import Any
 
 import cv2
-import numpy as np
 
 from ..errors import DatabaseError, ParameterError, SemRefError
-from ..labels.class_shares import SeenLabels
-from ..labels.class_table import ClassTable
-from ..labels.image_files import image_files, read_label_image, read_photo
-from ..labels.photo_camera import photo_camera
+from ..flight.settings import FLIGHT
+from ..labels.image_files import image_files
 from ..localization import LEAST_RISK, RISK, Method, Prior, Status
-from ..localizer.leveled import with_camera
 from ..localizer.localizer import Localizer
-from ..localizer.record import fixes_per_error, record
+from ..localizer.record import fixes_per_error
 from ..localizer.settings import LOCALIZER
-from ..segmentation.class_bias import KnownBiases, known_biases
 from ..segmentation.devices import AUTO, KEYS
 from ..sentences import english
+from .finder import ERROR, Finding, LabelReader
+from .flight import FlightFinding
 from .format import OnboardDatabase
 from .log import json_line, say, start_log
 from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_place
@@ -41,9 +36,6 @@ ALL_FIXED, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED = range(4)
 
 INTERRUPTED = 130
 """As of any program that was ended by Ctrl+C."""
-
-ERROR = "error"
-"""Status of an image that could not be read, as in the plugin."""
 
 MOST_THREADS = 256
 """More than any computer on board has; each costs memory before it does anything."""
@@ -170,6 +162,10 @@ def _parser() -> argparse.ArgumentParser:
     watch.add_argument("--fixes", metavar="WHERE", default="-", help=f"JSON lines: {where} (default: stdout)")
     watch.add_argument("--gga", metavar="WHERE", help=f"NMEA GGA sentences: {where}")
     _add_mavlink(watch)
+    text = "the images are of one flight: each gets the best estimate of all up to it"
+    watch.add_argument("--flight", action="store_true", help=text)
+    text = "with --flight: keeps the flight in this file and goes on from it after a restart"
+    watch.add_argument("--state", metavar="FILE", help=text)
     watch.add_argument("--once", action="store_true", help="end when the images that are there are done")
     watch.set_defaults(command=_watch)
     for command in (localize, watch):
@@ -256,7 +252,7 @@ def description(onboard: OnboardDatabase) -> dict[str, Any]:
 
 
 def _localize(options: argparse.Namespace) -> int:
-    find = _finder(options, read_onboard(options.database, key_file=options.require_signature))
+    find = _finding(options, read_onboard(options.database, key_file=options.require_signature))
     statuses = set()
     for path in image_files(options.images):
         found = find(path)
@@ -271,8 +267,8 @@ def _exit_code(statuses: set[str]) -> int:
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
 
 
-def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[str], dict[str, Any]]:
-    """The function path → record that the options ask for; everything that can be refused is refused here."""
+def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> Finding:
+    """How the options ask to localize; everything that can be refused is refused here."""
     cv2.setNumThreads(options.threads)
     method = next(method for method in Method if _option(method) == options.method)
     localizer = Localizer(onboard.database, replace(LOCALIZER, allowed_risk=options.risk), options.sun)
@@ -280,72 +276,10 @@ def _finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Callable[[
     if method == Method.MAP_CORRELATION and not localizer.has_overview:
         raise DatabaseError("onboard.no_overview", database=options.database)
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
-    read_labels, known = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
-    localizer.heed_biases(known.class_biases, known.class_spread)
+    read_labels = LabelReader(options.model, options.threads, onboard.database.class_table, options.device)
+    localizer.heed_biases(read_labels.known.class_biases, read_labels.known.class_spread)
     say(logging.INFO, "ready", database=options.database, content_hash=onboard.content_hash)
-
-    def find(path: str) -> dict[str, Any]:
-        started = time.perf_counter()
-        found: dict[str, Any] = {"image": path, "time": None}
-        try:
-            found["time"] = _time_of(path).isoformat()
-            seen = read_labels(path)
-            labels_hw = seen.labels_hw
-            near = prior
-            if method != Method.TOPOLOGY_VECTOR:
-                height, width = labels_hw.shape
-                near = with_camera(prior, photo_camera(path), (height, width))
-            result = localizer.localize(labels_hw, method, near, shares=seen.shares)
-            found.update(record(result))
-            if result.position is not None and onboard.lon_lat is not None:
-                longitudes, latitudes = onboard.lon_lat(np.array([result.position]))
-                found.update(longitude=float(longitudes[0]), latitude=float(latitudes[0]))
-        except SemRefError as error:
-            # One bad image must not stop the others.
-            found.update(status=ERROR, reason=str(error))
-        except Exception as error:
-            # Nor must a fault of the program, which the log tells with its traceback.
-            say(logging.ERROR, "fault", traceback=True, image=path)
-            found.update(status=ERROR, reason=f"{type(error).__name__}: {error}")
-        level = logging.WARNING if found["status"] == ERROR else logging.INFO
-        seconds = round(time.perf_counter() - started, 3)
-        say(level, "image", image=path, status=found["status"], reason=found["reason"], seconds=seconds)
-        return found
-
-    return find
-
-
-def label_reader(
-    model_path: str | None, threads: int, table: ClassTable, device: str = AUTO
-) -> tuple[Callable[[str], SeenLabels], KnownBiases]:
-    """The function path → labels, of label images or with a model of photos; and how these labels are shifted."""
-    if not model_path:
-        return (lambda path: SeenLabels(read_label_image(path, table))), KnownBiases()
-    # onnxruntime is needed for photos only.
-    from ..segmentation.model import SegmentationModel
-    from ..segmentation.photo_labels import PhotoLabels
-
-    model = SegmentationModel(model_path, threads, device=device)
-    for fallback in model.fallbacks:
-        say(logging.WARNING, "device", reason=english(fallback))
-    say(logging.INFO, "model", model=model_path, device=model.device.title)
-    values = model.classes.values_in(table, model_path)
-
-    def labels_of(path: str) -> SeenLabels:
-        photo = read_photo(path)
-        return PhotoLabels(model, photo.image, values, photo.pixel_size_m).seen()
-
-    return labels_of, known_biases(model.class_bias, table)
-
-
-def _time_of(path: str) -> datetime:
-    """When an image was written, which a camera does when it was taken."""
-    try:
-        return datetime.fromtimestamp(os.stat(path).st_mtime, timezone.utc)
-    except (OSError, OverflowError, ValueError) as error:
-        # A file system may hold years that no calendar has.
-        reason = getattr(error, "strerror", None) or str(error)
-        raise ParameterError("labels.image_unreadable", path=path, reason=reason) from None
+    return Finding(onboard, localizer, method, prior, read_labels)
 
 
 def _line(found: dict[str, Any]) -> str:
@@ -376,11 +310,18 @@ def _watch(options: argparse.Namespace) -> int:
     if not os.path.isdir(options.folder):
         raise ParameterError("onboard.no_folder", folder=options.folder)
     onboard = read_onboard(options.database, key_file=options.require_signature)
-    find = _finder(options, onboard)
+    find: Finding = _finding(options, onboard)
+    after = None
+    if options.flight:
+        if not find.localizer.has_overview:
+            raise DatabaseError("onboard.no_overview_for_flights", database=options.database)
+        settings = replace(FLIGHT, allowed_risk=options.risk)
+        find = FlightFinding(**vars(find), state_path=options.state or "", settings=settings)
+        after = find.start()
     if (options.gga or options.mavlink) and onboard.lon_lat is None:
         raise DatabaseError("onboard.no_lon_lat", database=options.database)
     statuses, lost = watch(
-        options.folder, options.once, find, options.fixes, options.gga, _mavlink_sink(options, onboard)
+        options.folder, options.once, find, options.fixes, options.gga, _mavlink_sink(options, onboard), after
     )
     return REFUSED if lost else _exit_code(statuses)
 

@@ -36,6 +36,7 @@ def watch(  # noqa: PLR0913 - each sink is a place of its own
     fixes: str | None,
     gga: str | None,
     mavlink: MavlinkSink | None = None,
+    after: tuple[int, str] | None = None,
 ) -> tuple[set[str], int]:
     """Localizes a folder's images as they come, without end unless ``once``.
 
@@ -46,6 +47,7 @@ def watch(  # noqa: PLR0913 - each sink is a place of its own
         fixes: Where a JSON line for each image goes, see ``sinks.opened``.
         gga: Where a GGA sentence for each image goes.
         mavlink: An autopilot that is told; closed at the end.
+        after: (time of change in ns, name) of an image: those that lie in the folder already, up to it, are done.
 
     Returns:
         The statuses that images had, and how many lines could not be sent.
@@ -58,7 +60,7 @@ def watch(  # noqa: PLR0913 - each sink is a place of its own
         fix_sink, gga_sink = (stack.enter_context(closing(opened(where))) for where in (fixes, gga))
         if mavlink is not None:
             stack.enter_context(closing(mavlink))
-        for path in arriving(folder, once):
+        for path in arriving(folder, once, after):
             found = find(path)
             # The autopilot first: it flies by it.
             if mavlink is not None:
@@ -74,8 +76,10 @@ def _gga(found: dict[str, Any]) -> str:
     return gga_sentence(taken, found.get("longitude"), found.get("latitude"), found.get("inliers") or 0)
 
 
-def arriving(folder: str, once: bool) -> Iterator[str]:
+def arriving(folder: str, once: bool, after: tuple[int, str] | None = None) -> Iterator[str]:
     """Images of a folder, each when it is complete, in order of time and name; one that is written anew comes again.
+
+    With ``after`` those that lie there at the first look, up to this time and name, are left out.
 
     A folder that can't be looked into is told in the log, once, and waited for; with ``once`` it is an error.
     """
@@ -96,6 +100,9 @@ def arriving(folder: str, once: bool) -> Iterator[str]:
         if gone:
             say(logging.ERROR, "folder_back", folder=folder)
             gone = False
+        if after is not None:
+            done = {path: state for path, state in now.items() if (state[0], os.path.basename(path)) <= after}
+            after = None
         # What was removed is forgotten: a watch of weeks must not grow.
         done = {path: state for path, state in done.items() if path in now}
         complete = [path for path, state in now.items() if done.get(path) != state]

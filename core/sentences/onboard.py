@@ -7,6 +7,11 @@ SENTENCES = {
     "onboard.sun": "--sun is {sun:g}; it must be a direction from 0 to 360 degrees.",
     "onboard.risk": "--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.",
     "onboard.no_overview": "{database} has no overview, which map correlation searches; export it with one.",
+    "onboard.no_overview_for_flights": (
+        "{database} has no overview, by which tracks are told apart; export it with one."
+    ),
+    "onboard.no_flight_state": "{path} is no state of a flight that this SemRef wrote, or is damaged.",
+    "onboard.state_of_other_database": "{path} is the state of a flight in another database.",
     "onboard.no_folder": "There is no folder {folder}; create it or watch another one.",
     "onboard.no_lon_lat": "{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.",
     "onboard.folder_gone": "The folder {folder} can't be looked into ({reason}); start again when it can.",

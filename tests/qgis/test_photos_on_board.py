@@ -13,7 +13,7 @@ from qgis.core import QgsProcessingFeedback
 
 from semref.core.geometry.error_settings import NETWORK_SPREAD
 from semref.core.labels.class_table import class_table_from_csv
-from semref.core.onboard.command_line import label_reader
+from semref.core.onboard.finder import LabelReader
 from semref.core.segmentation.class_bias import KnownBiases
 from semref.core.segmentation.onnx_file import with_metadata
 from semref.processing.framework.photo_labels import PhotoLabels
@@ -69,7 +69,7 @@ def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, m
     path = str(PHOTOS[name](tmp_path / "photo.tif"))
     reader = PhotoLabels(model, TABLE, QgsProcessingFeedback(False))
     in_qgis, seen = reader(path), reader.seen(path)
-    on_board = label_reader(model, 1, TABLE)[0](path)
+    on_board = LabelReader(model, 1, TABLE)(path)
     np.testing.assert_array_equal(on_board.labels_hw, in_qgis)
     np.testing.assert_array_equal(on_board.shares.shares, seen.shares.shares)
     assert in_qgis.shape == PHOTO.shape[:2] and len(np.unique(in_qgis)) >= (1 if name == "gray" else 3)
@@ -80,8 +80,8 @@ def test_what_a_model_states_of_its_classes_is_known_in_qgis_as_on_board(qgis_ap
     stated = json.dumps({"building": {"east": 0.5, "spread": 0.2, "sun": 120}})
     with open(model, "rb") as file:
         path.write_bytes(with_metadata(file.read(), "class_bias", stated))
-    known = label_reader(str(path), 1, TABLE)[1]
+    known = LabelReader(str(path), 1, TABLE).known
     assert known == PhotoLabels(str(path), TABLE, QgsProcessingFeedback(False)).biases("any.tif")
     (bias,) = known.class_biases
     assert (bias.east, bias.spread, bias.sun_deg) == (0.5, 0.2, 120.0) and known.class_spread == NETWORK_SPREAD
-    assert label_reader(None, 1, TABLE)[1] == KnownBiases()
+    assert LabelReader(None, 1, TABLE).known == KnownBiases()

@@ -1,0 +1,197 @@
+"""``python -m core watch --flight``: each image gets what its flight so far says of it; the state outlives a restart.
+
+A state file is numpy's ``.npz`` without pickles: the arrays of ``FlightTracker.state``, what the next image is linked
+by, and a header in JSON. It is written beside its place and moved there, so that a power cut leaves the one before.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import os
+import zipfile
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from ..errors import ParameterError
+from ..flight.model import FlightImage
+from ..flight.motion import Link
+from ..flight.pixel_features import Features, label_features, photo_features
+from ..flight.pixel_motion import motion_between
+from ..flight.settings import FLIGHT, FlightSettings
+from ..flight.tracker import FlightTracker
+from .finder import Finding, time_of
+from .log import say
+
+FORMAT, VERSION = "semref flight state", 1
+
+MOST_STATE_BYTES = 256_000_000
+"""A state has some ten images at a few hundred pixels an edge; a larger file is none."""
+
+Taken = tuple[int, str]
+"""(time of change in ns, name) of an image: images are taken in this order."""
+
+
+@dataclass
+class _Memory:
+    """What a flight remembers beside its tracker.
+
+    Attributes:
+        features: Of the latest image, for the link to the next one.
+        after: The latest image; None before the first.
+    """
+
+    features: Features | None = None
+    after: Taken | None = None
+
+
+@dataclass(frozen=True)
+class FlightFinding(Finding):
+    """Localizes the images of one flight, in order; what is said of each is the best estimate of all up to it.
+
+    Attributes:
+        state_path: File that keeps the state; empty for none.
+        settings: Of flights.
+        tracker: That follows the flight, in a list of one: it is another one after a restart.
+        memory: See there.
+    """
+
+    state_path: str = ""
+    settings: FlightSettings = FLIGHT
+    tracker: list[FlightTracker] = field(default_factory=list)
+    memory: _Memory = field(default_factory=_Memory)
+
+    def start(self) -> Taken | None:
+        """Goes on where a state file left it, else begins; the image that was taken last, None for none.
+
+        A file that can't be used is told in the log: an aircraft must not stay on the ground, or without a position,
+        for it.
+        """
+        try:
+            if self.state_path and os.path.exists(self.state_path):
+                self._resume()
+                say(logging.INFO, "flight_resumed", state=self.state_path, track=self.tracker[0].track)
+                return self.memory.after
+        except (ParameterError, OSError) as error:
+            say(logging.ERROR, "flight_state_not_used", state=self.state_path, reason=str(error))
+        self.tracker[:] = [FlightTracker(self.localizer, self.settings)]
+        self.memory.features = self.memory.after = None
+        return None
+
+    def localized(self, path: str) -> dict[str, Any]:
+        """A record's columns for the next image of the flight. Raises SemRefError."""
+        seen = self.read_labels(path)
+        labels_hw = seen.labels_hw
+        height, width = labels_hw.shape
+        prior = self.prior_of(path, (height, width))
+        own = self.localizer.localize(labels_hw, self.method, prior, shares=seen.shares)
+        link = self._link(labels_hw)
+        image = FlightImage(os.path.basename(path), labels_hw, own, time_of(path).timestamp(), prior)
+        pose = self.tracker[0].add(image, link)
+        found = self.told(pose.localization())
+        source = str(pose.source) if pose.is_fix else None
+        found.update(source=source, track=pose.track or None, outvoted=pose.is_outvoted)
+        self.memory.after = os.stat(path).st_mtime_ns, os.path.basename(path)
+        self._keep()
+        return found
+
+    def _link(self, labels_hw: np.ndarray) -> Link | None:
+        """From the image before to this one, by what both show; None where that is not known."""
+        photo = self.read_labels.photo
+        if photo is None:
+            features = label_features(labels_hw)
+        else:
+            height, width = photo.shape_hw
+            features = photo_features(*photo.read(0, 0, width, height), labels_hw.shape[1])
+        before, self.memory.features = self.memory.features, features
+        if before is None:
+            return None
+        motion = motion_between(before, features)
+        if motion.link is None:
+            say(logging.INFO, "no_link", reason=None if motion.reason is None else str(motion.reason))
+        return motion.link
+
+    # --- the state ---
+
+    def _keep(self) -> None:
+        """Writes the state; a disk that can't take it is told, and the flight goes on."""
+        if not self.state_path:
+            return
+        arrays = {f"tracker_{name}": value for name, value in self.tracker[0].state().items()}
+        features = self.memory.features
+        if features is not None:
+            arrays.update(
+                features_picture=features.picture_hw,
+                features_points=features.points,
+                features_descriptors=features.descriptors,
+                features_scale=np.array(features.scale),
+            )
+            if features.is_known_hw is not None:
+                arrays["features_known"] = features.is_known_hw
+        header = {
+            "format": FORMAT,
+            "version": VERSION,
+            "content_hash": self.onboard.content_hash,
+            "after": self.memory.after,
+        }
+        text = json.dumps(header).encode("utf-8", "backslashreplace")
+        beside = f"{self.state_path}.part"
+        try:
+            with open(beside, "wb") as file:
+                np.savez(file, header=np.frombuffer(text, np.uint8), **arrays)
+                file.flush()
+                os.fsync(file.fileno())
+            os.replace(beside, self.state_path)
+        except OSError as error:
+            say(logging.ERROR, "state_not_kept", state=self.state_path, reason=error.strerror or str(error))
+
+    def _resume(self) -> None:
+        """Reads the state. Raises ParameterError for a file that is none, or of another database."""
+        arrays = _read_state(self.state_path)
+        try:
+            header = json.loads(arrays["header"].tobytes().decode("utf-8"))
+            is_ours = header["format"] == FORMAT and header["version"] == VERSION
+            after = header["after"]
+            self.memory.after = None if after is None else (int(after[0]), str(after[1]))
+            known_hash = header["content_hash"]
+        except (KeyError, TypeError, ValueError, IndexError) as error:
+            raise ParameterError("onboard.no_flight_state", path=self.state_path) from error
+        if not is_ours:
+            raise ParameterError("onboard.no_flight_state", path=self.state_path)
+        if known_hash != self.onboard.content_hash:
+            raise ParameterError("onboard.state_of_other_database", path=self.state_path)
+        state = {name[len("tracker_") :]: value for name, value in arrays.items() if name.startswith("tracker_")}
+        self.tracker[:] = [FlightTracker.from_state(self.localizer, state, self.settings)]
+        self.memory.features = _features(arrays)
+
+
+def _read_state(path: str) -> dict[str, np.ndarray]:
+    """The arrays of a state file. Raises ParameterError."""
+    try:
+        if not os.path.isfile(path) or os.path.getsize(path) > MOST_STATE_BYTES:
+            raise ParameterError("onboard.no_flight_state", path=path)
+        with zipfile.ZipFile(path) as archive:
+            if sum(member.file_size for member in archive.infolist()) > MOST_STATE_BYTES:
+                raise ParameterError("onboard.no_flight_state", path=path)
+        with np.load(path, allow_pickle=False) as found:
+            return {name: found[name] for name in found.files}
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+        raise ParameterError("onboard.no_flight_state", path=path) from error
+
+
+def _features(arrays: dict[str, np.ndarray]) -> Features | None:
+    if "features_picture" not in arrays:
+        return None
+    try:
+        return Features(
+            arrays["features_picture"],
+            arrays["features_points"],
+            arrays["features_descriptors"],
+            arrays.get("features_known"),
+            float(arrays["features_scale"]),
+        )
+    except (KeyError, TypeError, ValueError):
+        # Without them the next image is not linked by pixels, no more.
+        return None
