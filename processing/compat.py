@@ -22,6 +22,7 @@ _FIELD_TYPES = {
     "long": ("LongLong", "LongLong"),
     "real": ("Double", "Double"),
     "boolean": ("Bool", "Bool"),
+    "datetime": ("QDateTime", "DateTime"),
 }
 
 
@@ -55,6 +56,7 @@ POLYGON = Qgis.WkbType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbType
 MULTI_POLYGON = Qgis.WkbType.MultiPolygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.MultiPolygon
 POINT = Qgis.WkbType.Point if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.Point
 POLYGON_GEOMETRY = Qgis.GeometryType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.PolygonGeometry
+LINE = Qgis.WkbType.LineString if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.LineString
 LINE_GEOMETRY = Qgis.GeometryType.Line if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.LineGeometry
 
 if Qgis.QGIS_VERSION_INT >= 33600:

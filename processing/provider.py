@@ -16,6 +16,7 @@ from .algorithms.evaluate_localization import EvaluateLocalization
 from .algorithms.export_onboard import ExportOnboard
 from .algorithms.export_training_tiles import ExportTrainingTiles
 from .algorithms.georeference_images import GeoreferenceImages
+from .algorithms.localize_flight import LocalizeFlight
 from .algorithms.localize_images import LocalizeImages
 from .algorithms.make_sample import MakeSample
 from .algorithms.rasterize_annotation import RasterizeAnnotation
@@ -41,6 +42,7 @@ ALGORITHMS = (
     ExportOnboard,
     DescribeImage,
     LocalizeImages,
+    LocalizeFlight,
     GeoreferenceImages,
     EvaluateLocalization,
     AssessDatabase,

@@ -9,7 +9,7 @@ import numpy as np
 from ..geometry.camera import HEADING_SPREAD_DEG, Camera
 from ..geometry.leveling import Leveling
 from ..geometry.pose import turn_of
-from ..labels.class_shares import ClassShares
+from ..labels.class_shares import ClassShares, SeenLabels
 from ..localization import Localization, Method, Prior
 from .localizer import Localizer
 
@@ -38,13 +38,44 @@ def localize_leveled(  # noqa: PLR0913 - what ``Localizer.localize`` takes, and 
         The position is that of the image's center, heading and pixel size are those there, the heading that of its top
         as a level camera would have it; footprint and nadir are told, matches are those of the image as it is.
     """
-    if prior.position is not None and prior.radius is not None and prior.pixel_size_range is not None:
-        # What is searched for is the middle of the level image.
-        prior = replace(prior, radius=prior.radius + abs(way.middle) * prior.pixel_size_range[1])
+    level = level_labels(SeenLabels(labels_hw, shares), way)
+    found = localizer.localize(level.labels_hw, method, of_leveled(prior, way), with_matches, level.shares)
+    return as_taken(found, way)
+
+
+def level_labels(seen: SeenLabels, way: Leveling) -> SeenLabels:
+    """What is seen in an image as a level camera sees it.
+
+    Args:
+        seen: In the image as it is.
+        way: How it is leveled.
+    """
+    shares = seen.shares
     if shares is not None:
-        height, width = labels_hw.shape
+        height, width = seen.labels_hw.shape
         shares = ClassShares(shares.values, way.level_planes(shares.shares, (height, width)))
-    found = localizer.localize(way.level(labels_hw), method, prior, with_matches, shares)
+    return SeenLabels(way.level(seen.labels_hw), shares)
+
+
+def of_leveled(prior: Prior, way: Leveling) -> Prior:
+    """What is known of the middle of the level image, which is searched for.
+
+    Args:
+        prior: About the image's center, with a range of pixel sizes.
+        way: How the image is leveled.
+    """
+    if prior.position is None or prior.radius is None or prior.pixel_size_range is None:
+        return prior
+    return replace(prior, radius=prior.radius + abs(way.middle) * prior.pixel_size_range[1])
+
+
+def as_taken(found: Localization, way: Leveling) -> Localization:
+    """The result of a leveled image told for the image as it was taken, as ``localize_leveled`` does.
+
+    Args:
+        found: Of the leveled image.
+        way: How it was leveled.
+    """
     if found.matches is not None:
         pixels = way.in_image(found.matches.pixels_xy)
         found = replace(found, matches=replace(found.matches, pixels_xy=pixels))

@@ -10,7 +10,6 @@ from ...core.errors import ParameterError
 from ..framework import offers, priors
 from ..framework.base import Declared, cancelable, check_canceled
 from ..framework.declarations import (
-    FolderOutput,
     MapExtent,
     Number,
     NumberResult,
@@ -36,14 +35,9 @@ class LocalizeImages(LocalizeAlgorithm):
     ID = "localizeimages"
     TAGS = ("position", "match", "uav", "drone", "navigation", "gnss", "geolocation", "fix")
 
-    OUTPUT = "OUTPUT"
-    FOOTPRINTS = "FOOTPRINTS"
     ALTERNATIVES = "ALTERNATIVES"
-    MATCHES = "MATCHES"
-    LABELS = "LABELS"
     LAYER = "LAYER"
     EXTENT = "EXTENT"
-    FIX_COUNT = "FIX_COUNT"
 
     def title(self) -> str:
         return tr("Localize images")
@@ -112,7 +106,6 @@ class LocalizeImages(LocalizeAlgorithm):
 
     def _output_parameters(self) -> tuple[Declared, ...]:
         """What is written, and the number that is told."""
-        left_out = {"optional": True, "by_default": False}
         return (
             PointOutput(
                 self.OUTPUT,
@@ -121,40 +114,20 @@ class LocalizeImages(LocalizeAlgorithm):
                     "One point an image: status, position, confidence, distance, window and, without a fix, the reason."
                 ),
             ),
-            PolygonOutput(
-                self.FOOTPRINTS,
-                tr("Footprints"),
+            self.footprints_parameter(
                 tr(
                     "One polygon a fix: the ground the image shows, or the matched window of the topology vector "
                     "method."
-                ),
-                **left_out,
+                )
             ),
             PolygonOutput(
                 self.ALTERNATIVES,
                 tr("Possible places"),
                 tr("For ambiguous images: the ground of each place that fits, the best one first."),
-                **left_out,
+                optional=True,
+                by_default=False,
             ),
-            PointOutput(
-                self.MATCHES,
-                tr("Matches"),
-                tr(
-                    "One point a landmark of the map that agrees with one of an image, for fixes with a heading: where "
-                    "the image has it, where the fix puts it, and how far that is off."
-                ),
-                advanced=True,
-                **left_out,
-            ),
-            FolderOutput(
-                self.LABELS,
-                tr("Folder for the label images"),
-                tr(
-                    "A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table."
-                ),
-                advanced=True,
-                **left_out,
-            ),
+            *self.shown_parameters(),
             NumberResult(self.FIX_COUNT, tr("Number of fixes")),
         )
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import sqlite3
+from dataclasses import dataclass
 from pathlib import Path
 
 from qgis.core import (
@@ -11,6 +12,7 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingLayerPostProcessorInterface,
     QgsVectorLayer,
+    QgsVectorLayerTemporalProperties,
 )
 
 from ...storage.vector_files import leave_wal
@@ -20,7 +22,31 @@ _MOST_KEPT = 20
 """QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
 
 
-def style_in_file(destination: str, renderer: QgsFeatureRenderer) -> bool:
+@dataclass(frozen=True)
+class Look:
+    """What a layer comes with.
+
+    Attributes:
+        renderer: Its style.
+        time_field: The field of date and time by which QGIS's temporal controller plays it, what was seen staying;
+            empty for none.
+    """
+
+    renderer: QgsFeatureRenderer
+    time_field: str = ""
+
+    def give(self, layer: QgsVectorLayer) -> None:
+        """Has a layer look so."""
+        layer.setRenderer(self.renderer.clone())
+        if self.time_field:
+            played = layer.temporalProperties()
+            played.setMode(QgsVectorLayerTemporalProperties.ModeFeatureDateTimeInstantFromField)
+            played.setStartField(self.time_field)
+            played.setAccumulateFeatures(True)
+            played.setIsActive(True)
+
+
+def style_in_file(destination: str, look: Look) -> bool:
     """Gives a layer in a GeoPackage its style, as its default; other files can't hold one.
 
     Returns:
@@ -31,7 +57,7 @@ def style_in_file(destination: str, renderer: QgsFeatureRenderer) -> bool:
         return True
     layer = QgsVectorLayer(destination, "output", "ogr")
     if layer.isValid():
-        layer.setRenderer(renderer.clone())
+        look.give(layer)
         layer.saveStyleToDatabase("SemRef", "", True, "")
     del layer
     try:
@@ -48,20 +74,20 @@ def _has_style(path: str) -> bool:
     return row is not None and str(row[0]).rstrip().endswith("</qgis>")
 
 
-def style_when_loaded(destination: str, renderer: QgsFeatureRenderer, context: QgsProcessingContext) -> None:
+def style_when_loaded(destination: str, look: Look, context: QgsProcessingContext) -> None:
     """Gives the layer that QGIS will load its style."""
     if context.willLoadLayerOnCompletion(destination):
-        _KEPT.append(_Styler(renderer.clone()))
+        _KEPT.append(_Styler(look))
         del _KEPT[:-_MOST_KEPT]
         context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_KEPT[-1])
 
 
 class _Styler(QgsProcessingLayerPostProcessorInterface):
-    def __init__(self, renderer: QgsFeatureRenderer) -> None:
+    def __init__(self, look: Look) -> None:
         super().__init__()
-        self._renderer = renderer
+        self._look = Look(look.renderer.clone(), look.time_field)
 
     def postProcessLayer(self, layer, context, feedback):
         if isinstance(layer, QgsVectorLayer):
-            layer.setRenderer(self._renderer.clone())
+            self._look.give(layer)
             layer.triggerRepaint()

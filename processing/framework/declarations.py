@@ -29,7 +29,7 @@ from qgis.core import (
     QgsProcessingParameterString,
 )
 
-from ..compat import SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
+from ..compat import SOURCE_FILE, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
 
 
 @dataclass(frozen=True)
@@ -247,6 +247,16 @@ class PointOutput(Output):
     def more(self) -> dict:
         """Further arguments of KIND, by name."""
         return {"type": SOURCE_POINT}
+
+
+class LineOutput(Output):
+    """A layer of lines."""
+
+    KIND = QgsProcessingParameterFeatureSink
+
+    def more(self) -> dict:
+        """Further arguments of KIND, by name."""
+        return {"type": SOURCE_LINE}
 
 
 class PolygonOutput(Output):

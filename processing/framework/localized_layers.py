@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import isnan
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsGeometry, QgsPointXY
 
@@ -36,22 +36,30 @@ def write_positions(
     context: QgsCoordinateTransformContext,
 ) -> None:
     """Writes one row an image; without a fix it has no geometry."""
-    from ..exchange.reference_systems import longitudes_latitudes
-
     with outputs.layer(key, FIELDS, POINT, crs) as sink:
-        for item in localized:
-            cells, geometry = row(item), None
-            if item.result and item.result.position:
-                geometry = QgsGeometry.fromPointXY(QgsPointXY(*item.result.position))
-                degrees = longitudes_latitudes([item.result.position], crs, context)
-                cells["longitude"], cells["latitude"] = (None if isnan(v[0]) else float(v[0]) for v in degrees)
+        for geometry, cells in position_rows(localized, crs, context):
             sink.add(geometry, cells)
 
 
+def position_rows(
+    localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
+) -> Iterator[tuple[QgsGeometry | None, dict[str, Any]]]:
+    """(point, values of FIELDS) of each image; without a fix there is no point."""
+    from ..exchange.reference_systems import longitudes_latitudes
+
+    for item in localized:
+        cells, geometry = row(item), None
+        if item.result and item.result.position:
+            geometry = QgsGeometry.fromPointXY(QgsPointXY(*item.result.position))
+            degrees = longitudes_latitudes([item.result.position], crs, context)
+            cells["longitude"], cells["latitude"] = (None if isnan(v[0]) else float(v[0]) for v in degrees)
+        yield geometry, cells
+
+
 def write_grounds(
-    outputs: Outputs, keys: tuple[str, str], localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
+    outputs: Outputs, keys: Sequence[str], localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
 ) -> None:
-    """Writes the ground of fixes and that of possible places where they are wanted; ``keys``: of the two outputs."""
+    """Writes the ground of fixes, and of possible places with a second key, where they are wanted."""
     kinds = (FOOTPRINT_FIELDS, footprint_rows), (ALTERNATIVE_FIELDS, alternatives)
     for key, (fields, rows_of) in zip(keys, kinds):
         with outputs.layer(key, fields, POLYGON, crs) as sink:

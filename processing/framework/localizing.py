@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Callable, Union
+from typing import TYPE_CHECKING, Any, Callable, Union
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.localization import LEAST_RISK, RISK, Method
@@ -12,7 +12,7 @@ from ..wording.camera_messages import camera_remark
 from ..wording.sentences import worded
 from . import offers, priors
 from .base import LOCALIZATION, SemRefAlgorithm, cancelable
-from .declarations import Choice, File, Files, Number, Parameter
+from .declarations import Choice, File, Files, FolderOutput, Number, Parameter, PointOutput, PolygonOutput
 from .localized_image import LabelImages, LocalizedImage
 
 if TYPE_CHECKING:
@@ -22,13 +22,16 @@ if TYPE_CHECKING:
     from ...core.geometry.camera import Camera
     from ...core.labels.class_shares import SeenLabels
     from ...core.labels.class_table import ClassTable
-    from ...core.localization import Localization
+    from ...core.localization import Localization, Prior
     from ...core.localizer.localizer import Localizer
     from .photo_labels import LabelImageReader, PhotoLabels
     from .values import Values
 
     LabelReader = Union[PhotoLabels, LabelImageReader]
     Localize = Callable[[SeenLabels, Camera], Localization]
+
+
+_LEFT_OUT: dict[str, Any] = {"optional": True, "by_default": False}
 
 
 class LocalizeAlgorithm(SemRefAlgorithm):
@@ -43,6 +46,11 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     ATTITUDE = "ATTITUDE"
     MAXIMUM_SPEED = "MAXIMUM_SPEED"
     RISK = "RISK"
+    OUTPUT = "OUTPUT"
+    FOOTPRINTS = "FOOTPRINTS"
+    MATCHES = "MATCHES"
+    LABELS = "LABELS"
+    FIX_COUNT = "FIX_COUNT"
     SUN_DIRECTION = "SUN_DIRECTION"
 
     def image_parameters(self, optional: bool) -> tuple[Parameter, ...]:
@@ -111,6 +119,34 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             filter=tr("CSV (*.csv *.txt)"),
         )
 
+    def footprints_parameter(self, text: str) -> PolygonOutput:
+        """The ground that images show."""
+        return PolygonOutput(self.FOOTPRINTS, tr("Footprints"), text, **_LEFT_OUT)
+
+    def shown_parameters(self) -> tuple[Parameter, ...]:
+        """What shows why a fix is one: landmarks that agree, and the labels."""
+        return (
+            PointOutput(
+                self.MATCHES,
+                tr("Matches"),
+                tr(
+                    "One point a landmark of the map that agrees with one of an image, for fixes with a heading: where "
+                    "the image has it, where the fix puts it, and how far that is off."
+                ),
+                advanced=True,
+                **_LEFT_OUT,
+            ),
+            FolderOutput(
+                self.LABELS,
+                tr("Folder for the label images"),
+                tr(
+                    "A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table."
+                ),
+                advanced=True,
+                **_LEFT_OUT,
+            ),
+        )
+
     def method(self, values: Values) -> Method:
         """The road to fixes that is asked for."""
         return Method.of_number(values.choice(self.METHOD))
@@ -149,27 +185,39 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         with_matches: bool = False,
     ) -> Localize:
         """The function (labels, Camera) → Localization that is asked for."""
-        from ...core.localizer.leveled import localize_leveled, with_camera
-        from ...core.localizer.localizer import default_scales
+        from ...core.localizer.leveled import localize_leveled
 
         localizer.check(method)
-        scales = priors.scales(values, method)
-        known = priors.prior(values, crs)
+        prior_of = self.priors_of_images(values, method, localizer, crs)
 
         def localize(seen: SeenLabels, camera: Camera) -> Localization:
             labels_hw, shares = seen.labels_hw, seen.shares
-            sizes = scales and localizer.pixel_sizes(labels_hw.shape, scales)
-            way = camera.leveling(labels_hw.shape)
-            prior = with_camera(replace(known, pixel_size_range=sizes), camera, labels_hw.shape)
-            if way is not None and prior.pixel_size_range is None:
-                # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
-                sizes = localizer.pixel_sizes(labels_hw.shape, default_scales(method))
-                prior = replace(prior, pixel_size_range=sizes)
+            prior, way = prior_of(labels_hw.shape, camera), camera.leveling(labels_hw.shape)
             if way is None:
                 return localizer.localize(labels_hw, method, prior, with_matches, shares)
             return localize_leveled(localizer, labels_hw, method, prior, way, with_matches, shares)
 
         return localize
+
+    def priors_of_images(
+        self, values: Values, method: Method, localizer: Localizer, crs: QgsCoordinateReferenceSystem
+    ) -> Callable[[tuple[int, int], Camera], Prior]:
+        """The function (shape, Camera) → what is known of an image beforehand."""
+        from ...core.localizer.leveled import with_camera
+        from ...core.localizer.localizer import default_scales
+
+        scales = priors.scales(values, method)
+        known = priors.prior(values, crs)
+
+        def prior_of(shape_hw: tuple[int, int], camera: Camera) -> Prior:
+            sizes = scales and localizer.pixel_sizes(shape_hw, scales)
+            prior = with_camera(replace(known, pixel_size_range=sizes), camera, shape_hw)
+            if prior.pixel_size_range is None and camera.leveling(shape_hw) is not None:
+                # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
+                prior = replace(prior, pixel_size_range=localizer.pixel_sizes(shape_hw, default_scales(method)))
+            return prior
+
+        return prior_of
 
     def label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
         """The function path → labels: of label images, or with a model of photos."""

@@ -22,7 +22,7 @@ from ...core.errors import ParameterError
 from ...storage.files import Batch
 from ...storage.vector_files import copy_database, feature_count, lacks_spatial_index, require_no_other_layers
 from ..compat import make_field
-from ..exchange.output_style import style_in_file, style_when_loaded
+from ..exchange.output_style import Look, style_in_file, style_when_loaded
 
 if TYPE_CHECKING:
     from ...core.labels.class_table import ClassTable
@@ -129,6 +129,7 @@ class Outputs:
         geometry: Any,
         crs: QgsCoordinateReferenceSystem,
         renderer: QgsFeatureRenderer | None = None,
+        time_field: str = "",
     ) -> Iterator[Sink]:
         """Gives a sink to fill; one that is not wanted takes features and forgets them.
 
@@ -138,6 +139,7 @@ class Outputs:
             geometry: One of ``compat``'s kinds of geometry.
             crs: What the geometries are in.
             renderer: The style that it comes with.
+            time_field: With a style, the field by which QGIS plays it.
 
         Raises:
             ParameterError: When the output can't be made, or does not hold all that was given to it.
@@ -154,12 +156,13 @@ class Outputs:
         sink.close()
         if not written:
             return
+        look = None if renderer is None else Look(renderer, time_field)
         if beside:
-            if renderer is not None and not style_in_file(written, renderer):
+            if look is not None and not style_in_file(written, look):
                 raise sink.failure()
             sink.require_all_in(written, wanted.has_index)
         final = _moved_back(written, wanted) if beside else written
-        self._layers.append(_Layer(written, final, renderer))
+        self._layers.append(_Layer(written, final, look))
         self.results[key] = final
 
     def _beside(self, wanted: Destination) -> str:
@@ -193,12 +196,12 @@ class _Layer:
     Attributes:
         written: Where it was written, as QGIS knows it.
         final: Where it lies after the move.
-        renderer: Its style.
+        look: Its style.
     """
 
     written: str
     final: str
-    renderer: QgsFeatureRenderer | None
+    look: Look | None
 
     def announce(self, context: QgsProcessingContext) -> None:
         """Lets QGIS load it from its final place."""
@@ -206,8 +209,8 @@ class _Layer:
             waiting = context.layersToLoadOnCompletion()
             waiting[self.final] = waiting.pop(self.written)
             context.setLayersToLoadOnCompletion(waiting)
-        if self.renderer is not None:
-            style_when_loaded(self.final, self.renderer, context)
+        if self.look is not None:
+            style_when_loaded(self.final, self.look, context)
 
 
 class Sink:

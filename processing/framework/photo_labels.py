@@ -107,6 +107,14 @@ class PhotoLabels:
 
         return class_bias_text(self._model.class_bias)
 
+    def photo(self, path: str) -> tuple[np.ndarray, np.ndarray | None]:
+        """(H, W, 3) uint8 pixels of a photo and (H, W) bool, where it has data; None everywhere."""
+        from ...storage.images import GdalImage
+
+        image = GdalImage(path)
+        height, width = image.shape_hw
+        return image.read(0, 0, width, height)
+
     def __call__(self, path: str) -> np.ndarray:
         return self.seen(path).labels_hw
 
@@ -152,6 +160,9 @@ class LabelImageReader:
 
     def __init__(self, table: ClassTable) -> None:
         self._table = table
+
+    def photo(self, path: str) -> None:
+        """There is none: labels are all that is known."""
 
     def __call__(self, path: str) -> np.ndarray:
         from ...storage.rasters import read_label_image

@@ -11,6 +11,9 @@ SENTENCES = {
     ),
     "algorithms.nothing_to_assess": "{path} has neither labels nor landmarks; build it again.",
     "algorithms.no_images": "IMAGES is empty; choose at least one image, a folder with images, or a LAYER.",
+    "algorithms.odometry_of_other_images": (
+        "{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight."
+    ),
     "algorithms.image_moved": "There is no image {path}; give IMAGES, the folder where it lies now.",
     "algorithms.no_route_layer": (
         "ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file."

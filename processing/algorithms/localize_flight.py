@@ -1,0 +1,233 @@
+"""semref:localizeflight – all images of a flight to one track."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from ...core.errors import ParameterError
+from ...core.localization import Method
+from ..framework import offers, priors
+from ..framework.base import Declared, cancelable, check_canceled, interruptible
+from ..framework.declarations import File, LineOutput, Number, NumberResult, PointOutput
+from ..framework.flight_images import FlightReader, in_order, localized_of, say_pose
+from ..framework.flight_layers import FlownImage, report_points, tracks_of, write_flight_positions, write_tracks
+from ..framework.localized_image import LabelImages, with_jumps
+from ..framework.localized_layers import write_grounds, write_matches
+from ..framework.localizing import LocalizeAlgorithm
+from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...core.database.model import ReferenceDatabase
+    from ...core.flight.motion import Link
+    from ...core.geometry.camera import Camera
+    from ...core.localizer.localizer import Localizer
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
+
+READ_PERCENT, JOINED_PERCENT = 60, 97
+"""Progress when all images were looked at by themselves and when the flight is placed."""
+
+
+class LocalizeFlight(LocalizeAlgorithm):
+    ID = "localizeflight"
+    TAGS = ("track", "trajectory", "path", "sequence", "uav", "drone", "navigation", "gnss", "odometry", "position")
+
+    ODOMETRY = "ODOMETRY"
+    TRACK = "TRACK"
+    REPORT = offers.REPORT
+    TRACK_COUNT = "TRACK_COUNT"
+
+    def title(self) -> str:
+        return tr("Localize flight")
+
+    def summary(self) -> str:
+        return tr(
+            "Finds the track of a flight: all its images together, by what each says of its place and by how they lie "
+            "to each other. Images that have no fix of their own are placed, too, and wrong fixes are outvoted.\n\n"
+            "The images are taken in the order of their times, else of their names. Motion from image to image is "
+            "seen in their pixels where they overlap, or told by an odometry table; without either it is taken to go "
+            "on as before, and errors grow. Where nothing decides, an image stays without a position and says why."
+        )
+
+    def parameters(self) -> tuple[Declared, ...]:
+        return (
+            offers.database(),
+            *self.image_parameters(optional=False),
+            *priors.parameters(),
+            self.camera_parameter(),
+            File(
+                self.ODOMETRY,
+                tr("Odometry table"),
+                tr(
+                    "A CSV with the columns image, dx_m, dy_m and dheading_deg: how far the camera moved since the "
+                    "row before, to the right and towards the top of that image in meters, and how far it turned "
+                    "clockwise in degrees; optionally sigma_m, sigma_heading_deg, scale and sigma_scale. A row without "
+                    "numbers says that the motion is not known. It counts before what pixels say."
+                ),
+                optional=True,
+                advanced=True,
+                filter=tr("CSV (*.csv *.txt)"),
+            ),
+            Number(
+                self.MAXIMUM_SPEED,
+                tr("Maximum speed (map units per second)"),
+                tr(
+                    "For images whose times are known: a position that can’t be reached in time from those before and "
+                    "after it is marked as jump, with the reason. It stays a position and is counted."
+                ),
+                optional=True,
+                advanced=True,
+                minimum=0.001,
+            ),
+            *self._output_parameters(),
+            self.risk_parameter(
+                tr("Allowed risk of a wrong track"),
+                tr(
+                    "A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. "
+                    "A smaller risk needs more images."
+                ),
+            ),
+            self.sun_parameter(),
+        )
+
+    def _output_parameters(self) -> tuple[Declared, ...]:
+        """What is written, and the numbers that are told."""
+        return (
+            PointOutput(
+                self.OUTPUT,
+                tr("Positions of the flight"),
+                tr(
+                    "One point an image, in the order of the flight: as of “Localize images”, with what the position "
+                    "rests on (source: own or flight), its track, and whether a fix of its own was outvoted. Images "
+                    "whose times are known can be played with QGIS’s temporal controller."
+                ),
+            ),
+            LineOutput(
+                self.TRACK,
+                tr("Track"),
+                tr("One line a track, from image to image."),
+                optional=True,
+            ),
+            self.footprints_parameter(tr("One polygon an image with a position: the ground that it shows.")),
+            offers.report(
+                tr("The track with its error ellipses, what held where, heading and height, and the gaps, in one file.")
+            ),
+            *self.shown_parameters(),
+            NumberResult(self.FIX_COUNT, tr("Number of images with a position")),
+            NumberResult(self.TRACK_COUNT, tr("Number of tracks")),
+        )
+
+    def check(self, values: Values) -> None:
+        priors.scales(values, self.method(values))
+        if not values.files(self.IMAGES):
+            raise ParameterError("algorithms.no_images")
+
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
+        from ...core.localizer.localizer import Localizer
+        from ...core.localizer.settings import LOCALIZER
+        from ..exchange.reference_systems import database_crs
+
+        method = self.method(values)
+        # Tracks are told apart by class areas, whatever finds an image by itself.
+        database = self.read_database(values, Method.MAP_CORRELATION, feedback)
+        crs = database_crs(database)
+        settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
+        localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
+        paths, cameras = in_order(*self.read_images(values, method, feedback))
+        steps = self._odometry(values, paths)
+        read_labels = self.label_reader(values, database.class_table, feedback)
+        with outputs.folder(self.LABELS) as folder:
+            keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
+            prior_of = self.priors_of_images(values, method, localizer, crs)
+            reader = FlightReader(localizer, method, prior_of, read_labels, keep, values.has(self.MATCHES))
+            for n, (path, camera) in enumerate(zip(paths, cameras)):
+                check_canceled(feedback)
+                feedback.setProgressText(os.path.basename(path))
+                cancelable(reader.take, path, camera, feedback=feedback)
+                feedback.setProgress(READ_PERCENT * (n + 1) / len(paths))
+            links = reader.links_with(steps)
+            flown = self._joined(reader, links, localizer, values.number(self.RISK), feedback)
+            flown = self._with_jumps(values, flown, cameras, database, feedback)
+            for one in flown:
+                say_pose(one, feedback)
+            # Layers are made last: a cancel before leaves nothing behind.
+            check_canceled(feedback)
+            write_flight_positions(outputs, self.OUTPUT, flown, crs, values.transform_context)
+            write_tracks(outputs, self.TRACK, flown, crs)
+            localized = [one.localized for one in flown]
+            write_grounds(outputs, (self.FOOTPRINTS,), localized, crs)
+            write_matches(outputs, self.MATCHES, localized, database, crs)
+            if outputs.wants(self.REPORT):
+                outputs.text(self.REPORT, self._report(values, database, flown, reader.said_of(links)))
+        placed = sum(one.is_placed for one in flown)
+        tracks = len(tracks_of(flown))
+        text = tr("{placed} of {images} images have a position, on {tracks} tracks.")
+        feedback.pushInfo(text.format(placed=placed, images=len(flown), tracks=tracks))
+        return {self.FIX_COUNT: placed, self.TRACK_COUNT: tracks}
+
+    def _odometry(self, values: Values, paths: Sequence[str]) -> tuple:
+        """Rows of the odometry table; none without one."""
+        from ...core.flight.odometry import odometry_links, read_odometry
+
+        if not values.has(self.ODOMETRY):
+            return ()
+        table = values.file(self.ODOMETRY)
+        steps = read_odometry(table)
+        if len(paths) > 1 and not odometry_links(steps, paths):
+            raise ParameterError("algorithms.odometry_of_other_images", path=table, image=os.path.basename(paths[0]))
+        return steps
+
+    def _joined(
+        self,
+        reader: FlightReader,
+        links: Sequence[Link],
+        localizer: Localizer,
+        risk: float,
+        feedback: QgsProcessingFeedback,
+    ) -> list[FlownImage]:
+        """What the flight says of each image."""
+        from ...core.flight.flight import FlightSolver
+        from ...core.flight.settings import FLIGHT
+
+        feedback.setProgressText(tr("Placing the flight"))
+        solver = FlightSolver(localizer, replace(FLIGHT, allowed_risk=risk))
+        for done, count in interruptible(solver.steps(reader.flown, links), feedback):
+            check_canceled(feedback)
+            feedback.setProgress(READ_PERCENT + (JOINED_PERCENT - READ_PERCENT) * done / count)
+        found = iter(solver.result.poses)
+        return [localized_of(taken, None if taken.flown is None else next(found)) for taken in reader.taken]
+
+    def _with_jumps(
+        self,
+        values: Values,
+        flown: Sequence[FlownImage],
+        cameras: Sequence[Camera],
+        database: ReferenceDatabase,
+        feedback: QgsProcessingFeedback,
+    ) -> list[FlownImage]:
+        """The images, positions that can't be reached in time marked, if a speed is given."""
+        speed = values.optional_number(self.MAXIMUM_SPEED)
+        if speed is None:
+            return list(flown)
+        localized = [one.localized for one in flown]
+        times_s = [camera.time_s for camera in cameras]
+        checked = with_jumps(localized, times_s, database.windows, speed, feedback)
+        return [replace(one, localized=item) for one, item in zip(flown, checked)]
+
+    def _report(
+        self, values: Values, database: ReferenceDatabase, flown: Sequence[FlownImage], links: Sequence[str]
+    ) -> str:
+        from ..reports.flight_report import flight_html
+
+        settings = [
+            (tr("Method"), tr("of each image by itself: {method}").format(method=str(self.method(values)))),
+            (tr("Allowed risk of a wrong track"), f"{values.number(self.RISK):g}"),
+            (tr("Model"), os.path.basename(values.file(self.MODEL)) or tr("none: label images")),
+            (tr("Odometry table"), os.path.basename(values.file(self.ODOMETRY)) or tr("none")),
+        ]
+        return flight_html(report_points(flown), os.path.basename(database.source), links, settings)

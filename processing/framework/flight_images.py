@@ -1,0 +1,199 @@
+"""The images of a flight: in order, read, leveled and localized by themselves; what the flight says of each."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Callable
+
+import numpy as np
+
+from ...core.errors import SemRefError
+from ..translation import tr
+from ..wording.camera_messages import camera_remark
+from ..wording.sentences import worded
+from .flight_layers import FlownImage
+from .localized_image import LabelImages, LocalizedImage, say
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...core.flight.model import FlightImage, FlightPose
+    from ...core.flight.motion import Link
+    from ...core.flight.odometry import Step
+    from ...core.flight.pixel_features import Features
+    from ...core.geometry.camera import Camera
+    from ...core.geometry.leveling import Leveling
+    from ...core.localization import Method, Prior
+    from ...core.localizer.localizer import Localizer
+    from .localizing import LabelReader
+
+
+@dataclass(frozen=True)
+class TakenImage:
+    """An image before the flight is heard.
+
+    Attributes:
+        path: Of the file.
+        camera: That took it.
+        shape_hw: (height, width) of its labels as they are.
+        flown: What the flight is told of it: labels as a level camera shows them, its own result; None with an error.
+        way: How it was leveled; None for an image that is taken as it is.
+        remark: About its leveling.
+        error: Why it could not be read.
+    """
+
+    path: str
+    camera: Camera
+    shape_hw: tuple[int, int] = (0, 0)
+    flown: FlightImage | None = None
+    way: Leveling | None = None
+    remark: str = ""
+    error: str = ""
+
+
+def in_order(paths: Sequence[str], cameras: Sequence[Camera]) -> tuple[list[str], list[Camera]]:
+    """Images by the time they were taken if all tell it, else by name, 10 after 9."""
+    if all(camera.time_s is not None for camera in cameras):
+        order = sorted(range(len(paths)), key=lambda n: (cameras[n].time_s, by_name(paths[n])))
+    else:
+        order = sorted(range(len(paths)), key=lambda n: by_name(paths[n]))
+    return [paths[n] for n in order], [cameras[n] for n in order]
+
+
+def by_name(path: str) -> tuple[list[tuple[int, str]], str]:
+    """What names are sorted by, numbers in them as numbers."""
+    parts = re.split(r"(\d+)", os.path.basename(path).lower())
+    return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts], path
+
+
+class FlightReader:
+    """Reads the images of a flight one after the other, and sees how each lies to the one before.
+
+    Attributes:
+        taken: What was read, in order.
+        links: Motion that pixels tell, between the images of ``flown``.
+        unlinked: (number of the later image in ``flown``, why) where they tell none.
+    """
+
+    def __init__(
+        self,
+        localizer: Localizer,
+        method: Method,
+        prior_of: Callable[[tuple[int, int], Camera], Prior],
+        read_labels: LabelReader,
+        keep: LabelImages,
+        with_matches: bool,
+    ) -> None:
+        self._localizer, self._method, self._with_matches = localizer, method, with_matches
+        self._prior_of, self._read_labels, self._keep = prior_of, read_labels, keep
+        self.taken: list[TakenImage] = []
+        self.links: list[Link] = []
+        self.unlinked: list[tuple[int, str]] = []
+        self._features: Features | None = None
+
+    @property
+    def flown(self) -> list[FlightImage]:
+        """The images that could be read, in order: what numbers of links count."""
+        return [one.flown for one in self.taken if one.flown is not None]
+
+    def take(self, path: str, camera: Camera) -> None:
+        """Reads an image, localizes it by itself and links it to the one before; one bad image stops no flight."""
+        from ...core.flight.model import FlightImage
+        from ...core.localizer.leveled import of_leveled
+
+        localizer = self._localizer
+        try:
+            labels_hw, known = self._read_labels(path), self._read_labels.biases(path)
+            localizer.heed_biases(known.class_biases, known.class_spread)
+            shape_hw = labels_hw.shape
+            prior, way = self._prior_of(shape_hw, camera), camera.leveling(shape_hw)
+            level = labels_hw
+            if way is not None:
+                level, prior = way.level(labels_hw), of_leveled(prior, way)
+            own = localizer.localize(level, self._method, prior, self._with_matches)
+            flown = FlightImage(os.path.basename(path), level, own, camera.time_s, prior)
+            features = self._features_of(path, level, way)
+        except SemRefError as error:
+            self.taken.append(TakenImage(path, camera, error=worded(error)))
+            return
+        self._keep(path, labels_hw)
+        number = len(self.flown)
+        self.taken.append(TakenImage(path, camera, shape_hw, flown, way, camera_remark(camera, shape_hw)))
+        self._link(features, number)
+
+    def _features_of(self, path: str, level_hw: np.ndarray, way: Leveling | None) -> Features:
+        """What is recognized in the next image: of a photo its own pixels, else the boundaries of the labels."""
+        from ...core.flight.pixel_features import label_features, photo_features
+
+        photo = self._read_labels.photo(path)
+        if photo is None:
+            return label_features(level_hw)
+        pixels_hw3, has_data_hw = photo
+        if way is not None:
+            seen_hw = np.ones(pixels_hw3.shape[:2], np.uint8) if has_data_hw is None else has_data_hw.astype(np.uint8)
+            pixels_hw3, has_data_hw = way.level(pixels_hw3), way.level(seen_hw) > 0
+        return photo_features(pixels_hw3, has_data_hw, level_hw.shape[1])
+
+    def _link(self, features: Features, number: int) -> None:
+        from ...core.flight.pixel_motion import motion_between
+
+        before, self._features = self._features, features
+        if before is None:
+            return
+        motion = motion_between(before, features, (number - 1, number))
+        if motion.link is not None:
+            self.links.append(motion.link)
+        elif motion.reason is not None:
+            self.unlinked.append((number, worded(motion.reason)))
+
+    def links_with(self, steps: Sequence[Step]) -> list[Link]:
+        """All links: those of an odometry table, and of pixels where it tells none."""
+        from ...core.flight.odometry import odometry_links
+
+        told = odometry_links(steps, [image.name for image in self.flown])
+        pairs = {(link.first, link.second) for link in told}
+        return sorted(
+            [*told, *(link for link in self.links if (link.first, link.second) not in pairs)],
+            key=lambda link: (link.second, link.first),
+        )
+
+    def said_of(self, links: Sequence[Link]) -> list[str]:
+        """Sentences about where the motion is known from, and why it isn't."""
+        pairs = max(len(self.flown) - 1, 0)
+        linked = {link.second: str(link.source) for link in links if link.second == link.first + 1}
+        table = sum(source != "pixels" for source in linked.values())
+        text = tr(
+            "{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {none} unknown."
+        )
+        said = [text.format(pairs=pairs, pixels=len(linked) - table, table=table, none=pairs - len(linked))]
+        names = [image.name for image in self.flown]
+        for number, reason in self.unlinked:
+            if number not in linked:
+                said.append(f"{names[number - 1]} – {names[number]}: {reason}")
+        return said
+
+
+def localized_of(taken: TakenImage, pose: FlightPose | None) -> FlownImage:
+    """What the flight says of an image, told for the image as it was taken."""
+    from ...core.localizer.leveled import as_taken
+
+    time_s = taken.camera.time_s
+    if pose is None:
+        return FlownImage(LocalizedImage(taken.path, error=taken.error), None, time_s, taken.camera.lens)
+    found = pose.localization()
+    if taken.way is not None:
+        found = as_taken(found, taken.way)
+    return FlownImage(
+        LocalizedImage(taken.path, found, "", taken.shape_hw, taken.remark), pose, time_s, taken.camera.lens
+    )
+
+
+def say_pose(flown: FlownImage, feedback: QgsProcessingFeedback) -> None:
+    """Tells what the flight says of an image."""
+    say(flown.localized, feedback)
+    name = os.path.basename(flown.localized.path)
+    if flown.pose is not None and flown.pose.is_outvoted:
+        feedback.pushWarning(tr("{image}: its own fix contradicts the flight and was outvoted.").format(image=name))

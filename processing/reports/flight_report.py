@@ -1,0 +1,201 @@
+"""The report of a flight: its track with error ellipses, what held where, heading and height along it, its gaps."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ..translation import tr
+from . import charts, page
+from .flight_map import flight_map, legend
+
+MOST_ROWS = 400
+"""Of the table of images; longer flights have the rest in their layer."""
+
+
+@dataclass(frozen=True)
+class FlightPoint:
+    """An image as the report shows it; None for what is not known.
+
+    Attributes:
+        number: In the flight, from 1.
+        name: Of its file.
+        source: ``own``, ``flight``, or None without a position.
+        outvoted: Its own fix disagrees with the flight.
+        track: Number of its track; 0 without one.
+        position: Map (x, y).
+        heading_deg: Of its top.
+        pixel_size: Map units.
+        height: Of the camera above the ground, map units, from lens and pixel size.
+        ellipse: (longer semi-axis, shorter one, direction of the longer one in degrees clockwise from grid north).
+        radius_95: Map units.
+        fixes_per_error: Once in how many such positions one is wrong.
+        time: When it was taken, as text.
+        reason: Why there is no position, or what of its own fix does not hold.
+    """
+
+    number: int
+    name: str
+    source: str | None = None
+    outvoted: bool = False
+    track: int = 0
+    position: tuple[float, float] | None = None
+    heading_deg: float | None = None
+    pixel_size: float | None = None
+    height: float | None = None
+    ellipse: tuple[float, float, float] | None = None
+    radius_95: float | None = None
+    fixes_per_error: float | None = None
+    time: str = ""
+    reason: str = ""
+
+
+def flight_html(
+    points: Sequence[FlightPoint], database: str, links: Sequence[str], settings: Sequence[tuple[str, str]]
+) -> str:
+    """The whole page.
+
+    Args:
+        points: All images, in order.
+        database: Its name.
+        links: Sentences about the motion between images.
+        settings: (name, value) of what was chosen.
+    """
+    caption = tr(
+        "Discs: positions, filled where the image has a fix of its own, with the direction of the image’s top; "
+        "ellipses hold the true position in 95 % of cases. North is up."
+    )
+    placed = [point for point in points if point.position is not None]
+    drawn = [page.figure(flight_map(placed, tr("Map of the track")), caption), legend()] if placed else []
+    return page.page(
+        tr("Report of a flight"),
+        database,
+        _key_figures(points),
+        *([page.section(tr("Track"), *drawn)] if drawn else []),
+        page.section(tr("Gaps"), *_gap_table(points)),
+        *([page.section(tr("Along the flight"), _curves(points))] if len(placed) > 1 else []),
+        page.section(tr("Motion between the images"), *map(page.paragraph, links)),
+        page.section(tr("What held where"), *_image_table(points)),
+        page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], settings)),
+    )
+
+
+def _key_figures(points: Sequence[FlightPoint]) -> str:
+    placed = [point for point in points if point.position is not None]
+    own = sum(point.source == "own" for point in points)
+    outvoted = sum(point.outvoted for point in points)
+    radii = sorted(point.radius_95 for point in placed if point.radius_95 is not None)
+    longest = max((last - first + 1 for first, last in gaps_of(points)), default=0)
+    note = tr("{own} by a fix of their own, {flight} by the flight").format(own=own, flight=len(placed) - own)
+    return page.key_figures(
+        [
+            (f"{len(placed)}/{len(points)}", tr("images placed"), note),
+            (
+                str(len({point.track for point in placed})),
+                tr("tracks"),
+                tr("longest gap: {count} images").format(count=longest),
+            ),
+            (page.number(radii[len(radii) // 2] if radii else None, "m"), tr("95 % radius"), tr("median")),
+            (str(outvoted), tr("own fixes outvoted"), tr("the flight contradicts them")),
+        ]
+    )
+
+
+def gaps_of(points: Sequence[FlightPoint]) -> list[tuple[int, int]]:
+    """(first, last) number of each run of images without a position."""
+    found: list[tuple[int, int]] = []
+    for point in points:
+        if point.position is not None:
+            continue
+        if found and found[-1][1] == point.number - 1:
+            found[-1] = found[-1][0], point.number
+        else:
+            found.append((point.number, point.number))
+    return found
+
+
+def _gap_table(points: Sequence[FlightPoint]) -> list[str]:
+    gaps = gaps_of(points)
+    if not gaps:
+        return [page.paragraph(tr("None: every image has a position."))]
+    by_number = {point.number: point for point in points}
+    header = [tr("from image"), tr("to image"), tr("images"), tr("reason")]
+    rows = [
+        [by_number[first].name, by_number[last].name, str(last - first + 1), by_number[first].reason]
+        for first, last in gaps
+    ]
+    return [page.table(header, rows, (2,))]
+
+
+def _image_table(points: Sequence[FlightPoint]) -> list[str]:
+    header = [
+        tr("Number"),
+        tr("Image"),
+        tr("Time"),
+        tr("held by"),
+        tr("track"),
+        tr("x"),
+        tr("y"),
+        tr("heading"),
+        tr("95 % radius"),
+        tr("wrong once in"),
+        tr("remark"),
+    ]
+    rows = [
+        [
+            str(point.number),
+            point.name,
+            point.time,
+            _held_by(point),
+            str(point.track) if point.track else page.NOTHING,
+            *(f"{value:.1f}" for value in point.position or ()),
+            *([page.NOTHING] * (0 if point.position else 2)),
+            page.NOTHING if point.heading_deg is None else f"{point.heading_deg:.1f}°",
+            page.number(point.radius_95, "m"),
+            page.NOTHING if point.fixes_per_error is None else f"{point.fixes_per_error:,.0f}",
+            point.reason,
+        ]
+        for point in points[:MOST_ROWS]
+    ]
+    parts = [page.table(header, rows, (0, 4, 5, 6, 7, 8, 9))]
+    if len(points) > MOST_ROWS:
+        text = tr("The first {count} images; the layer has all of them.")
+        parts.append(page.paragraph(text.format(count=MOST_ROWS)))
+    return parts
+
+
+def _held_by(point: FlightPoint) -> str:
+    if point.position is None:
+        return page.Marked(tr("nothing"), False)
+    if point.outvoted:
+        return page.Marked(tr("the flight, against its own fix"), False)
+    return page.Marked(tr("its own fix"), True) if point.source == "own" else tr("the flight")
+
+
+def _curves(points: Sequence[FlightPoint]) -> str:
+    """Heading, and height or else pixel size, by number of the image: a line for each track."""
+    has_heights = any(point.height is not None for point in points)
+    upper = tr("height (m)") if has_heights else tr("pixel size (m)")
+    heading = _curve(points, "heading_deg", tr("heading (°)"), (0.0, 360.0), 4)
+    level = _curve(points, "height" if has_heights else "pixel_size", upper, None, 5)
+    return page.columns(*(figure for figure in (heading, level) if figure))
+
+
+def _curve(
+    points: Sequence[FlightPoint], attribute: str, title: str, limits: tuple[float, float] | None, steps: int
+) -> str:
+    known = [point for point in points if getattr(point, attribute) is not None]
+    if not known:
+        return ""
+    values = [getattr(point, attribute) for point in known]
+    if limits is None:
+        room = 0.1 * (max(values) - min(values)) or 0.1 * abs(values[0]) or 1.0
+        limits = min(values) - room, max(values) + room
+    lines = []
+    for track in sorted({point.track for point in known}):
+        members = [point for point in known if point.track == track]
+        numbers = [float(point.number) for point in members]
+        name = tr("Track {number}").format(number=track)
+        lines.append(charts.Series(name, numbers, [getattr(point, attribute) for point in members]))
+    x_axis = charts.linear_axis(tr("image"), 1.0, float(max(len(points), 2)))
+    return page.figure(charts.line_chart(lines, x_axis, charts.linear_axis(title, *limits, steps), title), title)

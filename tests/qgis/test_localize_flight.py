@@ -1,0 +1,221 @@
+"""semref:localizeflight on a made flight: rows, tracks, report, and what bad input does."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_inputs import NORTH, WEST, scattered_objects, write_raster, write_text
+from osgeo import ogr
+from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRuleBasedRenderer, QgsVectorLayer
+
+from semref.core.geometry.frame import MapFrame
+from semref.core.simulation.views import View, cut
+
+FLIGHT = "semref:localizeflight"
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+SIZE, STEP = 200, 90
+MAP = scattered_objects(900, 1400, 800, seed=5)
+COUNT = 8
+
+
+VIEWS = [
+    View(WEST + 300 + STEP * n, NORTH - 350 - 30 * np.sin(n / 2), 80 + 3 * n, 1 + 0.005 * n, SIZE, SIZE)
+    for n in range(COUNT)
+]
+BLANK = 5
+"""Number of the image that shows nothing, from 0: only the flight can place it."""
+
+
+@pytest.fixture(scope="module")
+def database(build_area):
+    return build_area(MAP, NAMES, SIZE, SIZE / 2)
+
+
+@pytest.fixture(scope="module")
+def flight(tmp_path_factory):
+    """A folder of label images, and beside it tables of their times and of the motion between them."""
+    folder = tmp_path_factory.mktemp("images") / "flight"
+    folder.mkdir()
+    for number, view in enumerate(VIEWS, start=5):
+        image = cut(MAP, MapFrame.at((WEST, NORTH), 1.0), view)
+        write_raster(folder / f"image{number}.png", image if number - 5 != BLANK else image * 0, transform=None)
+    times = [f"image{n}.png,2025-05-09T10:00:{2 * n:02d}" for n in range(5, 5 + COUNT)]
+    write_text(folder.parent / "times.csv", "\n".join(["image,time", *times]))
+    write_text(folder.parent / "motion.csv", odometry())
+    return folder
+
+
+def odometry(spoilt: float = 0.0) -> str:
+    """A table of the true motion; ``spoilt``: meters that each step is off."""
+    lines = ["image,dx_m,dy_m,dheading_deg,sigma_m", "image5,,,,"]
+    for number, (before, after) in enumerate(zip(VIEWS, VIEWS[1:]), start=6):
+        step = complex(after.x - before.x, after.y - before.y) * np.exp(1j * np.radians(before.heading_deg))
+        turn = after.heading_deg - before.heading_deg
+        lines.append(f"image{number}.png,{step.real + spoilt:.3f},{step.imag:.3f},{turn:.3f},2")
+    return "\n".join(lines)
+
+
+@pytest.fixture(scope="module")
+def localize(run_algorithm, database, flight, tmp_path_factory):
+    """`localize(feedback=None, **parameters)` gives (rows of OUTPUT, results)."""
+
+    def run(feedback=None, **parameters):
+        folder = tmp_path_factory.mktemp("outputs")
+        outputs = {"OUTPUT": "positions.gpkg", "TRACK": "track.gpkg", "REPORT": "report.html"}
+        given = {
+            "DATABASE": database,
+            "IMAGES": str(flight),
+            "METHOD": 2,
+            "ODOMETRY": str(flight.parent / "motion.csv"),
+            **{key: str(folder / name) for key, name in outputs.items()},
+            **parameters,
+        }
+        results = run_algorithm(FLIGHT, given, feedback)
+        source = ogr.Open(results["OUTPUT"])
+        return [feature.items() for feature in source.GetLayer(0)], results
+
+    return run
+
+
+@pytest.fixture(scope="module")
+def found(localize, flight):
+    """(rows, results) of the flight with the times of its images."""
+    return localize(ATTITUDE=str(flight.parent / "times.csv"))
+
+
+def test_images_are_taken_in_the_order_of_their_numbers(found):
+    rows, _ = found
+    assert [Path(row["image"]).stem for row in rows] == [f"image{n}" for n in range(5, 5 + COUNT)]
+    assert [row["number"] for row in rows] == list(range(1, COUNT + 1))
+
+
+def test_the_flight_is_placed_on_one_track(found):
+    rows, results = found
+    placed = [(row, view) for row, view in zip(rows, VIEWS) if row["status"] == "fix"]
+    assert results["FIX_COUNT"] == len(placed) >= COUNT - 3 and results["TRACK_COUNT"] == 1
+    for row, view in placed:
+        assert np.hypot(row["x"] - view.x, row["y"] - view.y) < max(3 * row["error_95"], 2)
+        assert (row["heading"] - view.heading_deg + 180) % 360 - 180 == pytest.approx(0, abs=5)
+        assert row["track"] == 1 and row["source"] in ("own", "flight") and row["confidence"] > 0.999
+        assert row["sigma_east"] > 0 and -1 <= row["correlation"] <= 1
+
+
+def test_an_image_that_shows_nothing_is_placed_by_the_flight_alone(found):
+    rows, _ = found
+    row, view = rows[BLANK], VIEWS[BLANK]
+    assert (row["status"], row["source"], row["outvoted"]) == ("fix", "flight", 0)
+    assert np.hypot(row["x"] - view.x, row["y"] - view.y) < 10
+    assert row["error_95"] > rows[BLANK - 1]["error_95"]
+
+
+def test_its_times_are_dates_that_qgis_can_play(found):
+    rows, results = found
+    assert [row["time"][:19] for row in rows[:2]] == ["2025/05/09 10:00:10", "2025/05/09 10:00:12"]
+    layer = QgsVectorLayer(results["OUTPUT"], "flight", "ogr")
+    played = layer.temporalProperties()
+    assert played.isActive() and played.startField() == "time" and played.accumulateFeatures()
+
+
+def test_the_style_tells_own_fixes_flight_poses_and_outvoted_ones_apart(found):
+    layer = QgsVectorLayer(found[1]["OUTPUT"], "flight", "ogr")
+    assert isinstance(layer.renderer(), QgsRuleBasedRenderer)
+    rules = layer.renderer().rootRule().children()
+    assert [rule.label() for rule in rules] == [
+        "Fix of the image itself",
+        "Placed by the flight",
+        "Its own fix was outvoted",
+    ]
+    kinds = [symbol.layerType() for symbol in rules[0].symbol().symbolLayers()]
+    assert kinds == ["EllipseMarker", "SimpleMarker"]
+
+
+def test_the_track_goes_through_its_images(found):
+    rows, results = found
+    source = ogr.Open(results["TRACK"])
+    (line,) = list(source.GetLayer(0))
+    placed = [(row["x"], row["y"]) for row in rows if row["status"] == "fix"]
+    np.testing.assert_allclose([p[:2] for p in line.GetGeometryRef().GetPoints()], placed, atol=1e-6)
+    values = line.items()
+    assert (values["track"], values["images"]) == (1, len(placed))
+    assert values["own"] == sum(row["source"] == "own" for row in rows)
+    assert values["length"] == pytest.approx(line.GetGeometryRef().Length())
+
+
+def test_the_report_tells_what_held_where(found):
+    page = Path(found[1]["REPORT"]).read_text(encoding="utf-8")
+    assert "Report of a flight" in page and page.count("<ellipse") >= found[1]["FIX_COUNT"]
+    assert "image10.png" in page and "told by the table" in page and "2025-05-09 10:00:10" in page
+
+
+def test_names_are_text_in_the_report_whatever_they_hold(localize, flight, tmp_path):
+    name = "<b>&amp.png"
+    (tmp_path / name).write_bytes((flight / "image5.png").read_bytes())
+    _, results = localize(IMAGES=[str(tmp_path / name)], ODOMETRY=None)
+    page = Path(results["REPORT"]).read_text(encoding="utf-8")
+    assert "<b>&" not in page and "&lt;b&gt;&amp;amp.png" in page
+
+
+def test_what_can_not_be_read_is_a_row_with_its_reason_and_the_flight_goes_on(localize, flight, tmp_path, feedback):
+    broken = tmp_path / "image7.png"
+    broken.write_bytes(b"no image")
+    images = [str(broken), *(str(flight / f"image{n}.png") for n in (5, 6, 8, 9))]
+    rows, _ = localize(feedback, IMAGES=images)
+    assert [Path(row["image"]).stem for row in rows] == ["image5", "image6", "image7", "image8", "image9"]
+    assert rows[2]["status"] == "error" and "image7.png" in rows[2]["reason"] and rows[2]["source"] is None
+    assert [row["status"] for row in rows[3:]] == ["fix", "fix"]
+
+
+def test_a_flight_over_other_ground_has_no_track(localize, tmp_path):
+    elsewhere = scattered_objects(900, 1400, 800, seed=6)
+    for number, view in enumerate(VIEWS, start=5):
+        image = cut(elsewhere, MapFrame.at((WEST, NORTH), 1.0), view)
+        write_raster(tmp_path / f"image{number}.png", image, transform=None)
+    rows, results = localize(IMAGES=str(tmp_path))
+    assert results["FIX_COUNT"] == results["TRACK_COUNT"] == 0
+    assert all(row["x"] is None and row["reason"] for row in rows)
+    assert "None" not in Path(results["REPORT"]).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("table", "sentence"),
+    [
+        ("image,dx_m\n5,1\n", "dheading_deg"),
+        ("image,dx_m,dy_m,dheading_deg\nimage5,,,\nimage6,a,0,0\n", "line 3"),
+        ("image,dx_m,dy_m,dheading_deg\nother1,,,\nother2,1,1,0\n", "no motion between two of these images"),
+    ],
+)
+def test_a_mistake_in_the_odometry_stops_before_any_work(localize, tmp_path, table, sentence):
+    with pytest.raises(QgsProcessingException, match=sentence):
+        localize(ODOMETRY=str(write_text(tmp_path / "table.csv", table)))
+
+
+def test_a_database_without_overview_is_refused(localize, database, tmp_path):
+    import shutil
+    import sqlite3
+
+    bare = shutil.copy(database, tmp_path / "bare.gpkg")
+    with sqlite3.connect(bare) as connection:
+        connection.execute("DELETE FROM overview")
+    with pytest.raises(QgsProcessingException):
+        localize(DATABASE=str(bare))
+
+
+@pytest.mark.parametrize("percent", [10, 70])
+def test_a_cancel_is_heeded_at_once_and_leaves_nothing(localize, tmp_path, percent):
+    class CancelAt(QgsProcessingFeedback):
+        canceled_at = None
+
+        def look(self, progress):
+            if progress >= percent and self.canceled_at is None:
+                self.canceled_at = time.process_time()
+                self.cancel()
+
+    feedback = CancelAt(False)
+    feedback.progressChanged.connect(feedback.look)
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        localize(feedback, OUTPUT=str(tmp_path / "positions.gpkg"))
+    assert time.process_time() - feedback.canceled_at < 1.0
+    assert list(tmp_path.iterdir()) == []
