@@ -57,6 +57,7 @@ MULTI_POLYGON = Qgis.WkbType.MultiPolygon if Qgis.QGIS_VERSION_INT >= 33000 else
 POINT = Qgis.WkbType.Point if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.Point
 POLYGON_GEOMETRY = Qgis.GeometryType.Polygon if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.PolygonGeometry
 LINE = Qgis.WkbType.LineString if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.LineString
+POINT_GEOMETRY = Qgis.GeometryType.Point if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.PointGeometry
 LINE_GEOMETRY = Qgis.GeometryType.Line if Qgis.QGIS_VERSION_INT >= 33000 else QgsWkbTypes.LineGeometry
 
 if Qgis.QGIS_VERSION_INT >= 33600:

@@ -1,4 +1,4 @@
-"""Results of semref:localizeimages as the dock shows them."""
+"""Results of semref:localizeimages and semref:localizeflight as the dock shows them."""
 
 from __future__ import annotations
 
@@ -15,6 +15,9 @@ from ..processing.translation import tr
 from ..processing.wording.sentences import worded
 
 Point = tuple[float, float]
+
+BY_FLIGHT = "flight"
+"""Column ``source`` of an image that its flight places, without a fix of its own that agrees."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +59,9 @@ class Finding:
     method: str | None
     reason: str | None
     search_capped: bool | None
+    source: str | None
+    track: int | None
+    outvoted: bool | None
     crs: QgsCoordinateReferenceSystem
     outline: QgsGeometry | None
     possible: tuple[QgsGeometry, ...] = ()
@@ -73,9 +79,14 @@ class Finding:
         return self.method != Method.TOPOLOGY_VECTOR
 
     @property
+    def is_by_flight(self) -> bool:
+        """Whether its place is the flight's: no fix of its own agrees."""
+        return self.source == BY_FLIGHT
+
+    @property
     def is_by_vector(self) -> bool:
         """Whether it was matched with a window by the published method."""
-        return self.status == Status.FIX and not self.is_verified
+        return self.status == Status.FIX and not self.is_verified and not self.track
 
     @property
     def fixes_per_error(self) -> float | None:
@@ -103,12 +114,14 @@ _COLUMNS = tuple(
 
 
 class ResultLayers(NamedTuple):
-    """OUTPUT, FOOTPRINTS, ALTERNATIVES and MATCHES of semref:localizeimages; None for what there is not."""
+    """OUTPUT, FOOTPRINTS, ALTERNATIVES and MATCHES of semref:localizeimages, or of semref:localizeflight with TRACK
+    and without ALTERNATIVES; None for what there is not."""
 
     positions: QgsVectorLayer | None = None
     footprints: QgsVectorLayer | None = None
     places: QgsVectorLayer | None = None
     matches: QgsVectorLayer | None = None
+    track: QgsVectorLayer | None = None
 
 
 def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
@@ -118,7 +131,7 @@ def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
         layers: Of one run.
         labels: The folder LABELS of that run; empty without one.
     """
-    positions, footprints, places, _ = layers
+    positions, footprints, places, *_ = layers
     if positions is None:
         return []
     outlines = {f["image"]: f.geometry() for f in footprints.getFeatures()} if footprints is not None else {}
@@ -160,6 +173,8 @@ def _read_matches(layer: QgsVectorLayer | None) -> dict[str, Matches]:
 
 def status_text(finding: Finding) -> str:
     """An image's status in words; a status this version does not know stands for itself."""
+    if finding.status == Status.FIX and finding.is_by_flight:
+        return tr("By the flight, own fix outvoted") if finding.outvoted else tr("By the flight")
     if finding.status == Status.FIX and not finding.is_verified:
         return tr("Unverified match")
     if finding.status == ERROR:

@@ -36,6 +36,7 @@ class DockState:
         opacity: Of the labels, percent.
         results: The GeoPackage that holds them.
         prior: The circle to search; None for the whole database.
+        is_flight: The images are of one flight.
     """
 
     database: str = ""
@@ -45,6 +46,7 @@ class DockState:
     opacity: int = 60
     results: str = ""
     prior: Prior | None = None
+    is_flight: bool = False
 
 
 def write_state(project: QgsProject, state: DockState) -> None:
@@ -55,6 +57,7 @@ def write_state(project: QgsProject, state: DockState) -> None:
     project.writeEntry(SCOPE, "/images", [project.writePath(path) for path in state.images[:_LISTED_IMAGES]])
     project.writeEntry(SCOPE, "/method", state.method)
     project.writeEntry(SCOPE, "/opacity", state.opacity)
+    project.writeEntry(SCOPE, "/flight", state.is_flight)
     project.writeEntry(SCOPE, "/prior", [] if state.prior is None else [str(value) for value in state.prior])
 
 
@@ -76,6 +79,7 @@ def read_state(project: QgsProject) -> DockState | None:
         min(max(project.readNumEntry(SCOPE, "/opacity", 60)[0], 0), 100),
         path_of("/results"),
         _prior_of(project.readListEntry(SCOPE, "/prior")[0]),
+        project.readBoolEntry(SCOPE, "/flight", False)[0],
     )
 
 

@@ -16,6 +16,7 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QColor
 
 from ..translation import tr
+from .output_style import Look
 
 OWN_COLOR, FLIGHT_COLOR, OUTVOTED_COLOR = "#0067a5", "#e08a00", "#d7263d"
 """Blue, orange and red that the color-blind tell apart; shapes differ, too."""
@@ -52,6 +53,16 @@ def poses_renderer() -> QgsRuleBasedRenderer:
 def track_renderer() -> QgsSingleSymbolRenderer:
     """Thin dark lines, which cover neither arrows nor ellipses."""
     return QgsSingleSymbolRenderer(QgsLineSymbol.createSimple({"line_color": TRACK_COLOR, "line_width": "0.4"}))
+
+
+def flight_look(is_timed: bool = True) -> Look:
+    """What positions of a flight come with: their style and, with times, that QGIS plays them."""
+    return Look(poses_renderer(), "time" if is_timed else "")
+
+
+def track_look() -> Look:
+    """What tracks come with."""
+    return Look(track_renderer())
 
 
 def _ellipse(color: str) -> QgsEllipseSymbolLayer:

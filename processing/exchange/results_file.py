@@ -1,4 +1,5 @@
-"""Results of *Localize images* as one GeoPackage: positions, footprints, possible places and matches, each a table."""
+"""Results of *Localize images* or *Localize flight* as one GeoPackage: positions, footprints, possible places, matches
+and the track, each a table."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVec
 from ...core.errors import ParameterError
 from ...storage.files import written_beside
 
-TABLES = ("positions", "footprints", "possible_places", "matches")
+TABLES = ("positions", "footprints", "possible_places", "matches", "track")
 
 
 def write_results(path: str, layers: tuple[QgsVectorLayer | None, ...]) -> None:

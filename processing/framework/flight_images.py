@@ -102,20 +102,19 @@ class FlightReader:
     def take(self, path: str, camera: Camera) -> None:
         """Reads an image, localizes it by itself and links it to the one before; one bad image stops no flight."""
         from ...core.flight.model import FlightImage
-        from ...core.localizer.leveled import of_leveled
+        from ...core.localizer.leveled import level_labels, of_leveled
 
         localizer = self._localizer
         try:
-            labels_hw, known = self._read_labels(path), self._read_labels.biases(path)
+            seen, known = self._read_labels.seen(path), self._read_labels.biases(path)
             localizer.heed_biases(known.class_biases, known.class_spread)
-            shape_hw = labels_hw.shape
+            labels_hw, shape_hw = seen.labels_hw, seen.labels_hw.shape
             prior, way = self._prior_of(shape_hw, camera), camera.leveling(shape_hw)
-            level = labels_hw
             if way is not None:
-                level, prior = way.level(labels_hw), of_leveled(prior, way)
-            own = localizer.localize(level, self._method, prior, self._with_matches)
-            flown = FlightImage(os.path.basename(path), level, own, camera.time_s, prior)
-            features = self._features_of(path, level, way)
+                seen, prior = level_labels(seen, way), of_leveled(prior, way)
+            own = localizer.localize(seen.labels_hw, self._method, prior, self._with_matches, seen.shares)
+            flown = FlightImage(os.path.basename(path), seen.labels_hw, own, camera.time_s, prior)
+            features = self._features_of(path, seen.labels_hw, way)
         except SemRefError as error:
             self.taken.append(TakenImage(path, camera, error=worded(error)))
             return

@@ -8,6 +8,7 @@ from qgis.core import QgsApplication, QgsProject, QgsProviderRegistry, QgsSettin
 from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QFileDialog,
     QLabel,
@@ -19,10 +20,12 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....core.localization import Method
+from ....processing.inspection.flight import looks_like_flight
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
 from ...layer_files import drawn_layers, layer_file, raster_layers
 from ...models.model_list import ModelsDialog
+from ...running.background import Reader
 from ...widgets.buttons import tool_button
 from ...widgets.layouts import narrow, row_of
 from .image_list import ImageList
@@ -56,6 +59,13 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.layers = QMenu(self.add_layer)
         self.add_layer.setMenu(self.layers)
         self.remove = tool_button("/mActionDeleteSelected.svg", tr("Remove the selected images (Del)"))
+        self.flight = QCheckBox()
+        self.flight.setToolTip(
+            tr(
+                "Places all images together, in the order of their times, else of their names: also those that have "
+                "no fix of their own"
+            )
+        )
         self.model = QgsFileWidget()
         self.model.setFilter(tr("ONNX models (*.onnx)"))
         self.model.setDialogTitle(tr("Choose a segmentation model"))
@@ -69,6 +79,7 @@ class ImageBox(QgsCollapsibleGroupBox):
         layout = narrow(QVBoxLayout(self))
         layout.addWidget(self.list)
         layout.addLayout(row_of((self.add_files, 1), (self.add_folder, 1), self.add_layer, self.remove))
+        layout.addWidget(self.flight)
         layout.addLayout(row_of((self.model, 1), self.models, self.train))
         self.models.clicked.connect(self._choose_model)
         self.train.clicked.connect(self._train_model)
@@ -80,11 +91,36 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.remove.setEnabled(False)
         self.list.itemSelectionChanged.connect(self._enable_remove)
         self.list.changed.connect(self.changed)
+        self.list.changed.connect(self._look_for_flight)
+        self._reader = Reader(self)
+        self._reader.answered.connect(self._offer_flight)
+        self._offer_flight(0)
         self.list.refused.connect(self.refused)
 
     def paths(self) -> list[str]:
         """Of the images and folders, as listed."""
         return self.list.paths()
+
+    def is_flight(self) -> bool:
+        """Whether the images are of one flight, as the user says."""
+        return self.flight.isChecked()
+
+    def shut_down(self) -> None:
+        """Waits for what is being read."""
+        self._reader.shut_down()
+
+    def _look_for_flight(self) -> None:
+        self._reader.forget()
+        self._offer_flight(0)
+        if self.paths():
+            self._reader.read(tr("Reading the times of images"), looks_like_flight, self.paths())
+        else:
+            self.flight.setChecked(False)
+
+    def _offer_flight(self, count: int) -> None:
+        """Says so where the images look like a flight; it is for the user to say that they are."""
+        looks = tr("One flight (the times of these {count} photos look like it)").format(count=count)
+        self.flight.setText(looks if count else tr("These images are one flight"))
 
     def model_path(self) -> str:
         """Of the network for photos; empty for label images."""

@@ -6,7 +6,7 @@ from functools import partial
 
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox
-from qgis.PyQt.QtCore import QByteArray, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QByteArray, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QVBoxLayout, QWidget
 
 from ....processing.translation import tr
@@ -21,6 +21,8 @@ from .results_table import ResultsTable
 _ZOOM_SETTING = "semref/dock/zoom_to_hit"
 _FORMAT_SETTING = "semref/dock/position_format"
 _PARTS_SETTING = "semref/dock/results_parts"
+_PLAY_EVERY_MS = 700
+"""Long enough to see where an image lies, short enough for a hundred of them."""
 
 
 class ResultsBox(QgsCollapsibleGroupBox):
@@ -54,10 +56,16 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.formats.aboutToShow.connect(self._list_formats)
         self._select(None)
         self.keep.setEnabled(False)
+        self.play.setVisible(False)
 
     def _make_buttons(self) -> None:
         self.before = tool_button("/mActionArrowLeft.svg", tr("Image before (Alt+Up)"))
         self.after = tool_button("/mActionArrowRight.svg", tr("Next image (Alt+Down)"))
+        self.play = tool_button("/mTaskRunning.svg", tr("Go through the images by themselves"), checkable=True)
+        self._player = QTimer(self)
+        self._player.setInterval(_PLAY_EVERY_MS)
+        self._player.timeout.connect(self._play_on)
+        self.play.toggled.connect(self._play)
         for keys, button in (("Alt+Up", self.before), ("Alt+Down", self.after)):
             shortcut(keys, self).activated.connect(button.click)
         self.copy = split_button(tr("Copy position"), tr("Copies the position as chosen last; the arrow shows how"))
@@ -83,13 +91,26 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.parts.splitterMoved.connect(self._remember_parts)
         layout = narrow(QVBoxLayout(self))
         layout.addWidget(self.parts, 1)
-        layout.addLayout(row_of(self.before, self.after, self.zoom, (self.copy, 1)))
+        layout.addLayout(row_of(self.before, self.after, self.play, self.zoom, (self.copy, 1)))
         layout.addLayout(row_of(self.drape, self.keep))
 
     def show_findings(self, findings: list[Finding]) -> None:
         """Shows these instead of those before, the first one selected."""
         self.table.show_findings(findings)
         self.keep.setEnabled(bool(findings))
+        self.play.setChecked(False)
+        self.play.setVisible(any(finding.track for finding in findings))
+
+    def _play(self, checked: bool) -> None:
+        if checked:
+            self._player.start()
+        else:
+            self._player.stop()
+
+    def _play_on(self) -> None:
+        """The next image; the last one ends it."""
+        if not self.table.step_on():
+            self.play.setChecked(False)
 
     def _select(self, finding: Finding | None) -> None:
         self.details.show_finding(finding)

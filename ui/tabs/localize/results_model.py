@@ -21,6 +21,7 @@ NUMBER_COLUMNS = (CONFIDENCE, ERROR, HEADING, DISTANCE)
 # QGIS draws these for light and dark themes alike.
 _ICONS = {Status.FIX.key: "/mIconSuccess.svg", "error": "/mIconCritical.svg"}
 _OTHER_ICON = "/mIconWarning.svg"
+_FLIGHT_ICON = "/mIconLineLayer.svg"
 
 
 class ResultsModel(QStandardItemModel):
@@ -66,6 +67,8 @@ def _item(finding: Finding, column: int) -> QStandardItem:
 
 
 def _icon(finding: Finding) -> str:
+    if finding.status == Status.FIX and finding.is_by_flight:
+        return _OTHER_ICON if finding.outvoted else _FLIGHT_ICON
     # A check mark is for what was checked.
     if finding.status == Status.FIX and not finding.is_verified:
         return _OTHER_ICON

@@ -71,6 +71,14 @@ class ResultsTable(QTableView):
             self.selectRow(row % count)
             self.scrollTo(self.model().index(row % count, 0))
 
+    def step_on(self) -> bool:
+        """Selects the next row; False where there is none."""
+        rows = self.selectionModel().selectedRows()
+        if rows and rows[0].row() + 1 >= self.model().rowCount():
+            return False
+        self.step(1)
+        return True
+
     def sizeHint(self) -> QSize:
         return QSize(200, self._height_of(_ROWS))
 

@@ -16,6 +16,7 @@ from ....processing.wording.sentences import worded
 from ...canvas.drapes import add_placed, place_image
 from ...canvas.highlight import HitHighlight
 from ...canvas.match_marks import MatchMarks
+from ...canvas.track_marks import TrackMarks
 from ...findings import Finding
 from ...running.background import DatabaseShelf, Reader
 from ...widgets.messages import Messages
@@ -37,6 +38,7 @@ class ShownHit(QObject):
         self._results, self._messages = results, messages
         self.highlight = HitHighlight(canvas)
         self.matches = MatchMarks(canvas)
+        self.track = TrackMarks(canvas)
         self._pictures = PictureShelf(shelf)
         self._picture_reader = Reader(self)
         self._drape_reader = Reader(self)
@@ -60,7 +62,7 @@ class ShownHit(QObject):
         """Takes everything off the canvas, and waits for what is being read."""
         for reader in (self._picture_reader, self._drape_reader):
             reader.shut_down()
-        for marks in (self.matches, self.highlight):
+        for marks in (self.matches, self.highlight, self.track):
             marks.remove()
 
     def use(self, database: str, model: str) -> None:
@@ -69,7 +71,7 @@ class ShownHit(QObject):
 
     def set_visible(self, visible: bool) -> None:
         """Whether the canvas shows it."""
-        for marks in (self.highlight, self.matches):
+        for marks in (self.highlight, self.matches, self.track):
             marks.set_visible(visible)
 
     # --- the selected one ---

@@ -11,6 +11,7 @@ from qgis.PyQt.QtWidgets import QFileDialog, QProgressBar, QPushButton, QVBoxLay
 
 from ....core.errors import ParameterError
 from ....core.localization import Status
+from ....processing.exchange.flight_styles import flight_look, track_look
 from ....processing.exchange.results_file import open_results, write_results
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
@@ -94,6 +95,7 @@ class LocalizeTab(QWidget):
         """Cancels what runs and clears the canvas."""
         self.run.abandon()
         self.map_image.shut_down()
+        self.images.shut_down()
         self.hit.shut_down()
         self.prior.shut_down()
         self._layers = ResultLayers()
@@ -110,6 +112,7 @@ class LocalizeTab(QWidget):
             self.results.image.opacity.value(),
             self._results_file,
             self.prior.circle(),
+            self.images.is_flight(),
         )
 
     def show_state(self, state: DockState) -> None:
@@ -120,6 +123,7 @@ class LocalizeTab(QWidget):
         self._database.file.setFilePath(state.database)
         self.images.model.setFilePath(state.model)
         self.images.list.show_only(state.images)
+        self.images.flight.setChecked(state.is_flight)
         self.results.image.opacity.setValue(state.opacity)
         self.prior.restore(state.prior)
         if not state.results:
@@ -140,7 +144,9 @@ class LocalizeTab(QWidget):
         settings = self.prior.parameters()
         if self.images.model_path():
             settings["MODEL"] = self.images.model_path()
-        if self.run.start(self._database.path(), self.images.paths(), self.method.method(), settings):
+        if self.run.start(
+            self._database.path(), self.images.paths(), self.method.method(), settings, self.images.is_flight()
+        ):
             self._model_used = self.images.model_path()
             self._set_running(True)
             self.state.show_text(tr("Starting…"))
@@ -193,16 +199,22 @@ class LocalizeTab(QWidget):
             labels: Folder of the photos' label images; empty where they were not kept.
         """
         self._layers, self._results_file, self._model_used = layers, file, model
+        if layers.track is not None:
+            flight_look().give(layers.positions)
+            track_look().give(layers.track)
         self.hit.use(self._database.path(), model)
         findings = read_findings(layers, labels)
         if findings:
             fixes = sum(1 for finding in findings if finding.status == Status.FIX)
             self.state.show_text(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(findings)))
+        self.hit.track.show(findings)
         self.results.show_findings(findings)
 
     def _keep_results(self) -> None:
         # A copy: the user may remove the layer and keep the results again.
-        QgsProject.instance().addMapLayer(self._layers.positions.clone())
+        for layer in (self._layers.track, self._layers.positions):
+            if layer is not None:
+                QgsProject.instance().addMapLayer(layer.clone())
         self._messages.info(tr("The positions are a temporary layer of the project now; export it to keep them."))
 
     def _save_results(self) -> None:

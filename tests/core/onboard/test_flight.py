@@ -1,0 +1,170 @@
+"""``python -m core watch --flight``: each image by all up to it, bounded, and on after a restart."""
+
+from __future__ import annotations
+
+import json
+import os
+
+import cv2
+import numpy as np
+import pytest
+from onboard_area import MAP, SIZE, write_area
+
+from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, main
+
+STEP = 60
+COUNT = 7
+FIRST = (90, 60)
+"""Row and column of the first image's first pixel; the flight goes east, tops up."""
+
+
+def center(number):
+    """Map (x, y) of an image's center."""
+    row, column = FIRST[0] + 8 * number, FIRST[1] + STEP * number
+    return 600000 + column + SIZE / 2, 5200000 - row - SIZE / 2
+
+
+def cut(number):
+    row, column = FIRST[0] + 8 * number, FIRST[1] + STEP * number
+    return np.ascontiguousarray(MAP[row : row + SIZE, column : column + SIZE])
+
+
+@pytest.fixture(scope="module")
+def database(tmp_path_factory):
+    path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
+    write_area(path)
+    return path
+
+
+@pytest.fixture
+def folder(tmp_path):
+    (tmp_path / "incoming").mkdir()
+    return tmp_path / "incoming"
+
+
+def put(folder, numbers, blank=()):
+    for number in numbers:
+        path = str(folder / f"{number}.png")
+        cv2.imwrite(path, np.full((SIZE, SIZE), 4, np.uint8) if number in blank else cut(number))
+        os.utime(path, ns=(number * 10**9, number * 10**9))
+
+
+@pytest.fixture
+def watch(database, folder, tmp_path):
+    """`watch(*arguments)` looks at what lies in the folder; gives the exit code and the records that came."""
+
+    def run(*arguments):
+        fixes = tmp_path / "fixes.jsonl"
+        fixes.unlink(missing_ok=True)
+        given = ["watch", str(folder), "--database", database, "--once", "--fixes", str(fixes), "--flight", *arguments]
+        code = main([*given, "--method", "constellation"])
+        lines = fixes.read_text(encoding="utf-8").splitlines() if fixes.exists() else []
+        return code, [json.loads(line) for line in lines]
+
+    return run
+
+
+def off(record, number):
+    return np.hypot(record["x"] - center(number)[0], record["y"] - center(number)[1])
+
+
+@pytest.mark.slow
+def test_images_of_a_flight_have_the_track_and_what_they_rest_on(watch, folder):
+    put(folder, range(COUNT))
+    _, records = watch()
+    assert len(records) == COUNT
+    for number, record in list(enumerate(records))[3:]:
+        assert (record["status"], record["track"], record["outvoted"]) == ("fix", 1, False)
+        assert record["source"] in ("own", "flight") and off(record, number) < 3
+        assert record["sigma_east"] > 0 and record["longitude"] > 9
+
+
+@pytest.mark.slow
+def test_an_image_that_shows_nothing_is_placed_by_the_flight(watch, folder):
+    put(folder, range(COUNT), blank=[5])
+    _, records = watch()
+    assert (records[5]["status"], records[5]["source"]) == ("fix", "flight")
+    assert off(records[5], 5) < 30 and records[5]["error_95"] > records[4]["error_95"]
+
+
+def test_a_restart_goes_on_where_the_flight_was(watch, folder, tmp_path):
+    put(folder, range(5))
+    state = str(tmp_path / "flight.npz")
+    _, before = watch("--state", state)
+    assert len(before) == 5 and before[-1]["track"] == 1
+    put(folder, [5, 6])
+    code, after = watch("--state", state)
+    assert [os.path.basename(record["image"]) for record in after] == ["5.png", "6.png"]
+    assert code == ALL_FIXED and [record["track"] for record in after] == [1, 1]
+    assert all(off(record, number) < 3 for number, record in zip((5, 6), after))
+
+
+@pytest.mark.slow
+def test_the_answers_after_a_restart_are_those_without_one(watch, folder, tmp_path):
+    put(folder, range(COUNT))
+    _, whole = watch()
+    for number in range(5, COUNT):
+        os.remove(folder / f"{number}.png")
+    state = str(tmp_path / "flight.npz")
+    watch("--state", state)
+    put(folder, range(5, COUNT))
+    _, after = watch("--state", state)
+    for one, other in zip(whole[5:], after):
+        assert {**one, "image": 0} == {**other, "image": 0}
+
+
+@pytest.mark.slow
+def test_the_state_does_not_grow_with_the_flight(watch, folder, tmp_path):
+    state, sizes = tmp_path / "flight.npz", []
+    for number in range(COUNT):
+        put(folder, [number])
+        watch("--state", str(state))
+        sizes.append(state.stat().st_size)
+    put(folder, range(COUNT, 3 * COUNT), blank=range(COUNT, 3 * COUNT))
+    watch("--state", str(state))
+    assert state.stat().st_size < 2.5 * sizes[-1]
+    assert not list(tmp_path.glob("*.part"))
+
+
+@pytest.mark.parametrize("data", [b"", b"no state", b"PK\x03\x04 half a zip"])
+def test_a_damaged_state_is_told_and_the_flight_begins_anew(watch, folder, tmp_path, data, capsys):
+    state = tmp_path / "flight.npz"
+    state.write_bytes(data)
+    put(folder, range(2))
+    code, records = watch("--state", str(state))
+    assert len(records) == 2 and code in (ALL_FIXED, SOME_WITHOUT_FIX)
+    told = json.loads(capsys.readouterr().err.splitlines()[0])
+    assert (told["level"], told["event"]) == ("error", "flight_state_not_used")
+    assert state.read_bytes()[:2] == b"PK" and state.stat().st_size > 1000
+
+
+def test_a_state_of_another_database_is_not_used(watch, folder, tmp_path, capsys):
+    state = tmp_path / "flight.npz"
+    put(folder, range(1))
+    watch("--state", str(state))
+    with np.load(state) as found:
+        arrays = dict(found)
+    header = json.loads(arrays["header"].tobytes())
+    header["content_hash"] = "0" * 64
+    arrays["header"] = np.frombuffer(json.dumps(header).encode(), np.uint8)
+    np.savez(state, **arrays)
+    _, records = watch("--state", str(state))
+    assert len(records) == 1
+    assert "another database" in json.loads(capsys.readouterr().err.splitlines()[-1])["reason"]
+
+
+def test_a_state_that_can_not_be_written_does_not_end_the_flight(watch, folder, tmp_path, capsys):
+    put(folder, range(2))
+    _, records = watch("--state", str(tmp_path / "nowhere" / "flight.npz"))
+    assert len(records) == 2
+    assert json.loads(capsys.readouterr().err.splitlines()[0])["event"] == "state_not_kept"
+
+
+@pytest.mark.slow
+def test_one_bad_image_does_not_end_the_flight(watch, folder):
+    put(folder, range(COUNT))
+    (folder / "1.png").write_bytes(b"no image")
+    os.utime(folder / "1.png", ns=(10**9, 10**9))
+    code, records = watch()
+    assert code == REFUSED and records[1]["status"] == "error"
+    assert records[-1]["status"] == "fix" and off(records[-1], COUNT - 1) < 3

@@ -1,0 +1,129 @@
+"""The tab Localize with the images of one flight: offered, placed together, gone through, kept with its track."""
+
+from __future__ import annotations
+
+import os
+import time
+
+import cv2
+import numpy as np
+import pytest
+from dock_area import (
+    CONSTELLATION,
+    ORIGIN,
+    choose_method,
+    label_map,
+    start,
+    table,
+    wait_until,
+    write_raster,
+)
+
+SIZE, STEP, COUNT = 200, 45, 6
+BLANK = 4
+
+
+@pytest.fixture(scope="module")
+def flight(tmp_path_factory):
+    """Label images from west to east; one shows nothing."""
+    folder, labels = tmp_path_factory.mktemp("flight"), label_map()
+    for number in range(COUNT):
+        column = 60 + STEP * number
+        image = labels[200 : 200 + SIZE, column : column + SIZE]
+        write_raster(folder / f"{number}.tif", image * 0 if number == BLANK else image, False)
+    return folder
+
+
+@pytest.fixture
+def tab(dock):
+    return dock.content.localize
+
+
+@pytest.fixture
+def flown(dock, tab, area, flight):
+    """The tab with a flight that was localized."""
+    choose_method(dock, CONSTELLATION)
+    tab.images.flight.setChecked(True)
+    start(dock, area.database, [str(flight)])
+    wait_until(lambda: not tab.run.running, "the end of the run")
+    return tab
+
+
+def test_a_flight_is_shown_with_its_track_and_what_each_image_rests_on(flown, dock, iface):
+    rows = table(dock)
+    assert [row[0] for row in rows] == [f"{n}.tif" for n in range(COUNT)]
+    assert rows[BLANK][4] == "By the flight" and rows[BLANK - 1][4] == "Fix"
+    track = flown.hit.track.drawn("track").asMultiPolyline()[0]
+    truth = ORIGIN[0] + 60 + SIZE / 2 + STEP * np.arange(COUNT)
+    assert [point.x() for point in track] == pytest.approx(truth[-len(track) :], abs=12)
+    assert len(flown.hit.track.drawn("flight").asMultiPoint()) >= 1
+    assert len(flown.hit.track.drawn("own").asMultiPoint()) >= 3
+
+
+def test_playing_goes_through_the_images_and_the_map_follows(flown, iface, monkeypatch):
+    flown.results._player.setInterval(20)
+    flown.results.table.selectRow(COUNT - 3)
+    flown.results.play.click()
+    wait_until(lambda: not flown.results.play.isChecked(), "the end of playing")
+    assert flown.results.table.selected().name == f"{COUNT - 1}.tif"
+    center = flown.results.table.selected().center
+    assert iface.canvas.extent().contains(center)
+
+
+def test_its_layers_are_kept_with_their_style_and_played_by_time(flown):
+    from qgis.core import QgsProject, QgsRuleBasedRenderer
+
+    flown.results.keep.click()
+    layers = list(QgsProject.instance().mapLayers().values())
+    positions = next(layer for layer in layers if layer.geometryType() == 0)
+    assert len(layers) == 2 and isinstance(positions.renderer(), QgsRuleBasedRenderer)
+    assert positions.temporalProperties().startField() == "time"
+
+
+def test_saved_results_bring_the_track_back(flown, tmp_path):
+    from semref.processing.exchange.results_file import open_results, write_results
+    from semref.ui.findings import ResultLayers, read_findings
+
+    path = str(tmp_path / "results.gpkg")
+    write_results(path, flown._layers)
+    layers = ResultLayers(*open_results(path))
+    assert layers.track is not None and layers.track.featureCount() == 1
+    assert [finding.source for finding in read_findings(layers)][BLANK] == "flight"
+
+
+def test_images_each_by_itself_draw_no_track(dock, tab, area):
+    start(dock, area.database, [area.image])
+    wait_until(lambda: not tab.run.running, "the end of the run")
+    assert tab.hit.track.drawn("track").isEmpty() and not tab.results.play.isVisible()
+
+
+def test_photos_taken_one_after_the_other_are_offered_as_a_flight(tab, tmp_path):
+    for number in range(4):
+        write_photo(tmp_path / f"{number}.jpg", f"2025:05:09 10:0{number}:00")
+    tab.images.list.add([str(tmp_path)])
+    wait_until(lambda: "4 photos" in tab.images.flight.text(), "the offer of a flight")
+    assert not tab.images.flight.isChecked()
+    write_photo(tmp_path / "9.jpg", "2025:05:09 22:00:00")
+    tab.images.list.show_only([str(tmp_path)])
+    settle_until_read(tab)
+    assert tab.images.flight.text() == "These images are one flight"
+
+
+def settle_until_read(tab):
+    deadline = time.monotonic() + 20
+    wait_until(lambda: tab.images._reader._task is None or time.monotonic() > deadline, "the reading of times")
+
+
+def write_photo(path, taken: str) -> None:
+    """A JPEG with EXIF's DateTimeOriginal."""
+    data = cv2.imencode(".jpg", np.zeros((16, 16, 3), np.uint8))[1].tobytes()
+    text = taken.encode() + b"\0"
+    entry = (0x9003).to_bytes(2, "little") + (2).to_bytes(2, "little") + len(text).to_bytes(4, "little")
+    exif_at = 8 + 2 + 12 + 4
+    exif = (1).to_bytes(2, "little") + entry + (exif_at + 2 + 12 + 4).to_bytes(4, "little") + bytes(4) + text
+    pointer = (0x8769).to_bytes(2, "little") + (4).to_bytes(2, "little") + (1).to_bytes(4, "little")
+    tiff = b"II*\0" + (8).to_bytes(4, "little") + (1).to_bytes(2, "little") + pointer
+    tiff += exif_at.to_bytes(4, "little") + bytes(4) + exif
+    segment = b"Exif\0\0" + tiff
+    path.write_bytes(data[:2] + b"\xff\xe1" + (len(segment) + 2).to_bytes(2, "big") + segment + data[2:])
+    assert os.path.getsize(path) > 100

@@ -1,0 +1,55 @@
+"""A flight on the canvas: a line from image to image, and a dot at each, fixes of their own and others told apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from qgis.core import QgsGeometry
+from qgis.gui import QgsMapCanvas
+
+from ...processing.compat import LINE_GEOMETRY, POINT_GEOMETRY
+from ..findings import Finding
+from .marks import BLUE, ORANGE, RED, RIM, Marks, band, with_opacity
+
+_DOT_PX, _WIDTH_PX = 9, 2
+
+
+class TrackMarks(Marks):
+    """Tracks of a flight's findings; nothing for findings of images each by itself."""
+
+    def __init__(self, canvas: QgsMapCanvas) -> None:
+        """Draws nothing yet; ``canvas``: to draw on."""
+        super().__init__(
+            canvas,
+            {
+                "track": band(canvas, LINE_GEOMETRY, with_opacity(BLUE, 180), _WIDTH_PX),
+                "own": _dots(canvas, BLUE),
+                "flight": _dots(canvas, ORANGE),
+                "outvoted": _dots(canvas, RED),
+            },
+        )
+
+    def show(self, findings: Sequence[Finding]) -> None:
+        """Shows the tracks of these findings, in their order."""
+        placed = [finding for finding in findings if finding.track and finding.center is not None]
+        if not placed:
+            self.clear()
+            return
+        tracks = [[f.center for f in placed if f.track == track] for track in sorted({f.track for f in placed})]
+        shapes = {"track": QgsGeometry.fromMultiPolylineXY([points for points in tracks if len(points) > 1])}
+        for kind in ("own", "flight", "outvoted"):
+            shapes[kind] = QgsGeometry.fromMultiPointXY([f.center for f in placed if _kind(f) == kind])
+        self.draw(shapes, placed[0].crs)
+
+
+def _kind(finding: Finding) -> str:
+    return "outvoted" if finding.outvoted else str(finding.source)
+
+
+def _dots(canvas: QgsMapCanvas, color):
+    dots = band(canvas, POINT_GEOMETRY, color)
+    dots.setIcon(dots.IconType.ICON_CIRCLE)
+    dots.setIconSize(_DOT_PX)
+    dots.setFillColor(color)
+    dots.setSecondaryStrokeColor(RIM)
+    return dots
