@@ -40,8 +40,16 @@
    <translation>2 % der Geländekante</translation>
   </message>
   <message>
+   <source>95 % radius</source>
+   <translation>95-%-Radius</translation>
+  </message>
+  <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
    <translation>Eine CSV mit den Spalten image (Dateiname), roll, pitch (Grad; 0 und 0 blickt senkrecht nach unten, pitch über 0 zur Bildoberkante hin, roll über 0 nach rechts), einer von focal_length_px, focal_length_35mm oder field_of_view (Grad über die Bildbreite) time (Sekunden oder Datum und Uhrzeit), height (m über Grund) und heading (Grad im Uhrzeigersinn von Nord). Bilder werden vor der Lokalisierung entzerrt, als blickte die Kamera senkrecht; Höhe und Objektiv zusammen sagen, wie groß ihre Pixel sind. Was die Tabelle nicht sagt, kommt aus EXIF und XMP des Bilds oder des gleichnamigen Fotos daneben. Der Topologievektor nimmt Bilder, wie sie sind.</translation>
+  </message>
+  <message>
+   <source>A CSV with the columns image, dx_m, dy_m and dheading_deg: how far the camera moved since the row before, to the right and towards the top of that image in meters, and how far it turned clockwise in degrees; optionally sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers says that the motion is not known. It counts before what pixels say.</source>
+   <translation>Eine CSV mit den Spalten image, dx_m, dy_m und dheading_deg: wie weit sich die Kamera seit der Zeile davor bewegt hat, nach rechts und zur Oberkante jenes Bildes hin in Metern, und wie weit sie sich im Uhrzeigersinn gedreht hat in Grad; wahlweise sigma_m, sigma_heading_deg, scale und sigma_scale. Eine Zeile ohne Zahlen sagt, dass die Bewegung nicht bekannt ist. Sie gilt vor dem, was die Pixel sagen.</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
@@ -156,6 +164,10 @@
    <translation>Ein Splitter von {name} mit {area:.2f} m² liegt neben {other_name} (Objekt {id}).</translation>
   </message>
   <message>
+   <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
+   <translation>Eine Spur wird angegeben, wenn die Wahrscheinlichkeit, dass sie falsch ist, höchstens so groß ist: 0,0001 ist einmal in 10.000. Ein kleineres Risiko braucht mehr Bilder.</translation>
+  </message>
+  <message>
    <source>A vector of {count} references is too short; use at least {least}.</source>
    <translation>Ein Vektor aus {count} Landmarken ist zu kurz; mindestens {least} verwenden.</translation>
   </message>
@@ -222,6 +234,14 @@
   <message>
    <source>Allowed risk of a wrong fix</source>
    <translation>Erlaubtes Risiko eines falschen Standorts</translation>
+  </message>
+  <message>
+   <source>Allowed risk of a wrong track</source>
+   <translation>Zulässiges Risiko einer falschen Spur</translation>
+  </message>
+  <message>
+   <source>Along the flight</source>
+   <translation>Entlang des Fluges</translation>
   </message>
   <message>
    <source>Ambiguous</source>
@@ -414,6 +434,14 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>By footprint</source>
    <translation>Nach Bodenabdeckung</translation>
+  </message>
+  <message>
+   <source>By the flight</source>
+   <translation>Durch den Flug</translation>
+  </message>
+  <message>
+   <source>By the flight, own fix outvoted</source>
+   <translation>Durch den Flug, eigener Fix überstimmt</translation>
   </message>
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
@@ -748,6 +776,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Abweichungen</translation>
   </message>
   <message>
+   <source>Discs: positions, filled where the image has a fix of its own, with the direction of the image’s top; ellipses hold the true position in 95 % of cases. North is up.</source>
+   <translation>Scheiben: Positionen, gefüllt, wo das Bild einen eigenen Fix hat, mit der Richtung der Bildoberkante; Ellipsen enthalten die wahre Position in 95 % der Fälle. Norden ist oben.</translation>
+  </message>
+  <message>
    <source>Dissolving neighbors</source>
    <translation>Nachbarn werden vereinigt</translation>
   </message>
@@ -1040,6 +1072,14 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Befunde jeder Art nach Schwere; der Maßstab ist logarithmisch.</translation>
   </message>
   <message>
+   <source>Finds the track of a flight: all its images together, by what each says of its place and by how they lie to each other. Images that have no fix of their own are placed, too, and wrong fixes are outvoted.
+
+The images are taken in the order of their times, else of their names. Motion from image to image is seen in their pixels where they overlap, or told by an odometry table; without either it is taken to go on as before, and errors grow. Where nothing decides, an image stays without a position and says why.</source>
+   <translation>Findet die Spur eines Fluges: alle seine Bilder zusammen, nach dem, was jedes von seinem Ort sagt, und danach, wie sie zueinander liegen. Auch Bilder ohne eigenen Fix erhalten einen Ort, und falsche Fixe werden überstimmt.
+
+Die Bilder werden in der Reihenfolge ihrer Zeiten genommen, sonst ihrer Namen. Die Bewegung von Bild zu Bild wird in ihren Pixeln gesehen, wo sie sich überlappen, oder von einer Odometrietabelle angegeben; ohne beides gilt, dass sie weitergeht wie zuvor, und die Fehler wachsen. Wo nichts entscheidet, bleibt ein Bild ohne Position und sagt, warum.</translation>
+  </message>
+  <message>
    <source>Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that touch, are too small, or that pixels of a given size would lose, merge or split.
 
 Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” mends most of it.</source>
@@ -1058,6 +1098,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Fix</source>
    <translation>Fix</translation>
+  </message>
+  <message>
+   <source>Fix of the image itself</source>
+   <translation>Fix des Bildes selbst</translation>
   </message>
   <message>
    <source>Fixes by</source>
@@ -1120,6 +1164,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Für Bilder eines Flugs mit bekannten Zeiten: Ein Standort, der von denen davor und danach nicht rechtzeitig zu erreichen ist, wird mit Grund als Sprung gekennzeichnet. Er bleibt ein gefundener Standort und wird mitgezählt.</translation>
   </message>
   <message>
+   <source>For images whose times are known: a position that can’t be reached in time from those before and after it is marked as jump, with the reason. It stays a position and is counted.</source>
+   <translation>Für Bilder, deren Zeiten bekannt sind: Eine Position, die von denen davor und danach aus nicht rechtzeitig erreichbar ist, wird mit dem Grund als Sprung markiert. Sie bleibt eine Position und wird gezählt.</translation>
+  </message>
+  <message>
    <source>Format</source>
    <translation>Format</translation>
   </message>
@@ -1142,6 +1190,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>Von {start:.0f} bis {end:.0f} m: {shift:.0f} m weiter rechts wäre der Erfolg {after:.0%} statt {before:.0%}.</translation>
+  </message>
+  <message>
+   <source>Gaps</source>
+   <translation>Lücken</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -1202,6 +1254,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Go on with a canceled run</source>
    <translation>Abgebrochenen Lauf fortsetzen</translation>
+  </message>
+  <message>
+   <source>Go through the images by themselves</source>
+   <translation>Bilder von selbst durchgehen</translation>
   </message>
   <message>
    <source>Going on after epoch {epoch} of a canceled run.</source>
@@ -1440,6 +1496,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Sein Fix hat weder Ausrichtung noch Pixelgröße, wie die des Topologievektors.</translation>
   </message>
   <message>
+   <source>Its own fix was outvoted</source>
+   <translation>Sein eigener Fix wurde überstimmt</translation>
+  </message>
+  <message>
    <source>JSON files (*.json)</source>
    <translation>JSON-Dateien (*.json)</translation>
   </message>
@@ -1596,12 +1656,20 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Lokalisieren</translation>
   </message>
   <message>
+   <source>Localize flight</source>
+   <translation>Flug lokalisieren</translation>
+  </message>
+  <message>
    <source>Localize images</source>
    <translation>Bilder lokalisieren</translation>
   </message>
   <message>
    <source>Localizing</source>
    <translation>Lokalisiert</translation>
+  </message>
+  <message>
+   <source>Localizing a flight</source>
+   <translation>Ein Flug wird lokalisiert</translation>
   </message>
   <message>
    <source>Localizing images</source>
@@ -1720,10 +1788,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
 Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das kleinere Polygon, sonst der niedrigere Klassenwert. Jedes Polygon behält die Attribute des Objekts, das den größten Teil davon bedeckt. Einen reparierten Layer zu reparieren ändert nichts.</translation>
   </message>
   <message>
-   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, and photos taken anywhere above it, with where they were really taken (photos.csv).
+   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, photos taken anywhere above it, with where they were really taken (photos.csv), and the photos of one flight, with that and their times (flight.csv).
 
 The model that ships with SemRef can read these photos.</source>
-   <translation>Erfindet ein Stück Land von 4 × 3 km, um SemRef daran auszuprobieren: seine Landbedeckung als Polygone (landcover.shp), deren Klassentabelle (classes.csv), ein Orthofoto und Fotos von beliebigen Stellen darüber, dazu die wahren Aufnahmeorte (photos.csv).
+   <translation>Erfindet ein Stück Land von 4 × 3 km, um SemRef daran auszuprobieren: seine Landbedeckung als Polygone (landcover.shp), deren Klassentabelle (classes.csv), ein Orthofoto, Fotos von beliebigen Stellen darüber mit den wahren Aufnahmeorten (photos.csv) und die Fotos eines Fluges mit ihren Orten und Zeiten (flight.csv).
 
 Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   </message>
@@ -1750,6 +1818,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Map displaced (map units)</source>
    <translation>Karte verschoben (Karteneinheiten)</translation>
+  </message>
+  <message>
+   <source>Map of the track</source>
+   <translation>Karte der Spur</translation>
   </message>
   <message>
    <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
@@ -1862,6 +1934,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>More models: train one on your own ground (the button beside the model in the dock), make one from published photos, or take a segmentation model of the Deepness plugin. {how}</source>
    <translation>Weitere Modelle: Trainieren Sie eines an eigenem Gelände (der Knopf neben dem Modell im Dock), machen Sie eines aus veröffentlichten Fotos, oder nehmen Sie ein Segmentierungsmodell des Plugins Deepness. {how}</translation>
+  </message>
+  <message>
+   <source>Motion between the images</source>
+   <translation>Bewegung zwischen den Bildern</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
@@ -1992,6 +2068,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Keine: Überall wird ein Fix erwartet.</translation>
   </message>
   <message>
+   <source>None: every image has a position.</source>
+   <translation>Keine: Jedes Bild hat eine Position.</translation>
+  </message>
+  <message>
    <source>Not good for</source>
    <translation>Nicht gut für</translation>
   </message>
@@ -2014,6 +2094,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Nothing was found.</source>
    <translation>Nichts gefunden.</translation>
+  </message>
+  <message>
+   <source>Number</source>
+   <translation>Nummer</translation>
   </message>
   <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
@@ -2040,6 +2124,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Anzahl der Bilder</translation>
   </message>
   <message>
+   <source>Number of images with a position</source>
+   <translation>Anzahl der Bilder mit Position</translation>
+  </message>
+  <message>
    <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
    <translation>Anzahl der Bilder. Der Bericht braucht etwa noch einmal 1,5-mal so viele für Störungen und Versatz und 66 für seine Tabellen.</translation>
   </message>
@@ -2056,6 +2144,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Anzahl der Kacheln</translation>
   </message>
   <message>
+   <source>Number of tracks</source>
+   <translation>Anzahl der Spuren</translation>
+  </message>
+  <message>
    <source>Number of windows</source>
    <translation>Anzahl der Fenster</translation>
   </message>
@@ -2070,6 +2162,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>ONNX models (*.onnx)</source>
    <translation>ONNX-Modelle (*.onnx)</translation>
+  </message>
+  <message>
+   <source>Odometry table</source>
+   <translation>Odometrietabelle</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -2108,6 +2204,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Ein Objekt je Befund, im Koordinatenbezugssystem der Klassenkarte.</translation>
   </message>
   <message>
+   <source>One flight (the times of these {count} photos look like it)</source>
+   <translation>Ein Flug (die Zeiten dieser {count} Fotos sehen danach aus)</translation>
+  </message>
+  <message>
+   <source>One line a track, from image to image.</source>
+   <translation>Eine Linie je Spur, von Bild zu Bild.</translation>
+  </message>
+  <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
    <translation>Eine der Karten ist gegen die andere gedreht; zuerst beide auf ein nach Norden ausgerichtetes Raster umrechnen.</translation>
   </message>
@@ -2128,6 +2232,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Ein Punkt für jede Landmarke der Karte, die mit einer eines Bildes übereinstimmt, bei Fixes mit Kurs: wo das Bild sie hat, wohin der Fix sie legt und wie weit das daneben liegt.</translation>
   </message>
   <message>
+   <source>One point an image, in the order of the flight: as of “Localize images”, with what the position rests on (source: own or flight), its track, and whether a fix of its own was outvoted. Images whose times are known can be played with QGIS’s temporal controller.</source>
+   <translation>Ein Punkt je Bild, in der Reihenfolge des Fluges: wie von „Bilder lokalisieren“, dazu worauf die Position beruht (source: own oder flight), ihre Spur und ob ein eigener Fix überstimmt wurde. Bilder, deren Zeiten bekannt sind, lassen sich mit der Zeitsteuerung von QGIS abspielen.</translation>
+  </message>
+  <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
    <translation>Ein Punkt pro Bild: Status, Position, Konfidenz, Abstand, Fenster und, wenn kein Standort gefunden wurde, der Grund.</translation>
   </message>
@@ -2138,6 +2246,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
    <translation>Ein Polygon je gefundenem Standort: das Gelände, das das Bild zeigt, oder beim Topologievektor das getroffene Fenster.</translation>
+  </message>
+  <message>
+   <source>One polygon an image with a position: the ground that it shows.</source>
+   <translation>Ein Polygon je Bild mit Position: der Boden, den es zeigt.</translation>
   </message>
   <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
@@ -2264,8 +2376,20 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Vorige Stelle</translation>
   </message>
   <message>
+   <source>Placed by the flight</source>
+   <translation>Vom Flug verortet</translation>
+  </message>
+  <message>
+   <source>Places all images together, in the order of their times, else of their names: also those that have no fix of their own</source>
+   <translation>Verortet alle Bilder zusammen, in der Reihenfolge ihrer Zeiten, sonst ihrer Namen: auch solche ohne eigenen Fix</translation>
+  </message>
+  <message>
    <source>Places are tested by networks that were trained without them.</source>
    <translation>Orte werden mit Netzen geprüft, die ohne sie trainiert wurden.</translation>
+  </message>
+  <message>
+   <source>Placing the flight</source>
+   <translation>Der Flug wird verortet</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2294,6 +2418,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Positions</source>
    <translation>Positionen</translation>
+  </message>
+  <message>
+   <source>Positions of the flight</source>
+   <translation>Positionen des Fluges</translation>
   </message>
   <message>
    <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
@@ -2432,6 +2560,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Klassenkarte wird gelesen</translation>
   </message>
   <message>
+   <source>Reading the times of images</source>
+   <translation>Aufnahmezeiten werden gelesen</translation>
+  </message>
+  <message>
    <source>Reading…</source>
    <translation>Wird gelesen…</translation>
   </message>
@@ -2494,6 +2626,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Report</source>
    <translation>Bericht</translation>
+  </message>
+  <message>
+   <source>Report of a flight</source>
+   <translation>Bericht über einen Flug</translation>
   </message>
   <message>
    <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
@@ -2646,6 +2782,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>SemRef sample project</source>
    <translation>SemRef-Beispielprojekt</translation>
+  </message>
+  <message>
+   <source>SemRef track</source>
+   <translation>SemRef-Spur</translation>
   </message>
   <message>
    <source>SemRef windows</source>
@@ -3030,6 +3170,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>Die Datei kann Länge und Breite nicht angeben: Die Karte ist dafür zu groß, oder ein Pol liegt darin.</translation>
+  </message>
+  <message>
+   <source>The first {count} images; the layer has all of them.</source>
+   <translation>Die ersten {count} Bilder; der Layer hat alle.</translation>
   </message>
   <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
@@ -3444,6 +3588,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Kachel {path} kann nicht gelesen werden.</translation>
   </message>
   <message>
+   <source>The track with its error ellipses, what held where, heading and height, and the gaps, in one file.</source>
+   <translation>Die Spur mit ihren Fehlerellipsen, was wo getragen hat, Kurs und Höhe sowie die Lücken, in einer Datei.</translation>
+  </message>
+  <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>Das Training endete ohne ein Wort ({reason}); nachsehen, ob der Speicher aufgebraucht ist, oder ein anderes Python als {python} wählen.</translation>
   </message>
@@ -3516,6 +3664,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>In {folder} gibt es keinen Lauf, der fortgesetzt werden könnte.</translation>
   </message>
   <message>
+   <source>These images are one flight</source>
+   <translation>Diese Bilder sind ein Flug</translation>
+  </message>
+  <message>
    <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
    <translation>Das ist kein Foto oder Labelbild mit 8 Bit: Seine Pixel sind {shape} vom Typ {kind}.</translation>
   </message>
@@ -3534,6 +3686,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Tiles a second</source>
    <translation>Kacheln je Sekunde</translation>
+  </message>
+  <message>
+   <source>Time</source>
+   <translation>Zeit</translation>
   </message>
   <message>
    <source>Time limit (minutes)</source>
@@ -3574,6 +3730,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Topologievektor (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Track</source>
+   <translation>Spur</translation>
+  </message>
+  <message>
+   <source>Track {number}</source>
+   <translation>Spur {number}</translation>
   </message>
   <message>
    <source>Train a model on an orthophoto and polygons…</source>
@@ -3738,6 +3902,10 @@ Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegend
   <message>
    <source>What for</source>
    <translation>Wofür</translation>
+  </message>
+  <message>
+   <source>What held where</source>
+   <translation>Was wo getragen hat</translation>
   </message>
   <message>
    <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
@@ -4092,6 +4260,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>von (m)</translation>
   </message>
   <message>
+   <source>from image</source>
+   <translation>von Bild</translation>
+  </message>
+  <message>
    <source>ground set aside from training</source>
    <translation>Gelände, das vom Training zurückgehalten wurde</translation>
   </message>
@@ -4104,6 +4276,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Ausrichtung</translation>
   </message>
   <message>
+   <source>heading (°)</source>
+   <translation>Kurs (°)</translation>
+  </message>
+  <message>
    <source>heading {value:.1f}°</source>
    <translation>Ausrichtung {value:.1f}°</translation>
   </message>
@@ -4112,8 +4288,28 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Richtungen bis {spread:g}° um {heading:g}°</translation>
   </message>
   <message>
+   <source>height (m)</source>
+   <translation>Höhe (m)</translation>
+  </message>
+  <message>
+   <source>held by</source>
+   <translation>getragen von</translation>
+  </message>
+  <message>
    <source>hint</source>
    <translation>Hinweis</translation>
+  </message>
+  <message>
+   <source>image</source>
+   <translation>Bild</translation>
+  </message>
+  <message>
+   <source>images</source>
+   <translation>Bilder</translation>
+  </message>
+  <message>
+   <source>images placed</source>
+   <translation>Bilder verortet</translation>
   </message>
   <message>
    <source>images with a fix</source>
@@ -4154,6 +4350,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>its driver or its libraries could not be loaded</source>
    <translation>Treiber oder Bibliotheken ließen sich nicht laden</translation>
+  </message>
+  <message>
+   <source>its own fix</source>
+   <translation>eigener Fix</translation>
   </message>
   <message>
    <source>kind</source>
@@ -4212,6 +4412,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Länge, Breite</translation>
   </message>
   <message>
+   <source>longest gap: {count} images</source>
+   <translation>längste Lücke: {count} Bilder</translation>
+  </message>
+  <message>
    <source>longest stretch</source>
    <translation>längster Abschnitt</translation>
   </message>
@@ -4230,6 +4434,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>mean over the ground</source>
    <translation>Mittel über das Gelände</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <translation>Median</translation>
   </message>
   <message>
    <source>median 95 % radius</source>
@@ -4260,12 +4468,28 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Rauschen einzelner Landmarken</translation>
   </message>
   <message>
+   <source>none</source>
+   <translation>keine</translation>
+  </message>
+  <message>
+   <source>none: label images</source>
+   <translation>keines: Labelbilder</translation>
+  </message>
+  <message>
    <source>north</source>
    <translation>Nord</translation>
   </message>
   <message>
    <source>not said</source>
    <translation>keine Angabe</translation>
+  </message>
+  <message>
+   <source>nothing</source>
+   <translation>nichts</translation>
+  </message>
+  <message>
+   <source>of each image by itself: {method}</source>
+   <translation>jedes Bildes für sich: {method}</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -4308,12 +4532,20 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Gesamtgenauigkeit</translation>
   </message>
   <message>
+   <source>own fixes outvoted</source>
+   <translation>eigene Fixe überstimmt</translation>
+  </message>
+  <message>
    <source>pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.</source>
    <translation>pip kann den SOCKS-Proxy der Netzwerkeinstellungen von QGIS nicht nutzen; stellen Sie dort einen HTTP-Proxy oder keinen ein.</translation>
   </message>
   <message>
    <source>pip could not install {package}: {reason}.</source>
    <translation>pip konnte {package} nicht installieren: {reason}.</translation>
+  </message>
+  <message>
+   <source>pixel size (m)</source>
+   <translation>Pixelgröße (m)</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -4330,6 +4562,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>reliably</source>
    <translation>zuverlässig</translation>
+  </message>
+  <message>
+   <source>remark</source>
+   <translation>Bemerkung</translation>
   </message>
   <message>
    <source>right</source>
@@ -4408,6 +4644,18 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>die Datenbank</translation>
   </message>
   <message>
+   <source>the flight</source>
+   <translation>Flug</translation>
+  </message>
+  <message>
+   <source>the flight contradicts them</source>
+   <translation>der Flug widerspricht ihnen</translation>
+  </message>
+  <message>
+   <source>the flight, against its own fix</source>
+   <translation>Flug, gegen den eigenen Fix</translation>
+  </message>
+  <message>
    <source>the ground within {radius:g} of {x:.0f}, {y:.0f}</source>
    <translation>das Gelände bis {radius:g} um {x:.0f}, {y:.0f}</translation>
   </message>
@@ -4428,6 +4676,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>bis (m)</translation>
   </message>
   <message>
+   <source>to image</source>
+   <translation>bis Bild</translation>
+  </message>
+  <message>
    <source>told to be right</source>
    <translation>als richtig genannt</translation>
   </message>
@@ -4442,6 +4694,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>torch was installed, but can’t be used: {reason}; it was removed again.</source>
    <translation>torch wurde installiert, kann aber nicht benutzt werden: {reason}; es wurde wieder entfernt.</translation>
+  </message>
+  <message>
+   <source>track</source>
+   <translation>Spur</translation>
+  </message>
+  <message>
+   <source>tracks</source>
+   <translation>Spuren</translation>
   </message>
   <message>
    <source>training time</source>
@@ -4484,8 +4744,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>falsche Fixe simuliert</translation>
   </message>
   <message>
+   <source>wrong once in</source>
+   <translation>falsch einmal in</translation>
+  </message>
+  <message>
    <source>wrong once in {value:,.0f}</source>
    <translation>falsch einmal in {value:,.0f}</translation>
+  </message>
+  <message>
+   <source>x</source>
+   <translation>x</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -4494,6 +4762,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>x, y in the project’s CRS ({crs})</source>
    <translation>x, y im KBS des Projekts ({crs})</translation>
+  </message>
+  <message>
+   <source>y</source>
+   <translation>y</translation>
   </message>
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
@@ -4568,6 +4840,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{database} gibt keine geografische Länge und Breite her, die GGA-Sätze und MAVLink brauchen.</translation>
   </message>
   <message>
+   <source>{database} has no overview, by which tracks are told apart; export it with one.</source>
+   <translation>{database} hat keine Übersicht, an der Spuren unterschieden werden; exportieren Sie sie mit einer.</translation>
+  </message>
+  <message>
    <source>{database} has no overview, which map correlation searches; export it with one.</source>
    <translation>{database} hat keine Übersicht, die die Kartenkorrelation durchsucht; sie mit Übersicht exportieren.</translation>
   </message>
@@ -4634,6 +4910,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
    <translation>{image}: Abstand {distance:.3f}, Konfidenz {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{image}: its own fix contradicts the flight and was outvoted.</source>
+   <translation>{image}: Sein eigener Fix widerspricht dem Flug und wurde überstimmt.</translation>
   </message>
   <message>
    <source>{image}: left out. {reason}</source>
@@ -4808,6 +5088,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{output} wird ersetzt.</translation>
   </message>
   <message>
+   <source>{own} by a fix of their own, {flight} by the flight</source>
+   <translation>{own} durch eigenen Fix, {flight} durch den Flug</translation>
+  </message>
+  <message>
    <source>{packages} is missing; without it nothing can be localized.</source>
    <translation>{packages} fehlt; ohne kann nichts lokalisiert werden.</translation>
   </message>
@@ -4822,6 +5106,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
    <translation>{package} wurde installiert, ist aber mit numpy {numpy} nicht nutzbar: {reason}; es wurde wieder entfernt.</translation>
+  </message>
+  <message>
+   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {none} unknown.</source>
+   <translation>{pairs} Paare von Nachbarn: {pixels} in ihren Pixeln gesehen, {table} von der Tabelle angegeben, {none} unbekannt.</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
@@ -5148,6 +5436,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} ist keine Borddatei von SemRef; eine wählen, die SemRef exportiert hat.</translation>
   </message>
   <message>
+   <source>{path} is no state of a flight that this SemRef wrote, or is damaged.</source>
+   <translation>{path} ist kein Stand eines Fluges, den dieses SemRef geschrieben hat, oder ist beschädigt.</translation>
+  </message>
+  <message>
    <source>{path} is no text and so no route; choose another file.</source>
    <translation>{path} ist kein Text und damit keine Route; eine andere Datei wählen.</translation>
   </message>
@@ -5196,6 +5488,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} ist gedreht oder gespiegelt; zuerst auf ein nach Norden ausgerichtetes Raster umrechnen.</translation>
   </message>
   <message>
+   <source>{path} is the state of a flight in another database.</source>
+   <translation>{path} ist der Stand eines Fluges in einer anderen Datenbank.</translation>
+  </message>
+  <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
    <translation>{path} hat seine Gewichte in einer anderen Datei, die fehlt oder abgeschnitten ist; sie unter ihrem alten Namen neben das Modell legen ({reason}).</translation>
   </message>
@@ -5232,6 +5528,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} sagt weder Kurs noch Höhe noch Geschwindigkeit eines Fluges.</translation>
   </message>
   <message>
+   <source>{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight.</source>
+   <translation>{path} gibt zwischen keinen zwei dieser Bilder, etwa {image}, eine Bewegung an; geben Sie die ODOMETRY dieses Fluges an.</translation>
+  </message>
+  <message>
    <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
    <translation>{path} verwendet ONNX-Operatoren der Version {found} (Opset), onnxruntime {version} kennt sie aber nur bis {known}; ein neueres onnxruntime installieren oder das Modell mit einem älteren Opset exportieren.</translation>
   </message>
@@ -5246,6 +5546,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} wurde nicht mit dem Schlüssel {key} signiert oder seitdem geändert; holen Sie die Datei noch einmal von dort, wo sie exportiert wurde.</translation>
+  </message>
+  <message>
+   <source>{placed} of {images} images have a position, on {tracks} tracks.</source>
+   <translation>{placed} von {images} Bildern haben eine Position, auf {tracks} Spuren.</translation>
   </message>
   <message>
    <source>{place}, set aside</source>

@@ -40,8 +40,16 @@
    <translation>2 % del lado del terreno</translation>
   </message>
   <message>
+   <source>95 % radius</source>
+   <translation>radio del 95 %</translation>
+  </message>
+  <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
    <translation>Un CSV con las columnas image (nombre del archivo), roll, pitch (grados; 0 y 0 mira recto hacia abajo, un pitch mayor que 0 mira hacia la parte superior de la imagen, un roll mayor que 0 hacia su derecha), una de focal_length_px, focal_length_35mm o field_of_view (grados a lo ancho), time (segundos, o fecha y hora), height (m sobre el terreno) y heading (grados en sentido horario desde el norte). Las imágenes se rectifican antes de localizarlas; la altura y el objetivo juntos dicen el tamaño de sus píxeles. Lo que la tabla no dice se toma de los EXIF y XMP de la imagen, o de la foto del mismo nombre que está al lado. El vector topológico toma las imágenes tal cual.</translation>
+  </message>
+  <message>
+   <source>A CSV with the columns image, dx_m, dy_m and dheading_deg: how far the camera moved since the row before, to the right and towards the top of that image in meters, and how far it turned clockwise in degrees; optionally sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers says that the motion is not known. It counts before what pixels say.</source>
+   <translation>Un CSV con las columnas image, dx_m, dy_m y dheading_deg: cuánto se movió la cámara desde la fila anterior, hacia la derecha y hacia la parte superior de aquella imagen en metros, y cuánto giró en sentido horario en grados; opcionalmente sigma_m, sigma_heading_deg, scale y sigma_scale. Una fila sin números dice que el movimiento no se conoce. Prevalece sobre lo que dicen los píxeles.</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
@@ -156,6 +164,10 @@
    <translation>Una astilla de {name} de {area:.2f} m² está junto a {other_name} (objeto espacial {id}).</translation>
   </message>
   <message>
+   <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
+   <translation>Se indica una trayectoria cuando la probabilidad de que sea errónea es como máximo esta: 0,0001 es una vez de cada 10 000. Un riesgo menor necesita más imágenes.</translation>
+  </message>
+  <message>
    <source>A vector of {count} references is too short; use at least {least}.</source>
    <translation>Un vector de {count} hitos es demasiado corto; use al menos {least}.</translation>
   </message>
@@ -222,6 +234,14 @@
   <message>
    <source>Allowed risk of a wrong fix</source>
    <translation>Riesgo permitido de una posición errónea</translation>
+  </message>
+  <message>
+   <source>Allowed risk of a wrong track</source>
+   <translation>Riesgo admitido de una trayectoria errónea</translation>
+  </message>
+  <message>
+   <source>Along the flight</source>
+   <translation>A lo largo del vuelo</translation>
   </message>
   <message>
    <source>Ambiguous</source>
@@ -414,6 +434,14 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>By footprint</source>
    <translation>Por huella</translation>
+  </message>
+  <message>
+   <source>By the flight</source>
+   <translation>Por el vuelo</translation>
+  </message>
+  <message>
+   <source>By the flight, own fix outvoted</source>
+   <translation>Por el vuelo, posición propia descartada</translation>
   </message>
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
@@ -748,6 +776,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Discrepancias</translation>
   </message>
   <message>
+   <source>Discs: positions, filled where the image has a fix of its own, with the direction of the image’s top; ellipses hold the true position in 95 % of cases. North is up.</source>
+   <translation>Discos: posiciones, rellenos donde la imagen tiene una posición propia, con la dirección de la parte superior de la imagen; las elipses contienen la posición real en el 95 % de los casos. El norte está arriba.</translation>
+  </message>
+  <message>
    <source>Dissolving neighbors</source>
    <translation>Disolviendo vecinos</translation>
   </message>
@@ -1040,6 +1072,14 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Hallazgos de cada tipo, por gravedad; la escala es logarítmica.</translation>
   </message>
   <message>
+   <source>Finds the track of a flight: all its images together, by what each says of its place and by how they lie to each other. Images that have no fix of their own are placed, too, and wrong fixes are outvoted.
+
+The images are taken in the order of their times, else of their names. Motion from image to image is seen in their pixels where they overlap, or told by an odometry table; without either it is taken to go on as before, and errors grow. Where nothing decides, an image stays without a position and says why.</source>
+   <translation>Encuentra la trayectoria de un vuelo: todas sus imágenes juntas, por lo que cada una dice de su lugar y por cómo están situadas entre sí. También se sitúan imágenes sin posición propia, y las posiciones erróneas se descartan.
+
+Las imágenes se toman en el orden de sus horas, si no, de sus nombres. El movimiento de imagen a imagen se ve en sus píxeles donde se solapan, o lo indica una tabla de odometría; sin ninguno de los dos se supone que continúa como antes, y los errores crecen. Donde nada decide, una imagen queda sin posición y dice por qué.</translation>
+  </message>
+  <message>
    <source>Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that touch, are too small, or that pixels of a given size would lose, merge or split.
 
 Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” mends most of it.</source>
@@ -1058,6 +1098,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Fix</source>
    <translation>Posición encontrada</translation>
+  </message>
+  <message>
+   <source>Fix of the image itself</source>
+   <translation>Posición de la propia imagen</translation>
   </message>
   <message>
    <source>Fixes by</source>
@@ -1120,6 +1164,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Para imágenes de un mismo vuelo cuyas horas se conocen: una posición encontrada que no se puede alcanzar a tiempo desde las anteriores y posteriores se marca como salto, con el motivo. Sigue siendo una posición encontrada y se cuenta.</translation>
   </message>
   <message>
+   <source>For images whose times are known: a position that can’t be reached in time from those before and after it is marked as jump, with the reason. It stays a position and is counted.</source>
+   <translation>Para imágenes cuyas horas se conocen: una posición que no se puede alcanzar a tiempo desde las anteriores y posteriores se marca como salto, con el motivo. Sigue siendo una posición y se cuenta.</translation>
+  </message>
+  <message>
    <source>Format</source>
    <translation>Formato</translation>
   </message>
@@ -1142,6 +1190,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>De {start:.0f} a {end:.0f} m: {shift:.0f} m a la derecha el acierto sería del {after:.0%} en lugar del {before:.0%}.</translation>
+  </message>
+  <message>
+   <source>Gaps</source>
+   <translation>Lagunas</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -1202,6 +1254,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Go on with a canceled run</source>
    <translation>Continuar una ejecución cancelada</translation>
+  </message>
+  <message>
+   <source>Go through the images by themselves</source>
+   <translation>Recorrer las imágenes automáticamente</translation>
   </message>
   <message>
    <source>Going on after epoch {epoch} of a canceled run.</source>
@@ -1440,6 +1496,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Su posición no tiene rumbo ni tamaño de píxel, como las del vector topológico.</translation>
   </message>
   <message>
+   <source>Its own fix was outvoted</source>
+   <translation>Su posición propia fue descartada</translation>
+  </message>
+  <message>
    <source>JSON files (*.json)</source>
    <translation>Archivos JSON (*.json)</translation>
   </message>
@@ -1596,12 +1656,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Localizar</translation>
   </message>
   <message>
+   <source>Localize flight</source>
+   <translation>Localizar vuelo</translation>
+  </message>
+  <message>
    <source>Localize images</source>
    <translation>Localizar imágenes</translation>
   </message>
   <message>
    <source>Localizing</source>
    <translation>Localizando</translation>
+  </message>
+  <message>
+   <source>Localizing a flight</source>
+   <translation>Localizando un vuelo</translation>
   </message>
   <message>
    <source>Localizing images</source>
@@ -1720,12 +1788,12 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
 Donde se superponen polígonos, queda encima la prioridad más alta; si no, el polígono más pequeño; si no, el valor de clase más bajo. Cada polígono conserva los atributos del objeto espacial que cubre su mayor parte. Reparar una capa reparada no cambia nada.</translation>
   </message>
   <message>
-   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, and photos taken anywhere above it, with where they were really taken (photos.csv).
+   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, photos taken anywhere above it, with where they were really taken (photos.csv), and the photos of one flight, with that and their times (flight.csv).
 
 The model that ships with SemRef can read these photos.</source>
-   <translation>Inventa un terreno de 4 × 3 km para probar SemRef: sus polígonos de cobertura del suelo (landcover.shp), su tabla de clases (classes.csv), una ortofoto y fotos tomadas en cualquier punto sobre él, con el lugar real de cada toma (photos.csv).
+   <translation>Inventa un terreno de 4 × 3 km para probar SemRef: sus polígonos de cobertura del suelo (landcover.shp), su tabla de clases (classes.csv), una ortofoto, fotos tomadas en cualquier punto sobre él, con el lugar real de cada toma (photos.csv), y las fotos de un vuelo, con sus lugares y horas (flight.csv).
 
-El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
+El modelo que viene con SemRef sabe leer estas fotos.</translation>
   </message>
   <message>
    <source>Making an environment for training…</source>
@@ -1750,6 +1818,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Map displaced (map units)</source>
    <translation>Mapa desplazado (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Map of the track</source>
+   <translation>Mapa de la trayectoria</translation>
   </message>
   <message>
    <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
@@ -1862,6 +1934,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>More models: train one on your own ground (the button beside the model in the dock), make one from published photos, or take a segmentation model of the Deepness plugin. {how}</source>
    <translation>Más modelos: entrene uno con su propio terreno (el botón junto al modelo en el panel), haga uno con fotos publicadas o tome un modelo de segmentación del complemento Deepness. {how}</translation>
+  </message>
+  <message>
+   <source>Motion between the images</source>
+   <translation>Movimiento entre las imágenes</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
@@ -1992,6 +2068,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Ninguno: se espera una posición en todas partes.</translation>
   </message>
   <message>
+   <source>None: every image has a position.</source>
+   <translation>Ninguna: todas las imágenes tienen posición.</translation>
+  </message>
+  <message>
    <source>Not good for</source>
    <translation>No sirve para</translation>
   </message>
@@ -2014,6 +2094,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Nothing was found.</source>
    <translation>No se encontró nada.</translation>
+  </message>
+  <message>
+   <source>Number</source>
+   <translation>Número</translation>
   </message>
   <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
@@ -2040,6 +2124,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Número de imágenes</translation>
   </message>
   <message>
+   <source>Number of images with a position</source>
+   <translation>Número de imágenes con posición</translation>
+  </message>
+  <message>
    <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
    <translation>Número de imágenes. El informe necesita además unas 1,5 veces otras tantas para el ruido y el desplazamiento, y 66 para sus tablas.</translation>
   </message>
@@ -2056,6 +2144,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Número de teselas</translation>
   </message>
   <message>
+   <source>Number of tracks</source>
+   <translation>Número de trayectorias</translation>
+  </message>
+  <message>
    <source>Number of windows</source>
    <translation>Número de ventanas</translation>
   </message>
@@ -2070,6 +2162,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>ONNX models (*.onnx)</source>
    <translation>Modelos ONNX (*.onnx)</translation>
+  </message>
+  <message>
+   <source>Odometry table</source>
+   <translation>Tabla de odometría</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -2108,6 +2204,14 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Un objeto espacial por hallazgo, en el sistema de referencia de coordenadas del mapa de etiquetas.</translation>
   </message>
   <message>
+   <source>One flight (the times of these {count} photos look like it)</source>
+   <translation>Un vuelo (las horas de estas {count} fotos lo sugieren)</translation>
+  </message>
+  <message>
+   <source>One line a track, from image to image.</source>
+   <translation>Una línea por trayectoria, de imagen a imagen.</translation>
+  </message>
+  <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
    <translation>Uno de los mapas está girado respecto al otro; reproyecte antes ambos a una cuadrícula orientada al norte.</translation>
   </message>
@@ -2128,6 +2232,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Un punto por cada hito del mapa que coincide con uno de una imagen, para posiciones con rumbo: dónde lo tiene la imagen, dónde lo sitúa la posición y cuánto se desvía.</translation>
   </message>
   <message>
+   <source>One point an image, in the order of the flight: as of “Localize images”, with what the position rests on (source: own or flight), its track, and whether a fix of its own was outvoted. Images whose times are known can be played with QGIS’s temporal controller.</source>
+   <translation>Un punto por imagen, en el orden del vuelo: como en «Localizar imágenes», con aquello en que se basa la posición (source: own o flight), su trayectoria y si se descartó una posición propia. Las imágenes cuyas horas se conocen se pueden reproducir con el controlador temporal de QGIS.</translation>
+  </message>
+  <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
    <translation>Un punto por imagen: estado, posición, confianza, distancia, ventana y, si no se encuentra una posición, el motivo.</translation>
   </message>
@@ -2138,6 +2246,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
    <translation>Un polígono por posición encontrada: el terreno que muestra la imagen, o la ventana coincidente en el método del vector topológico.</translation>
+  </message>
+  <message>
+   <source>One polygon an image with a position: the ground that it shows.</source>
+   <translation>Un polígono por imagen con posición: el terreno que muestra.</translation>
   </message>
   <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
@@ -2264,8 +2376,20 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Lugar anterior</translation>
   </message>
   <message>
+   <source>Placed by the flight</source>
+   <translation>Situada por el vuelo</translation>
+  </message>
+  <message>
+   <source>Places all images together, in the order of their times, else of their names: also those that have no fix of their own</source>
+   <translation>Sitúa todas las imágenes juntas, en el orden de sus horas, si no, de sus nombres: también las que no tienen posición propia</translation>
+  </message>
+  <message>
    <source>Places are tested by networks that were trained without them.</source>
    <translation>Los lugares se prueban con redes entrenadas sin ellos.</translation>
+  </message>
+  <message>
+   <source>Placing the flight</source>
+   <translation>Situando el vuelo</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2294,6 +2418,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Positions</source>
    <translation>Posiciones</translation>
+  </message>
+  <message>
+   <source>Positions of the flight</source>
+   <translation>Posiciones del vuelo</translation>
   </message>
   <message>
    <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
@@ -2432,6 +2560,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
    <translation>Leyendo el mapa de etiquetas</translation>
   </message>
   <message>
+   <source>Reading the times of images</source>
+   <translation>Leyendo las horas de las imágenes</translation>
+  </message>
+  <message>
    <source>Reading…</source>
    <translation>Leyendo…</translation>
   </message>
@@ -2494,6 +2626,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Report</source>
    <translation>Informe</translation>
+  </message>
+  <message>
+   <source>Report of a flight</source>
+   <translation>Informe de un vuelo</translation>
   </message>
   <message>
    <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
@@ -2646,6 +2782,10 @@ El modelo que acompaña a SemRef sabe leer estas fotos.</translation>
   <message>
    <source>SemRef sample project</source>
    <translation>Proyecto de ejemplo de SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef track</source>
+   <translation>Trayectoria de SemRef</translation>
   </message>
   <message>
    <source>SemRef windows</source>
@@ -3030,6 +3170,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>El archivo no puede dar longitud ni latitud: el mapa es demasiado grande para ello o contiene un polo.</translation>
+  </message>
+  <message>
+   <source>The first {count} images; the layer has all of them.</source>
+   <translation>Las primeras {count} imágenes; la capa las tiene todas.</translation>
   </message>
   <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
@@ -3444,6 +3588,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La tesela {path} no se puede leer.</translation>
   </message>
   <message>
+   <source>The track with its error ellipses, what held where, heading and height, and the gaps, in one file.</source>
+   <translation>La trayectoria con sus elipses de error, qué la sostuvo en cada lugar, rumbo y altura, y las lagunas, en un archivo.</translation>
+  </message>
+  <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>El entrenamiento terminó sin decir nada ({reason}); compruebe si se agotó la memoria o elija otro Python que {python}.</translation>
   </message>
@@ -3516,6 +3664,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>En {folder} no hay ninguna ejecución que continuar.</translation>
   </message>
   <message>
+   <source>These images are one flight</source>
+   <translation>Estas imágenes son un vuelo</translation>
+  </message>
+  <message>
    <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
    <translation>No es una foto ni una imagen de etiquetas de 8 bits: sus píxeles son {shape} de tipo {kind}.</translation>
   </message>
@@ -3534,6 +3686,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Tiles a second</source>
    <translation>Teselas por segundo</translation>
+  </message>
+  <message>
+   <source>Time</source>
+   <translation>Hora</translation>
   </message>
   <message>
    <source>Time limit (minutes)</source>
@@ -3574,6 +3730,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Vector topológico (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Track</source>
+   <translation>Trayectoria</translation>
+  </message>
+  <message>
+   <source>Track {number}</source>
+   <translation>Trayectoria {number}</translation>
   </message>
   <message>
    <source>Train a model on an orthophoto and polygons…</source>
@@ -3738,6 +3902,10 @@ Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más 
   <message>
    <source>What for</source>
    <translation>Para qué</translation>
+  </message>
+  <message>
+   <source>What held where</source>
+   <translation>Qué sostuvo cada posición</translation>
   </message>
   <message>
    <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
@@ -4092,6 +4260,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>desde (m)</translation>
   </message>
   <message>
+   <source>from image</source>
+   <translation>desde la imagen</translation>
+  </message>
+  <message>
    <source>ground set aside from training</source>
    <translation>terreno apartado del entrenamiento</translation>
   </message>
@@ -4104,6 +4276,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>rumbo</translation>
   </message>
   <message>
+   <source>heading (°)</source>
+   <translation>rumbo (°)</translation>
+  </message>
+  <message>
    <source>heading {value:.1f}°</source>
    <translation>rumbo {value:.1f}°</translation>
   </message>
@@ -4112,8 +4288,28 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>rumbos a menos de {spread:g}° de {heading:g}°</translation>
   </message>
   <message>
+   <source>height (m)</source>
+   <translation>altura (m)</translation>
+  </message>
+  <message>
+   <source>held by</source>
+   <translation>sostenida por</translation>
+  </message>
+  <message>
    <source>hint</source>
    <translation>sugerencia</translation>
+  </message>
+  <message>
+   <source>image</source>
+   <translation>imagen</translation>
+  </message>
+  <message>
+   <source>images</source>
+   <translation>imágenes</translation>
+  </message>
+  <message>
+   <source>images placed</source>
+   <translation>imágenes situadas</translation>
   </message>
   <message>
    <source>images with a fix</source>
@@ -4154,6 +4350,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>its driver or its libraries could not be loaded</source>
    <translation>no se pudieron cargar su controlador o sus bibliotecas</translation>
+  </message>
+  <message>
+   <source>its own fix</source>
+   <translation>su posición propia</translation>
   </message>
   <message>
    <source>kind</source>
@@ -4212,6 +4412,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>lon, lat</translation>
   </message>
   <message>
+   <source>longest gap: {count} images</source>
+   <translation>laguna más larga: {count} imágenes</translation>
+  </message>
+  <message>
    <source>longest stretch</source>
    <translation>tramo más largo</translation>
   </message>
@@ -4230,6 +4434,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>mean over the ground</source>
    <translation>media sobre el terreno</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <translation>mediana</translation>
   </message>
   <message>
    <source>median 95 % radius</source>
@@ -4260,12 +4468,28 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>ruido de hitos individuales</translation>
   </message>
   <message>
+   <source>none</source>
+   <translation>ninguna</translation>
+  </message>
+  <message>
+   <source>none: label images</source>
+   <translation>ninguno: imágenes de etiquetas</translation>
+  </message>
+  <message>
    <source>north</source>
    <translation>norte</translation>
   </message>
   <message>
    <source>not said</source>
    <translation>no indicado</translation>
+  </message>
+  <message>
+   <source>nothing</source>
+   <translation>nada</translation>
+  </message>
+  <message>
+   <source>of each image by itself: {method}</source>
+   <translation>de cada imagen por sí sola: {method}</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -4308,12 +4532,20 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>exactitud global</translation>
   </message>
   <message>
+   <source>own fixes outvoted</source>
+   <translation>posiciones propias descartadas</translation>
+  </message>
+  <message>
    <source>pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.</source>
    <translation>pip no puede usar el proxy SOCKS de la configuración de red de QGIS; ponga allí un proxy HTTP o ninguno.</translation>
   </message>
   <message>
    <source>pip could not install {package}: {reason}.</source>
    <translation>pip no pudo instalar {package}: {reason}.</translation>
+  </message>
+  <message>
+   <source>pixel size (m)</source>
+   <translation>tamaño de píxel (m)</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -4330,6 +4562,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>reliably</source>
    <translation>con fiabilidad</translation>
+  </message>
+  <message>
+   <source>remark</source>
+   <translation>observación</translation>
   </message>
   <message>
    <source>right</source>
@@ -4408,6 +4644,18 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>la base de datos</translation>
   </message>
   <message>
+   <source>the flight</source>
+   <translation>el vuelo</translation>
+  </message>
+  <message>
+   <source>the flight contradicts them</source>
+   <translation>el vuelo las contradice</translation>
+  </message>
+  <message>
+   <source>the flight, against its own fix</source>
+   <translation>el vuelo, contra su posición propia</translation>
+  </message>
+  <message>
    <source>the ground within {radius:g} of {x:.0f}, {y:.0f}</source>
    <translation>el terreno a menos de {radius:g} de {x:.0f}, {y:.0f}</translation>
   </message>
@@ -4428,6 +4676,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>hasta (m)</translation>
   </message>
   <message>
+   <source>to image</source>
+   <translation>hasta la imagen</translation>
+  </message>
+  <message>
    <source>told to be right</source>
    <translation>declaradas correctas</translation>
   </message>
@@ -4442,6 +4694,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>torch was installed, but can’t be used: {reason}; it was removed again.</source>
    <translation>torch se instaló, pero no se puede usar: {reason}; se eliminó de nuevo.</translation>
+  </message>
+  <message>
+   <source>track</source>
+   <translation>trayectoria</translation>
+  </message>
+  <message>
+   <source>tracks</source>
+   <translation>trayectorias</translation>
   </message>
   <message>
    <source>training time</source>
@@ -4484,8 +4744,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>posiciones erróneas simuladas</translation>
   </message>
   <message>
+   <source>wrong once in</source>
+   <translation>errónea una vez de cada</translation>
+  </message>
+  <message>
    <source>wrong once in {value:,.0f}</source>
    <translation>errónea una vez en {value:,.0f}</translation>
+  </message>
+  <message>
+   <source>x</source>
+   <translation>x</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -4494,6 +4762,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>x, y in the project’s CRS ({crs})</source>
    <translation>x, y en el SRC del proyecto ({crs})</translation>
+  </message>
+  <message>
+   <source>y</source>
+   <translation>y</translation>
   </message>
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
@@ -4568,6 +4840,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{database} no puede indicar longitud y latitud, que las sentencias GGA y MAVLink necesitan.</translation>
   </message>
   <message>
+   <source>{database} has no overview, by which tracks are told apart; export it with one.</source>
+   <translation>{database} no tiene vista general, con la que se distinguen las trayectorias; expórtela con una.</translation>
+  </message>
+  <message>
    <source>{database} has no overview, which map correlation searches; export it with one.</source>
    <translation>{database} no tiene vista general, en la que busca la correlación de mapas; expórtela con ella.</translation>
   </message>
@@ -4634,6 +4910,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
    <translation>{image}: distancia {distance:.3f}, confianza {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{image}: its own fix contradicts the flight and was outvoted.</source>
+   <translation>{image}: su posición propia contradice el vuelo y fue descartada.</translation>
   </message>
   <message>
    <source>{image}: left out. {reason}</source>
@@ -4808,6 +5088,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{output} se reemplaza.</translation>
   </message>
   <message>
+   <source>{own} by a fix of their own, {flight} by the flight</source>
+   <translation>{own} por posición propia, {flight} por el vuelo</translation>
+  </message>
+  <message>
    <source>{packages} is missing; without it nothing can be localized.</source>
    <translation>Falta {packages}; sin él no se puede localizar nada.</translation>
   </message>
@@ -4822,6 +5106,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
    <translation>{package} se instaló, pero no se puede usar con numpy {numpy}: {reason}; se ha quitado de nuevo.</translation>
+  </message>
+  <message>
+   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {none} unknown.</source>
+   <translation>{pairs} pares de vecinas: {pixels} vistos en sus píxeles, {table} indicados por la tabla, {none} desconocidos.</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
@@ -5148,6 +5436,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no es un archivo de a bordo de SemRef; elija uno que SemRef haya exportado.</translation>
   </message>
   <message>
+   <source>{path} is no state of a flight that this SemRef wrote, or is damaged.</source>
+   <translation>{path} no es un estado de vuelo escrito por este SemRef, o está dañado.</translation>
+  </message>
+  <message>
    <source>{path} is no text and so no route; choose another file.</source>
    <translation>{path} no es texto y, por tanto, no es una ruta; elija otro archivo.</translation>
   </message>
@@ -5196,6 +5488,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} está girado o reflejado; reproyéctelo antes a una cuadrícula orientada al norte.</translation>
   </message>
   <message>
+   <source>{path} is the state of a flight in another database.</source>
+   <translation>{path} es el estado de un vuelo en otra base de datos.</translation>
+  </message>
+  <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
    <translation>{path} guarda sus pesos en otro archivo que falta o está cortado; póngalo junto al modelo con su nombre anterior ({reason}).</translation>
   </message>
@@ -5232,6 +5528,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no indica ni rumbo ni altura ni velocidad de un vuelo.</translation>
   </message>
   <message>
+   <source>{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight.</source>
+   <translation>{path} no indica movimiento entre dos de estas imágenes, como {image}; indique la ODOMETRY de este vuelo.</translation>
+  </message>
+  <message>
    <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
    <translation>{path} usa operadores ONNX de la versión {found} (opset), pero onnxruntime {version} solo los conoce hasta {known}; instale un onnxruntime más nuevo o exporte el modelo con un opset anterior.</translation>
   </message>
@@ -5246,6 +5546,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} no se firmó con la clave {key}, o se cambió después; obténgalo de nuevo de donde se exportó.</translation>
+  </message>
+  <message>
+   <source>{placed} of {images} images have a position, on {tracks} tracks.</source>
+   <translation>{placed} de {images} imágenes tienen posición, en {tracks} trayectorias.</translation>
   </message>
   <message>
    <source>{place}, set aside</source>

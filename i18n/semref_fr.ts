@@ -40,8 +40,16 @@
    <translation>2 % du côté du terrain</translation>
   </message>
   <message>
+   <source>95 % radius</source>
+   <translation>rayon à 95 %</translation>
+  </message>
+  <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
    <translation>Un CSV avec les colonnes image (nom du fichier), roll, pitch (degrés ; 0 et 0 regarde droit vers le bas, pitch supérieur à 0 regarde vers le haut de l’image, roll supérieur à 0 vers sa droite), une colonne parmi focal_length_px, focal_length_35mm ou field_of_view (degrés sur la largeur), time (secondes, ou date et heure), height (m au-dessus du sol) et heading (degrés dans le sens horaire depuis le nord). Les images sont redressées avant d’être localisées ; la hauteur et l’objectif disent ensemble la taille de leurs pixels. Ce que la table ne dit pas est lu dans les EXIF et XMP de l’image, ou de la photo du même nom qui se trouve à côté. Le vecteur topologique prend les images telles quelles.</translation>
+  </message>
+  <message>
+   <source>A CSV with the columns image, dx_m, dy_m and dheading_deg: how far the camera moved since the row before, to the right and towards the top of that image in meters, and how far it turned clockwise in degrees; optionally sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers says that the motion is not known. It counts before what pixels say.</source>
+   <translation>Un CSV avec les colonnes image, dx_m, dy_m et dheading_deg : de combien la caméra s’est déplacée depuis la ligne précédente, vers la droite et vers le haut de cette image-là en mètres, et de combien elle a tourné dans le sens horaire en degrés ; en option sigma_m, sigma_heading_deg, scale et sigma_scale. Une ligne sans nombres dit que le mouvement n’est pas connu. Il l’emporte sur ce que disent les pixels.</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
@@ -156,6 +164,10 @@
    <translation>Un polygone parasite de {name} de {area:.2f} m² se trouve à côté de {other_name} (entité {id}).</translation>
   </message>
   <message>
+   <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
+   <translation>Une trace est donnée quand la probabilité qu’elle soit fausse est au plus celle-ci : 0,0001 veut dire une fois sur 10 000. Un risque plus petit demande plus d’images.</translation>
+  </message>
+  <message>
    <source>A vector of {count} references is too short; use at least {least}.</source>
    <translation>Un vecteur de {count} repères visuels est trop court ; utilisez-en au moins {least}.</translation>
   </message>
@@ -222,6 +234,14 @@
   <message>
    <source>Allowed risk of a wrong fix</source>
    <translation>Risque admis d’une position fausse</translation>
+  </message>
+  <message>
+   <source>Allowed risk of a wrong track</source>
+   <translation>Risque admis d’une trace fausse</translation>
+  </message>
+  <message>
+   <source>Along the flight</source>
+   <translation>Le long du vol</translation>
   </message>
   <message>
    <source>Ambiguous</source>
@@ -414,6 +434,14 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>By footprint</source>
    <translation>Par emprise au sol</translation>
+  </message>
+  <message>
+   <source>By the flight</source>
+   <translation>Par le vol</translation>
+  </message>
+  <message>
+   <source>By the flight, own fix outvoted</source>
+   <translation>Par le vol, position propre écartée</translation>
   </message>
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
@@ -748,6 +776,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Divergences</translation>
   </message>
   <message>
+   <source>Discs: positions, filled where the image has a fix of its own, with the direction of the image’s top; ellipses hold the true position in 95 % of cases. North is up.</source>
+   <translation>Disques : positions, pleins là où l’image a une position propre, avec la direction du haut de l’image ; les ellipses contiennent la position réelle dans 95 % des cas. Le nord est en haut.</translation>
+  </message>
+  <message>
    <source>Dissolving neighbors</source>
    <translation>Regroupement des voisins</translation>
   </message>
@@ -1040,6 +1072,14 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Constats de chaque type, par gravité ; l’échelle est logarithmique.</translation>
   </message>
   <message>
+   <source>Finds the track of a flight: all its images together, by what each says of its place and by how they lie to each other. Images that have no fix of their own are placed, too, and wrong fixes are outvoted.
+
+The images are taken in the order of their times, else of their names. Motion from image to image is seen in their pixels where they overlap, or told by an odometry table; without either it is taken to go on as before, and errors grow. Where nothing decides, an image stays without a position and says why.</source>
+   <translation>Trouve la trace d’un vol : toutes ses images ensemble, d’après ce que chacune dit de son lieu et d’après leur disposition mutuelle. Les images sans position propre sont placées aussi, et les positions fausses sont écartées.
+
+Les images sont prises dans l’ordre de leurs heures, sinon de leurs noms. Le mouvement d’une image à l’autre se voit dans leurs pixels là où elles se recouvrent, ou est donné par une table d’odométrie ; sans l’un ni l’autre, il est supposé continuer comme avant, et les erreurs croissent. Là où rien ne tranche, une image reste sans position et dit pourquoi.</translation>
+  </message>
+  <message>
    <source>Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that touch, are too small, or that pixels of a given size would lose, merge or split.
 
 Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” mends most of it.</source>
@@ -1058,6 +1098,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Fix</source>
    <translation>Position trouvée</translation>
+  </message>
+  <message>
+   <source>Fix of the image itself</source>
+   <translation>Position de l’image elle-même</translation>
   </message>
   <message>
    <source>Fixes by</source>
@@ -1120,6 +1164,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Pour les images d’un même vol dont les heures sont connues : une position trouvée qui ne peut pas être atteinte à temps depuis celles d’avant et d’après est marquée comme saut, avec la raison. Elle reste une position trouvée et elle est comptée.</translation>
   </message>
   <message>
+   <source>For images whose times are known: a position that can’t be reached in time from those before and after it is marked as jump, with the reason. It stays a position and is counted.</source>
+   <translation>Pour les images dont l’heure est connue : une position qui ne peut être atteinte à temps depuis celles d’avant et d’après est marquée comme saut, avec la raison. Elle reste une position et est comptée.</translation>
+  </message>
+  <message>
    <source>Format</source>
    <translation>Format</translation>
   </message>
@@ -1142,6 +1190,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>De {start:.0f} à {end:.0f} m : {shift:.0f} m plus à droite, la réussite serait de {after:.0%} au lieu de {before:.0%}.</translation>
+  </message>
+  <message>
+   <source>Gaps</source>
+   <translation>Lacunes</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -1202,6 +1254,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Go on with a canceled run</source>
    <translation>Poursuivre une exécution annulée</translation>
+  </message>
+  <message>
+   <source>Go through the images by themselves</source>
+   <translation>Parcourir les images automatiquement</translation>
   </message>
   <message>
    <source>Going on after epoch {epoch} of a canceled run.</source>
@@ -1440,6 +1496,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Sa position n’a ni cap ni taille de pixel, comme celles du vecteur topologique.</translation>
   </message>
   <message>
+   <source>Its own fix was outvoted</source>
+   <translation>Sa position propre a été écartée</translation>
+  </message>
+  <message>
    <source>JSON files (*.json)</source>
    <translation>Fichiers JSON (*.json)</translation>
   </message>
@@ -1596,12 +1656,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Localiser</translation>
   </message>
   <message>
+   <source>Localize flight</source>
+   <translation>Localiser un vol</translation>
+  </message>
+  <message>
    <source>Localize images</source>
    <translation>Localiser des images</translation>
   </message>
   <message>
    <source>Localizing</source>
    <translation>Localisation</translation>
+  </message>
+  <message>
+   <source>Localizing a flight</source>
+   <translation>Localisation d’un vol</translation>
   </message>
   <message>
    <source>Localizing images</source>
@@ -1720,10 +1788,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
 Là où des polygones se superposent, la priorité la plus élevée reste au-dessus, sinon le polygone le plus petit, sinon la valeur de classe la plus basse. Chaque polygone garde les attributs de l’entité qui en couvre la plus grande partie. Réparer une couche réparée ne change rien.</translation>
   </message>
   <message>
-   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, and photos taken anywhere above it, with where they were really taken (photos.csv).
+   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, photos taken anywhere above it, with where they were really taken (photos.csv), and the photos of one flight, with that and their times (flight.csv).
 
 The model that ships with SemRef can read these photos.</source>
-   <translation>Invente un morceau de pays de 4 × 3 km pour essayer SemRef : ses polygones d’occupation du sol (landcover.shp), leur table de classes (classes.csv), une orthophoto et des photos prises n’importe où au-dessus, avec le lieu réel de chaque prise de vue (photos.csv).
+   <translation>Invente un morceau de pays de 4 × 3 km pour essayer SemRef : ses polygones d’occupation du sol (landcover.shp), leur table de classes (classes.csv), une orthophoto, des photos prises n’importe où au-dessus, avec le lieu réel de chaque prise de vue (photos.csv), et les photos d’un vol, avec leurs lieux et leurs heures (flight.csv).
 
 Le modèle livré avec SemRef sait lire ces photos.</translation>
   </message>
@@ -1750,6 +1818,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Map displaced (map units)</source>
    <translation>Carte déplacée (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Map of the track</source>
+   <translation>Carte de la trace</translation>
   </message>
   <message>
    <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
@@ -1862,6 +1934,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>More models: train one on your own ground (the button beside the model in the dock), make one from published photos, or take a segmentation model of the Deepness plugin. {how}</source>
    <translation>D’autres modèles : entraînez-en un sur votre propre terrain (le bouton à côté du modèle dans le panneau), faites-en un à partir de photos publiées, ou prenez un modèle de segmentation de l’extension Deepness. {how}</translation>
+  </message>
+  <message>
+   <source>Motion between the images</source>
+   <translation>Mouvement entre les images</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
@@ -1992,6 +2068,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Aucun : une position est attendue partout.</translation>
   </message>
   <message>
+   <source>None: every image has a position.</source>
+   <translation>Aucune : chaque image a une position.</translation>
+  </message>
+  <message>
    <source>Not good for</source>
    <translation>Ne convient pas pour</translation>
   </message>
@@ -2014,6 +2094,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Nothing was found.</source>
    <translation>Rien n’a été trouvé.</translation>
+  </message>
+  <message>
+   <source>Number</source>
+   <translation>Numéro</translation>
   </message>
   <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
@@ -2040,6 +2124,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Nombre d’images</translation>
   </message>
   <message>
+   <source>Number of images with a position</source>
+   <translation>Nombre d’images avec position</translation>
+  </message>
+  <message>
    <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
    <translation>Nombre d’images. Le rapport en demande environ 1,5 fois autant en plus pour le bruit et le décalage, et 66 pour ses tableaux.</translation>
   </message>
@@ -2056,6 +2144,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Nombre de tuiles</translation>
   </message>
   <message>
+   <source>Number of tracks</source>
+   <translation>Nombre de traces</translation>
+  </message>
+  <message>
    <source>Number of windows</source>
    <translation>Nombre de fenêtres</translation>
   </message>
@@ -2070,6 +2162,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>ONNX models (*.onnx)</source>
    <translation>Modèles ONNX (*.onnx)</translation>
+  </message>
+  <message>
+   <source>Odometry table</source>
+   <translation>Table d’odométrie</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -2108,6 +2204,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Une entité par constat, dans le système de coordonnées de référence de la carte d’étiquettes.</translation>
   </message>
   <message>
+   <source>One flight (the times of these {count} photos look like it)</source>
+   <translation>Un seul vol (les heures de ces {count} photos le suggèrent)</translation>
+  </message>
+  <message>
+   <source>One line a track, from image to image.</source>
+   <translation>Une ligne par trace, d’image en image.</translation>
+  </message>
+  <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
    <translation>L’une des cartes est tournée par rapport à l’autre ; reprojetez d’abord les deux sur une grille orientée au nord.</translation>
   </message>
@@ -2128,6 +2232,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Un point par repère de la carte qui concorde avec un repère d’une image, pour les positions avec cap : où l’image le montre, où la position le place et de combien elle s’écarte.</translation>
   </message>
   <message>
+   <source>One point an image, in the order of the flight: as of “Localize images”, with what the position rests on (source: own or flight), its track, and whether a fix of its own was outvoted. Images whose times are known can be played with QGIS’s temporal controller.</source>
+   <translation>Un point par image, dans l’ordre du vol : comme pour « Localiser des images », avec ce sur quoi repose la position (source : own ou flight), sa trace, et si une position propre a été écartée. Les images dont l’heure est connue peuvent être jouées avec le contrôleur temporel de QGIS.</translation>
+  </message>
+  <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
    <translation>Un point par image : état, position, confiance, distance, fenêtre et, si aucune position n’est trouvée, la raison.</translation>
   </message>
@@ -2138,6 +2246,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
    <translation>Un polygone par position trouvée : le terrain que montre l’image, ou la fenêtre correspondante pour la méthode du vecteur topologique.</translation>
+  </message>
+  <message>
+   <source>One polygon an image with a position: the ground that it shows.</source>
+   <translation>Un polygone par image avec position : le terrain qu’elle montre.</translation>
   </message>
   <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
@@ -2264,8 +2376,20 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Endroit précédent</translation>
   </message>
   <message>
+   <source>Placed by the flight</source>
+   <translation>Placée par le vol</translation>
+  </message>
+  <message>
+   <source>Places all images together, in the order of their times, else of their names: also those that have no fix of their own</source>
+   <translation>Place toutes les images ensemble, dans l’ordre de leurs heures, sinon de leurs noms : aussi celles sans position propre</translation>
+  </message>
+  <message>
    <source>Places are tested by networks that were trained without them.</source>
    <translation>Les lieux sont testés par des réseaux entraînés sans eux.</translation>
+  </message>
+  <message>
+   <source>Placing the flight</source>
+   <translation>Placement du vol</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2294,6 +2418,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Positions</source>
    <translation>Positions</translation>
+  </message>
+  <message>
+   <source>Positions of the flight</source>
+   <translation>Positions du vol</translation>
   </message>
   <message>
    <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
@@ -2432,6 +2560,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Lecture de la carte d’étiquettes</translation>
   </message>
   <message>
+   <source>Reading the times of images</source>
+   <translation>Lecture des heures des images</translation>
+  </message>
+  <message>
    <source>Reading…</source>
    <translation>Lecture…</translation>
   </message>
@@ -2494,6 +2626,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Report</source>
    <translation>Rapport</translation>
+  </message>
+  <message>
+   <source>Report of a flight</source>
+   <translation>Rapport d’un vol</translation>
   </message>
   <message>
    <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
@@ -2646,6 +2782,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>SemRef sample project</source>
    <translation>Projet d’exemple SemRef</translation>
+  </message>
+  <message>
+   <source>SemRef track</source>
+   <translation>Trace SemRef</translation>
   </message>
   <message>
    <source>SemRef windows</source>
@@ -3030,6 +3170,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>Le fichier ne peut donner ni longitude ni latitude : la carte est trop grande pour cela, ou contient un pôle.</translation>
+  </message>
+  <message>
+   <source>The first {count} images; the layer has all of them.</source>
+   <translation>Les {count} premières images ; la couche les a toutes.</translation>
   </message>
   <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
@@ -3444,6 +3588,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La tuile {path} ne peut pas être lue.</translation>
   </message>
   <message>
+   <source>The track with its error ellipses, what held where, heading and height, and the gaps, in one file.</source>
+   <translation>La trace avec ses ellipses d’erreur, ce qui a tenu où, cap et hauteur, et les lacunes, en un fichier.</translation>
+  </message>
+  <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>L’entraînement s’est terminé sans un mot ({reason}) ; voyez si la mémoire est épuisée, ou choisissez un autre Python que {python}.</translation>
   </message>
@@ -3516,6 +3664,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a dans {folder} aucune exécution à poursuivre.</translation>
   </message>
   <message>
+   <source>These images are one flight</source>
+   <translation>Ces images sont un seul vol</translation>
+  </message>
+  <message>
    <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
    <translation>Ce n’est ni une photo ni une image d’étiquettes sur 8 bits : ses pixels sont {shape} de type {kind}.</translation>
   </message>
@@ -3534,6 +3686,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Tiles a second</source>
    <translation>Tuiles par seconde</translation>
+  </message>
+  <message>
+   <source>Time</source>
+   <translation>Heure</translation>
   </message>
   <message>
    <source>Time limit (minutes)</source>
@@ -3574,6 +3730,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Vecteur topologique (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Track</source>
+   <translation>Trace</translation>
+  </message>
+  <message>
+   <source>Track {number}</source>
+   <translation>Trace {number}</translation>
   </message>
   <message>
    <source>Train a model on an orthophoto and polygons…</source>
@@ -3738,6 +3902,10 @@ Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur
   <message>
    <source>What for</source>
    <translation>Usage</translation>
+  </message>
+  <message>
+   <source>What held where</source>
+   <translation>Ce qui a tenu où</translation>
   </message>
   <message>
    <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
@@ -4092,6 +4260,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>de (m)</translation>
   </message>
   <message>
+   <source>from image</source>
+   <translation>de l’image</translation>
+  </message>
+  <message>
    <source>ground set aside from training</source>
    <translation>terrain mis de côté à l’entraînement</translation>
   </message>
@@ -4104,6 +4276,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>cap</translation>
   </message>
   <message>
+   <source>heading (°)</source>
+   <translation>cap (°)</translation>
+  </message>
+  <message>
    <source>heading {value:.1f}°</source>
    <translation>cap {value:.1f}°</translation>
   </message>
@@ -4112,8 +4288,28 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>caps à {spread:g}° près de {heading:g}°</translation>
   </message>
   <message>
+   <source>height (m)</source>
+   <translation>hauteur (m)</translation>
+  </message>
+  <message>
+   <source>held by</source>
+   <translation>tenue par</translation>
+  </message>
+  <message>
    <source>hint</source>
    <translation>conseil</translation>
+  </message>
+  <message>
+   <source>image</source>
+   <translation>image</translation>
+  </message>
+  <message>
+   <source>images</source>
+   <translation>images</translation>
+  </message>
+  <message>
+   <source>images placed</source>
+   <translation>images placées</translation>
   </message>
   <message>
    <source>images with a fix</source>
@@ -4154,6 +4350,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>its driver or its libraries could not be loaded</source>
    <translation>son pilote ou ses bibliothèques n’ont pas pu être chargés</translation>
+  </message>
+  <message>
+   <source>its own fix</source>
+   <translation>sa position propre</translation>
   </message>
   <message>
    <source>kind</source>
@@ -4212,6 +4412,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>lon, lat</translation>
   </message>
   <message>
+   <source>longest gap: {count} images</source>
+   <translation>plus longue lacune : {count} images</translation>
+  </message>
+  <message>
    <source>longest stretch</source>
    <translation>plus long tronçon</translation>
   </message>
@@ -4230,6 +4434,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>mean over the ground</source>
    <translation>moyenne sur le terrain</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <translation>médiane</translation>
   </message>
   <message>
    <source>median 95 % radius</source>
@@ -4260,12 +4468,28 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>bruit des repères visuels isolés</translation>
   </message>
   <message>
+   <source>none</source>
+   <translation>aucune</translation>
+  </message>
+  <message>
+   <source>none: label images</source>
+   <translation>aucun : images d’étiquettes</translation>
+  </message>
+  <message>
    <source>north</source>
    <translation>nord</translation>
   </message>
   <message>
    <source>not said</source>
    <translation>non indiqué</translation>
+  </message>
+  <message>
+   <source>nothing</source>
+   <translation>rien</translation>
+  </message>
+  <message>
+   <source>of each image by itself: {method}</source>
+   <translation>de chaque image à elle seule : {method}</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -4308,12 +4532,20 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>exactitude globale</translation>
   </message>
   <message>
+   <source>own fixes outvoted</source>
+   <translation>positions propres écartées</translation>
+  </message>
+  <message>
    <source>pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.</source>
    <translation>pip ne peut pas utiliser le proxy SOCKS des réglages réseau de QGIS ; indiquez-y un proxy HTTP ou aucun.</translation>
   </message>
   <message>
    <source>pip could not install {package}: {reason}.</source>
    <translation>pip n’a pas pu installer {package} : {reason}.</translation>
+  </message>
+  <message>
+   <source>pixel size (m)</source>
+   <translation>taille de pixel (m)</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -4330,6 +4562,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>reliably</source>
    <translation>de façon fiable</translation>
+  </message>
+  <message>
+   <source>remark</source>
+   <translation>remarque</translation>
   </message>
   <message>
    <source>right</source>
@@ -4408,6 +4644,18 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>la base de données</translation>
   </message>
   <message>
+   <source>the flight</source>
+   <translation>le vol</translation>
+  </message>
+  <message>
+   <source>the flight contradicts them</source>
+   <translation>le vol les contredit</translation>
+  </message>
+  <message>
+   <source>the flight, against its own fix</source>
+   <translation>le vol, contre sa position propre</translation>
+  </message>
+  <message>
    <source>the ground within {radius:g} of {x:.0f}, {y:.0f}</source>
    <translation>le terrain à moins de {radius:g} de {x:.0f}, {y:.0f}</translation>
   </message>
@@ -4428,6 +4676,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>à (m)</translation>
   </message>
   <message>
+   <source>to image</source>
+   <translation>à l’image</translation>
+  </message>
+  <message>
    <source>told to be right</source>
    <translation>annoncées correctes</translation>
   </message>
@@ -4442,6 +4694,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>torch was installed, but can’t be used: {reason}; it was removed again.</source>
    <translation>torch a été installé, mais ne peut pas être utilisé : {reason} ; il a été supprimé.</translation>
+  </message>
+  <message>
+   <source>track</source>
+   <translation>trace</translation>
+  </message>
+  <message>
+   <source>tracks</source>
+   <translation>traces</translation>
   </message>
   <message>
    <source>training time</source>
@@ -4484,8 +4744,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>fausses positions simulées</translation>
   </message>
   <message>
+   <source>wrong once in</source>
+   <translation>fausse une fois sur</translation>
+  </message>
+  <message>
    <source>wrong once in {value:,.0f}</source>
    <translation>fausse une fois sur {value:,.0f}</translation>
+  </message>
+  <message>
+   <source>x</source>
+   <translation>x</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -4494,6 +4762,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>x, y in the project’s CRS ({crs})</source>
    <translation>x, y dans le SCR du projet ({crs})</translation>
+  </message>
+  <message>
+   <source>y</source>
+   <translation>y</translation>
   </message>
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
@@ -4568,6 +4840,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{database} ne peut pas donner la longitude et la latitude, dont les phrases GGA et MAVLink ont besoin.</translation>
   </message>
   <message>
+   <source>{database} has no overview, by which tracks are told apart; export it with one.</source>
+   <translation>{database} n’a pas de vue d’ensemble, par laquelle les traces se distinguent ; exportez-la avec une.</translation>
+  </message>
+  <message>
    <source>{database} has no overview, which map correlation searches; export it with one.</source>
    <translation>{database} n’a pas de vue d’ensemble, que parcourt la corrélation de cartes ; exportez-la avec une vue d’ensemble.</translation>
   </message>
@@ -4634,6 +4910,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
    <translation>{image} : distance {distance:.3f}, confiance {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{image}: its own fix contradicts the flight and was outvoted.</source>
+   <translation>{image} : sa position propre contredit le vol et a été écartée.</translation>
   </message>
   <message>
    <source>{image}: left out. {reason}</source>
@@ -4808,6 +5088,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{output} est remplacé.</translation>
   </message>
   <message>
+   <source>{own} by a fix of their own, {flight} by the flight</source>
+   <translation>{own} par leur propre position, {flight} par le vol</translation>
+  </message>
+  <message>
    <source>{packages} is missing; without it nothing can be localized.</source>
    <translation>{packages} est absent ; sans lui, rien ne peut être localisé.</translation>
   </message>
@@ -4822,6 +5106,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
    <translation>{package} a été installé, mais est inutilisable avec numpy {numpy} : {reason} ; il a été retiré.</translation>
+  </message>
+  <message>
+   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {none} unknown.</source>
+   <translation>{pairs} paires de voisines : {pixels} vues dans leurs pixels, {table} données par la table, {none} inconnues.</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
@@ -5148,6 +5436,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} n’est pas un fichier de bord de SemRef ; choisissez-en un que SemRef a exporté.</translation>
   </message>
   <message>
+   <source>{path} is no state of a flight that this SemRef wrote, or is damaged.</source>
+   <translation>{path} n’est pas un état de vol écrit par ce SemRef, ou est endommagé.</translation>
+  </message>
+  <message>
    <source>{path} is no text and so no route; choose another file.</source>
    <translation>{path} n’est pas du texte et donc pas un itinéraire ; choisissez un autre fichier.</translation>
   </message>
@@ -5196,6 +5488,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} est tournée ou en miroir ; reprojetez-la d’abord sur une grille orientée au nord.</translation>
   </message>
   <message>
+   <source>{path} is the state of a flight in another database.</source>
+   <translation>{path} est l’état d’un vol dans une autre base de données.</translation>
+  </message>
+  <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
    <translation>{path} garde ses poids dans un autre fichier, absent ou tronqué ; mettez-le à côté du modèle sous son ancien nom ({reason}).</translation>
   </message>
@@ -5232,6 +5528,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} n’indique ni cap, ni hauteur, ni vitesse d’un vol.</translation>
   </message>
   <message>
+   <source>{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight.</source>
+   <translation>{path} ne donne aucun mouvement entre deux de ces images, comme {image} ; donnez l’ODOMETRY de ce vol.</translation>
+  </message>
+  <message>
    <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
    <translation>{path} utilise des opérateurs ONNX de version {found} (opset), mais onnxruntime {version} ne les connaît que jusqu’à {known} ; installez un onnxruntime plus récent ou exportez le modèle avec un opset plus ancien.</translation>
   </message>
@@ -5246,6 +5546,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} n’a pas été signé avec la clé {key}, ou a été modifié depuis ; récupérez-le à nouveau là où il a été exporté.</translation>
+  </message>
+  <message>
+   <source>{placed} of {images} images have a position, on {tracks} tracks.</source>
+   <translation>{placed} images sur {images} ont une position, sur {tracks} traces.</translation>
   </message>
   <message>
    <source>{place}, set aside</source>

@@ -40,8 +40,16 @@
    <translation>地面边长的 2%</translation>
   </message>
   <message>
+   <source>95 % radius</source>
+   <translation>95 % 半径</translation>
+  </message>
+  <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
    <translation>CSV 文件，包含以下列：image（文件名）、roll、pitch（度；两者均为 0 表示垂直向下，pitch 大于 0 表示朝影像上方倾斜，roll 大于 0 表示朝影像右侧倾斜），focal_length_px、focal_length_35mm 或 field_of_view（横向视场角，度）三者之一，time（秒，或日期和时间），height（离地高度，米），以及 heading（自北起顺时针的度数）。影像在定位之前先做倾斜校正；高度与镜头共同决定像元大小。表中没有给出的内容取自影像的 EXIF 和 XMP，或取自旁边同名照片的 EXIF 和 XMP。拓扑向量法按影像原样处理。</translation>
+  </message>
+  <message>
+   <source>A CSV with the columns image, dx_m, dy_m and dheading_deg: how far the camera moved since the row before, to the right and towards the top of that image in meters, and how far it turned clockwise in degrees; optionally sigma_m, sigma_heading_deg, scale and sigma_scale. A row without numbers says that the motion is not known. It counts before what pixels say.</source>
+   <translation>包含 image、dx_m、dy_m 和 dheading_deg 列的 CSV：自上一行以来相机移动的距离（米，向右和朝向那幅影像的顶部）以及顺时针转动的角度（度）；可选 sigma_m、sigma_heading_deg、scale 和 sigma_scale。没有数字的行表示运动未知。它优先于像素所示。</translation>
   </message>
   <message>
    <source>A GeoPackage made by “Build reference database”.</source>
@@ -156,6 +164,10 @@
    <translation>{name} 的一处 {area:.2f} m² 的碎片紧邻 {other_name}（要素 {id}）。</translation>
   </message>
   <message>
+   <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
+   <translation>当航迹错误的概率不超过此值时才给出航迹：0.0001 表示万分之一。风险越小，所需影像越多。</translation>
+  </message>
+  <message>
    <source>A vector of {count} references is too short; use at least {least}.</source>
    <translation>由 {count} 个地标组成的向量太短；请至少使用 {least} 个。</translation>
   </message>
@@ -222,6 +234,14 @@
   <message>
    <source>Allowed risk of a wrong fix</source>
    <translation>允许的错误定位风险</translation>
+  </message>
+  <message>
+   <source>Allowed risk of a wrong track</source>
+   <translation>允许的错误航迹风险</translation>
+  </message>
+  <message>
+   <source>Along the flight</source>
+   <translation>沿飞行过程</translation>
   </message>
   <message>
    <source>Ambiguous</source>
@@ -414,6 +434,14 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>By footprint</source>
    <translation>按覆盖范围</translation>
+  </message>
+  <message>
+   <source>By the flight</source>
+   <translation>由整个航次定位</translation>
+  </message>
+  <message>
+   <source>By the flight, own fix outvoted</source>
+   <translation>由航次定位，自身定位被否决</translation>
   </message>
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
@@ -748,6 +776,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>不一致之处</translation>
   </message>
   <message>
+   <source>Discs: positions, filled where the image has a fix of its own, with the direction of the image’s top; ellipses hold the true position in 95 % of cases. North is up.</source>
+   <translation>圆点：位置，影像有自身定位处为实心，并标出影像顶部的方向；椭圆在 95 % 的情况下包含真实位置。上方为北。</translation>
+  </message>
+  <message>
    <source>Dissolving neighbors</source>
    <translation>正在融合相邻要素</translation>
   </message>
@@ -1040,6 +1072,14 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>各种类的问题数，按严重程度区分；刻度为对数刻度。</translation>
   </message>
   <message>
+   <source>Finds the track of a flight: all its images together, by what each says of its place and by how they lie to each other. Images that have no fix of their own are placed, too, and wrong fixes are outvoted.
+
+The images are taken in the order of their times, else of their names. Motion from image to image is seen in their pixels where they overlap, or told by an odometry table; without either it is taken to go on as before, and errors grow. Where nothing decides, an image stays without a position and says why.</source>
+   <translation>求一次飞行的航迹：把所有影像放在一起，根据每幅影像对其位置的说明以及影像之间的相互关系。没有自身定位的影像也会得到位置，错误的定位会被否决。
+
+影像按时间排序，没有时间则按名称排序。影像之间的运动从重叠处的像素看出，或由里程计表给出；两者都没有时，假定运动照旧继续，误差随之增大。无法决定时，影像没有位置，并说明原因。</translation>
+  </message>
+  <message>
    <source>Finds what is wrong with a land-cover layer before it becomes a label map: invalid geometries, overlaps that nothing decides, duplicates, gaps and slivers, missing and unknown classes, and landmarks that touch, are too small, or that pixels of a given size would lose, merge or split.
 
 Each finding is a feature with its kind, severity (error, warning, information), a sentence and the ids of the features concerned. A model can stop when the number of errors is not 0. “Repair annotation” mends most of it.</source>
@@ -1058,6 +1098,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Fix</source>
    <translation>已定位</translation>
+  </message>
+  <message>
+   <source>Fix of the image itself</source>
+   <translation>影像自身的定位</translation>
   </message>
   <message>
    <source>Fixes by</source>
@@ -1120,6 +1164,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>用于拍摄时间已知的同一次飞行的影像：若某个定位结果无法从前后的定位结果及时到达，则标记为跳变，并给出原因。它仍然是定位结果，并计入数量。</translation>
   </message>
   <message>
+   <source>For images whose times are known: a position that can’t be reached in time from those before and after it is marked as jump, with the reason. It stays a position and is counted.</source>
+   <translation>对于已知时间的影像：若从前后位置无法及时到达某位置，则将其标为跳变并说明原因。它仍是一个位置并计入总数。</translation>
+  </message>
+  <message>
    <source>Format</source>
    <translation>格式</translation>
   </message>
@@ -1142,6 +1190,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>{start:.0f} 至 {end:.0f} m：向右平移 {shift:.0f} m，成功率为 {after:.0%}，而不是 {before:.0%}。</translation>
+  </message>
+  <message>
+   <source>Gaps</source>
+   <translation>间断</translation>
   </message>
   <message>
    <source>GeoPackage (*.gpkg)</source>
@@ -1202,6 +1254,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Go on with a canceled run</source>
    <translation>继续已取消的运行</translation>
+  </message>
+  <message>
+   <source>Go through the images by themselves</source>
+   <translation>自动逐幅浏览影像</translation>
   </message>
   <message>
    <source>Going on after epoch {epoch} of a canceled run.</source>
@@ -1440,6 +1496,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>它的定位结果没有航向和像素大小（拓扑向量的结果即如此）。</translation>
   </message>
   <message>
+   <source>Its own fix was outvoted</source>
+   <translation>其自身定位被否决</translation>
+  </message>
+  <message>
    <source>JSON files (*.json)</source>
    <translation>JSON 文件 (*.json)</translation>
   </message>
@@ -1596,12 +1656,20 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>定位</translation>
   </message>
   <message>
+   <source>Localize flight</source>
+   <translation>定位航次</translation>
+  </message>
+  <message>
    <source>Localize images</source>
    <translation>定位影像</translation>
   </message>
   <message>
    <source>Localizing</source>
    <translation>正在定位</translation>
+  </message>
+  <message>
+   <source>Localizing a flight</source>
+   <translation>正在定位航次</translation>
   </message>
   <message>
    <source>Localizing images</source>
@@ -1720,12 +1788,12 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
 多边形重叠时，优先级较高者在上，否则较小的多边形在上，再否则类别值较小者在上。每个多边形保留覆盖其最大部分的要素的属性。对修复过的图层再次修复不会有任何改变。</translation>
   </message>
   <message>
-   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, and photos taken anywhere above it, with where they were really taken (photos.csv).
+   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, photos taken anywhere above it, with where they were really taken (photos.csv), and the photos of one flight, with that and their times (flight.csv).
 
 The model that ships with SemRef can read these photos.</source>
-   <translation>虚构一块 4 × 3 km 的土地，用来试用 SemRef：土地覆盖多边形（landcover.shp）、类别表（classes.csv）、一幅正射影像，以及在其上空任意位置拍摄的照片和真实拍摄位置（photos.csv）。
+   <translation>虚构一块 4 × 3 km 的土地，用来试用 SemRef：土地覆盖多边形（landcover.shp）、类别表（classes.csv）、一幅正射影像、在其上空任意位置拍摄的照片和真实拍摄位置（photos.csv），以及一次飞行的照片及其位置和时间（flight.csv）。
 
-随 SemRef 提供的模型可以识别这些照片。</translation>
+随 SemRef 提供的模型可以读取这些照片。</translation>
   </message>
   <message>
    <source>Making an environment for training…</source>
@@ -1750,6 +1818,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Map displaced (map units)</source>
    <translation>地图位移（地图单位）</translation>
+  </message>
+  <message>
+   <source>Map of the track</source>
+   <translation>航迹图</translation>
   </message>
   <message>
    <source>Map, success by footprint, landmarks and what was assumed, in one file to read and print.</source>
@@ -1862,6 +1934,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>More models: train one on your own ground (the button beside the model in the dock), make one from published photos, or take a segmentation model of the Deepness plugin. {how}</source>
    <translation>更多模型：在您自己的地面上训练一个（停靠面板中模型旁的按钮），用公开发布的照片制作一个，或使用 Deepness 插件的分割模型。{how}</translation>
+  </message>
+  <message>
+   <source>Motion between the images</source>
+   <translation>影像之间的运动</translation>
   </message>
   <message>
    <source>Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for flights twice as high.</source>
@@ -1992,6 +2068,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>无：各处均预期可定位。</translation>
   </message>
   <message>
+   <source>None: every image has a position.</source>
+   <translation>无：每幅影像都有位置。</translation>
+  </message>
+  <message>
    <source>Not good for</source>
    <translation>不适用于</translation>
   </message>
@@ -2014,6 +2094,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Nothing was found.</source>
    <translation>未发现任何问题。</translation>
+  </message>
+  <message>
+   <source>Number</source>
+   <translation>编号</translation>
   </message>
   <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
@@ -2040,6 +2124,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>影像数</translation>
   </message>
   <message>
+   <source>Number of images with a position</source>
+   <translation>有位置的影像数</translation>
+  </message>
+  <message>
    <source>Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for its tables.</source>
    <translation>影像数量。报告还需要约 1.5 倍的影像用于噪声和偏移，另需 66 幅用于其中的表格。</translation>
   </message>
@@ -2056,6 +2144,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>图块数</translation>
   </message>
   <message>
+   <source>Number of tracks</source>
+   <translation>航迹数</translation>
+  </message>
+  <message>
    <source>Number of windows</source>
    <translation>窗口数</translation>
   </message>
@@ -2070,6 +2162,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>ONNX models (*.onnx)</source>
    <translation>ONNX 模型 (*.onnx)</translation>
+  </message>
+  <message>
+   <source>Odometry table</source>
+   <translation>里程计表</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -2108,6 +2204,14 @@ The model that ships with SemRef can read these photos.</source>
    <translation>每个问题一个要素，采用标签图的坐标参照系。</translation>
   </message>
   <message>
+   <source>One flight (the times of these {count} photos look like it)</source>
+   <translation>同一次飞行（这 {count} 张照片的时间看起来如此）</translation>
+  </message>
+  <message>
+   <source>One line a track, from image to image.</source>
+   <translation>每条航迹一条线，从影像到影像。</translation>
+  </message>
+  <message>
    <source>One of the maps is rotated against the other; warp both to a north-up grid first.</source>
    <translation>其中一幅地图相对于另一幅有旋转；请先将两者重投影到正北朝上的格网。</translation>
   </message>
@@ -2128,6 +2232,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>对于带航向的定位，地图上每个与图像地标一致的地标一个点：它在图像中的位置、定位结果把它放在何处以及偏差多少。</translation>
   </message>
   <message>
+   <source>One point an image, in the order of the flight: as of “Localize images”, with what the position rests on (source: own or flight), its track, and whether a fix of its own was outvoted. Images whose times are known can be played with QGIS’s temporal controller.</source>
+   <translation>每幅影像一个点，按飞行顺序：同“定位影像”，另有位置的依据（source：own 或 flight）、所属航迹，以及自身定位是否被否决。已知时间的影像可用 QGIS 的时态控制器播放。</translation>
+  </message>
+  <message>
    <source>One point an image: status, position, confidence, distance, window and, without a fix, the reason.</source>
    <translation>每幅影像一个点：状态、位置、置信度、距离、窗口，没有定位结果时还有原因。</translation>
   </message>
@@ -2138,6 +2246,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>One polygon a fix: the ground the image shows, or the matched window of the topology vector method.</source>
    <translation>每个定位结果一个多边形：影像所覆盖的地面，或拓扑向量法所匹配的窗口。</translation>
+  </message>
+  <message>
+   <source>One polygon an image with a position: the ground that it shows.</source>
+   <translation>每幅有位置的影像一个多边形：它所显示的地面。</translation>
   </message>
   <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
@@ -2264,8 +2376,20 @@ The model that ships with SemRef can read these photos.</source>
    <translation>上一处</translation>
   </message>
   <message>
+   <source>Placed by the flight</source>
+   <translation>由航次定位</translation>
+  </message>
+  <message>
+   <source>Places all images together, in the order of their times, else of their names: also those that have no fix of their own</source>
+   <translation>把所有影像一起定位，按时间排序，没有时间则按名称：也包括没有自身定位的影像</translation>
+  </message>
+  <message>
    <source>Places are tested by networks that were trained without them.</source>
    <translation>各地点均由训练时未使用该地点的网络来检验。</translation>
+  </message>
+  <message>
+   <source>Placing the flight</source>
+   <translation>正在定位航次</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2294,6 +2418,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Positions</source>
    <translation>位置</translation>
+  </message>
+  <message>
+   <source>Positions of the flight</source>
+   <translation>航次位置</translation>
   </message>
   <message>
    <source>Positions, footprints and possible places as one GeoPackage, opened with the project</source>
@@ -2432,6 +2560,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>正在读取标签图</translation>
   </message>
   <message>
+   <source>Reading the times of images</source>
+   <translation>正在读取影像时间</translation>
+  </message>
+  <message>
    <source>Reading…</source>
    <translation>正在读取…</translation>
   </message>
@@ -2494,6 +2626,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Report</source>
    <translation>报告</translation>
+  </message>
+  <message>
+   <source>Report of a flight</source>
+   <translation>航次报告</translation>
   </message>
   <message>
    <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
@@ -2646,6 +2782,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>SemRef sample project</source>
    <translation>SemRef 示例工程</translation>
+  </message>
+  <message>
+   <source>SemRef track</source>
+   <translation>SemRef 航迹</translation>
   </message>
   <message>
    <source>SemRef windows</source>
@@ -3030,6 +3170,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>该文件无法给出经纬度：地图过大，或包含极点。</translation>
+  </message>
+  <message>
+   <source>The first {count} images; the layer has all of them.</source>
+   <translation>前 {count} 幅影像；图层中有全部影像。</translation>
   </message>
   <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
@@ -3444,6 +3588,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>无法读取图块 {path}。</translation>
   </message>
   <message>
+   <source>The track with its error ellipses, what held where, heading and height, and the gaps, in one file.</source>
+   <translation>航迹及其误差椭圆、各处的定位依据、航向与高度以及间断，汇于一个文件。</translation>
+  </message>
+  <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>训练无故结束（{reason}）；请检查内存是否耗尽，或选择 {python} 以外的 Python。</translation>
   </message>
@@ -3516,6 +3664,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>{folder} 中没有可继续的运行。</translation>
   </message>
   <message>
+   <source>These images are one flight</source>
+   <translation>这些影像属于同一次飞行</translation>
+  </message>
+  <message>
    <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
    <translation>这不是 8 位的照片或标签影像：其像素为 {shape}，类型 {kind}。</translation>
   </message>
@@ -3534,6 +3686,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Tiles a second</source>
    <translation>每秒瓦片数</translation>
+  </message>
+  <message>
+   <source>Time</source>
+   <translation>时间</translation>
   </message>
   <message>
    <source>Time limit (minutes)</source>
@@ -3574,6 +3730,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>拓扑向量（He &amp; Wu 2025）</translation>
+  </message>
+  <message>
+   <source>Track</source>
+   <translation>航迹</translation>
+  </message>
+  <message>
+   <source>Track {number}</source>
+   <translation>航迹 {number}</translation>
   </message>
   <message>
    <source>Train a model on an orthophoto and polygons…</source>
@@ -3738,6 +3902,10 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
   <message>
    <source>What for</source>
    <translation>用途</translation>
+  </message>
+  <message>
+   <source>What held where</source>
+   <translation>各处的定位依据</translation>
   </message>
   <message>
    <source>What is checked, for example from “Segment image”. It must be in the CRS of the annotated map.</source>
@@ -4092,6 +4260,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>起（m）</translation>
   </message>
   <message>
+   <source>from image</source>
+   <translation>从影像</translation>
+  </message>
+  <message>
    <source>ground set aside from training</source>
    <translation>训练时留出的地面</translation>
   </message>
@@ -4104,6 +4276,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>航向</translation>
   </message>
   <message>
+   <source>heading (°)</source>
+   <translation>航向（°）</translation>
+  </message>
+  <message>
    <source>heading {value:.1f}°</source>
    <translation>航向 {value:.1f}°</translation>
   </message>
@@ -4112,8 +4288,28 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{heading:g}° 左右 {spread:g}° 以内的航向</translation>
   </message>
   <message>
+   <source>height (m)</source>
+   <translation>高度（m）</translation>
+  </message>
+  <message>
+   <source>held by</source>
+   <translation>依据</translation>
+  </message>
+  <message>
    <source>hint</source>
    <translation>提示</translation>
+  </message>
+  <message>
+   <source>image</source>
+   <translation>影像</translation>
+  </message>
+  <message>
+   <source>images</source>
+   <translation>影像数</translation>
+  </message>
+  <message>
+   <source>images placed</source>
+   <translation>已定位影像</translation>
   </message>
   <message>
    <source>images with a fix</source>
@@ -4154,6 +4350,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>its driver or its libraries could not be loaded</source>
    <translation>无法加载其驱动程序或库</translation>
+  </message>
+  <message>
+   <source>its own fix</source>
+   <translation>自身定位</translation>
   </message>
   <message>
    <source>kind</source>
@@ -4212,6 +4412,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>经度, 纬度</translation>
   </message>
   <message>
+   <source>longest gap: {count} images</source>
+   <translation>最长间断：{count} 幅影像</translation>
+  </message>
+  <message>
    <source>longest stretch</source>
    <translation>最长航段</translation>
   </message>
@@ -4230,6 +4434,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>mean over the ground</source>
    <translation>地面平均</translation>
+  </message>
+  <message>
+   <source>median</source>
+   <translation>中位数</translation>
   </message>
   <message>
    <source>median 95 % radius</source>
@@ -4260,12 +4468,28 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>单个地标的噪声</translation>
   </message>
   <message>
+   <source>none</source>
+   <translation>无</translation>
+  </message>
+  <message>
+   <source>none: label images</source>
+   <translation>无：标签影像</translation>
+  </message>
+  <message>
    <source>north</source>
    <translation>北</translation>
   </message>
   <message>
    <source>not said</source>
    <translation>未说明</translation>
+  </message>
+  <message>
+   <source>nothing</source>
+   <translation>无</translation>
+  </message>
+  <message>
+   <source>of each image by itself: {method}</source>
+   <translation>每幅影像单独：{method}</translation>
   </message>
   <message>
    <source>of right fixes</source>
@@ -4308,12 +4532,20 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>总体精度</translation>
   </message>
   <message>
+   <source>own fixes outvoted</source>
+   <translation>被否决的自身定位</translation>
+  </message>
+  <message>
    <source>pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.</source>
    <translation>pip 无法使用 QGIS 网络设置中的 SOCKS 代理；请在那里设置 HTTP 代理或不用代理。</translation>
   </message>
   <message>
    <source>pip could not install {package}: {reason}.</source>
    <translation>pip 无法安装 {package}：{reason}。</translation>
+  </message>
+  <message>
+   <source>pixel size (m)</source>
+   <translation>像元大小（m）</translation>
   </message>
   <message>
    <source>pixel size {value:.3g} m</source>
@@ -4330,6 +4562,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>reliably</source>
    <translation>可靠</translation>
+  </message>
+  <message>
+   <source>remark</source>
+   <translation>备注</translation>
   </message>
   <message>
    <source>right</source>
@@ -4408,6 +4644,18 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>数据库</translation>
   </message>
   <message>
+   <source>the flight</source>
+   <translation>航次</translation>
+  </message>
+  <message>
+   <source>the flight contradicts them</source>
+   <translation>与航次矛盾</translation>
+  </message>
+  <message>
+   <source>the flight, against its own fix</source>
+   <translation>航次，与自身定位相反</translation>
+  </message>
+  <message>
    <source>the ground within {radius:g} of {x:.0f}, {y:.0f}</source>
    <translation>{x:.0f}, {y:.0f} 周围 {radius:g} 以内的地面</translation>
   </message>
@@ -4428,6 +4676,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>止（m）</translation>
   </message>
   <message>
+   <source>to image</source>
+   <translation>到影像</translation>
+  </message>
+  <message>
    <source>told to be right</source>
    <translation>声称正确</translation>
   </message>
@@ -4442,6 +4694,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>torch was installed, but can’t be used: {reason}; it was removed again.</source>
    <translation>torch 已安装但无法使用：{reason}；已将其删除。</translation>
+  </message>
+  <message>
+   <source>track</source>
+   <translation>航迹</translation>
+  </message>
+  <message>
+   <source>tracks</source>
+   <translation>航迹</translation>
   </message>
   <message>
    <source>training time</source>
@@ -4484,8 +4744,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>模拟的错误定位</translation>
   </message>
   <message>
+   <source>wrong once in</source>
+   <translation>错误率：每</translation>
+  </message>
+  <message>
    <source>wrong once in {value:,.0f}</source>
    <translation>每 {value:,.0f} 次错一次</translation>
+  </message>
+  <message>
+   <source>x</source>
+   <translation>x</translation>
   </message>
   <message>
    <source>x, y in the database’s CRS</source>
@@ -4494,6 +4762,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>x, y in the project’s CRS ({crs})</source>
    <translation>x, y（工程坐标参照系 {crs}）</translation>
+  </message>
+  <message>
+   <source>y</source>
+   <translation>y</translation>
   </message>
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
@@ -4568,6 +4840,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{database} 无法给出经纬度，而 GGA 语句和 MAVLink 需要它们。</translation>
   </message>
   <message>
+   <source>{database} has no overview, by which tracks are told apart; export it with one.</source>
+   <translation>{database} 没有用于区分航迹的概览；请带概览重新导出。</translation>
+  </message>
+  <message>
    <source>{database} has no overview, which map correlation searches; export it with one.</source>
    <translation>{database} 没有地图相关所搜索的概览图；请连同概览图一起导出。</translation>
   </message>
@@ -4634,6 +4910,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>
    <translation>{image}：距离 {distance:.3f}，置信度 {confidence:.2f}</translation>
+  </message>
+  <message>
+   <source>{image}: its own fix contradicts the flight and was outvoted.</source>
+   <translation>{image}：其自身定位与航次矛盾，已被否决。</translation>
   </message>
   <message>
    <source>{image}: left out. {reason}</source>
@@ -4808,6 +5088,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{output} 将被替换。</translation>
   </message>
   <message>
+   <source>{own} by a fix of their own, {flight} by the flight</source>
+   <translation>{own} 幅由自身定位，{flight} 幅由航次定位</translation>
+  </message>
+  <message>
    <source>{packages} is missing; without it nothing can be localized.</source>
    <translation>缺少 {packages}；没有它就无法定位。</translation>
   </message>
@@ -4822,6 +5106,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.</source>
    <translation>已安装 {package}，但它无法与 numpy {numpy} 一起使用：{reason}；已重新移除。</translation>
+  </message>
+  <message>
+   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {none} unknown.</source>
+   <translation>{pairs} 对相邻影像：{pixels} 对由像素看出，{table} 对由表给出，{none} 对未知。</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
@@ -5148,6 +5436,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 不是 SemRef 的机载文件；请选择由 SemRef 导出的文件。</translation>
   </message>
   <message>
+   <source>{path} is no state of a flight that this SemRef wrote, or is damaged.</source>
+   <translation>{path} 不是由此 SemRef 写入的航次状态，或已损坏。</translation>
+  </message>
+  <message>
    <source>{path} is no text and so no route; choose another file.</source>
    <translation>{path} 不是文本，因此不是航线；请选择其他文件。</translation>
   </message>
@@ -5196,6 +5488,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 有旋转或镜像；请先重投影到正北朝上的格网。</translation>
   </message>
   <message>
+   <source>{path} is the state of a flight in another database.</source>
+   <translation>{path} 是另一个数据库中航次的状态。</translation>
+  </message>
+  <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>
    <translation>{path} 的权重保存在另一个缺失或不完整的文件中；请将其以原名放在模型旁边（{reason}）。</translation>
   </message>
@@ -5232,6 +5528,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 未说明飞行的航向、高度或速度。</translation>
   </message>
   <message>
+   <source>{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight.</source>
+   <translation>{path} 没有给出这些影像（例如 {image}）之间的运动；请提供此航次的 ODOMETRY。</translation>
+  </message>
+  <message>
    <source>{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; install a newer onnxruntime or export the model with an older opset.</source>
    <translation>{path} 使用版本 {found} 的 ONNX 算子（opset），但 onnxruntime {version} 最高支持 {known}；请安装更新的 onnxruntime，或以较旧的 opset 导出模型。</translation>
   </message>
@@ -5246,6 +5546,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} 不是用密钥 {key} 签名的，或之后被更改；请从导出处重新获取。</translation>
+  </message>
+  <message>
+   <source>{placed} of {images} images have a position, on {tracks} tracks.</source>
+   <translation>{images} 幅影像中有 {placed} 幅有位置，分属 {tracks} 条航迹。</translation>
   </message>
   <message>
    <source>{place}, set aside</source>

@@ -18,6 +18,7 @@ from ..framework.localized_image import LabelImages, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches
 from ..framework.localizing import LocalizeAlgorithm
 from ..translation import tr
+from ..wording.sentences import worded
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
@@ -225,7 +226,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         from ..reports.flight_report import flight_html
 
         settings = [
-            (tr("Method"), tr("of each image by itself: {method}").format(method=str(self.method(values)))),
+            (tr("Method"), tr("of each image by itself: {method}").format(method=worded(self.method(values).title))),
             (tr("Allowed risk of a wrong track"), f"{values.number(self.RISK):g}"),
             (tr("Model"), os.path.basename(values.file(self.MODEL)) or tr("none: label images")),
             (tr("Odometry table"), os.path.basename(values.file(self.ODOMETRY)) or tr("none")),

@@ -12,9 +12,11 @@ from qgis.core import (
     QgsSingleSymbolRenderer,
     QgsSymbolLayer,
     QgsUnitTypes,
+    QgsVectorLayer,
 )
 from qgis.PyQt.QtGui import QColor
 
+from ..compat import is_null
 from ..translation import tr
 from .output_style import Look
 
@@ -55,8 +57,9 @@ def track_renderer() -> QgsSingleSymbolRenderer:
     return QgsSingleSymbolRenderer(QgsLineSymbol.createSimple({"line_color": TRACK_COLOR, "line_width": "0.4"}))
 
 
-def flight_look(is_timed: bool = True) -> Look:
+def flight_look(positions: QgsVectorLayer) -> Look:
     """What positions of a flight come with: their style and, with times, that QGIS plays them."""
+    is_timed = any(not is_null(feature["time"]) for feature in positions.getFeatures())
     return Look(poses_renderer(), "time" if is_timed else "")
 
 

@@ -197,5 +197,8 @@ def _curve(
         numbers = [float(point.number) for point in members]
         name = tr("Track {number}").format(number=track)
         lines.append(charts.Series(name, numbers, [getattr(point, attribute) for point in members]))
-    x_axis = charts.linear_axis(tr("image"), 1.0, float(max(len(points), 2)))
+    last = max(len(points), 2)
+    step = max(1, round((last - 1) / 6))
+    ticks = [(float(number), str(number)) for number in range(1, last + 1, step)]
+    x_axis = charts.Axis(tr("image"), (1.0, float(last)), ticks)
     return page.figure(charts.line_chart(lines, x_axis, charts.linear_axis(title, *limits, steps), title), title)

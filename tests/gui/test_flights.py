@@ -8,29 +8,37 @@ import time
 import cv2
 import numpy as np
 import pytest
-from dock_area import (
-    CONSTELLATION,
-    ORIGIN,
-    choose_method,
-    label_map,
-    start,
-    table,
-    wait_until,
-    write_raster,
-)
+from dock_area import CONSTELLATION, choose_method, start, table, wait_until
+from made_inputs import WEST, write_raster
+from onboard_area import MAP
 
-SIZE, STEP, COUNT = 200, 45, 6
-BLANK = 4
+SIZE, STEP, COUNT = 200, 60, 7
+BLANK = 5
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+
+
+@pytest.fixture(scope="module")
+def database(run_algorithm, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("map")
+    parameters = {
+        "LABELS": str(write_raster(folder / "labels.tif", MAP, names=NAMES)),
+        "REFERENCE_CLASSES": "1;2;3",
+        "WINDOW_SIZE": SIZE,
+        "STRIDE": SIZE / 2,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "map.gpkg"),
+    }
+    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
 
 
 @pytest.fixture(scope="module")
 def flight(tmp_path_factory):
     """Label images from west to east; one shows nothing."""
-    folder, labels = tmp_path_factory.mktemp("flight"), label_map()
+    folder = tmp_path_factory.mktemp("flight")
     for number in range(COUNT):
         column = 60 + STEP * number
-        image = labels[200 : 200 + SIZE, column : column + SIZE]
-        write_raster(folder / f"{number}.tif", image * 0 if number == BLANK else image, False)
+        image = MAP[90 : 90 + SIZE, column : column + SIZE]
+        write_raster(folder / f"{number}.png", image * 0 if number == BLANK else image, transform=None)
     return folder
 
 
@@ -40,21 +48,21 @@ def tab(dock):
 
 
 @pytest.fixture
-def flown(dock, tab, area, flight):
+def flown(dock, tab, database, flight):
     """The tab with a flight that was localized."""
     choose_method(dock, CONSTELLATION)
     tab.images.flight.setChecked(True)
-    start(dock, area.database, [str(flight)])
+    start(dock, database, [str(flight)])
     wait_until(lambda: not tab.run.running, "the end of the run")
     return tab
 
 
 def test_a_flight_is_shown_with_its_track_and_what_each_image_rests_on(flown, dock, iface):
     rows = table(dock)
-    assert [row[0] for row in rows] == [f"{n}.tif" for n in range(COUNT)]
+    assert [row[0] for row in rows] == [f"{n}.png" for n in range(COUNT)]
     assert rows[BLANK][4] == "By the flight" and rows[BLANK - 1][4] == "Fix"
-    track = flown.hit.track.drawn("track").asMultiPolyline()[0]
-    truth = ORIGIN[0] + 60 + SIZE / 2 + STEP * np.arange(COUNT)
+    track = flown.hit.track.drawn("track").asPolyline()
+    truth = WEST + 60 + SIZE / 2 + STEP * np.arange(COUNT)
     assert [point.x() for point in track] == pytest.approx(truth[-len(track) :], abs=12)
     assert len(flown.hit.track.drawn("flight").asMultiPoint()) >= 1
     assert len(flown.hit.track.drawn("own").asMultiPoint()) >= 3
@@ -65,19 +73,18 @@ def test_playing_goes_through_the_images_and_the_map_follows(flown, iface, monke
     flown.results.table.selectRow(COUNT - 3)
     flown.results.play.click()
     wait_until(lambda: not flown.results.play.isChecked(), "the end of playing")
-    assert flown.results.table.selected().name == f"{COUNT - 1}.tif"
+    assert flown.results.table.selected().name == f"{COUNT - 1}.png"
     center = flown.results.table.selected().center
     assert iface.canvas.extent().contains(center)
 
 
-def test_its_layers_are_kept_with_their_style_and_played_by_time(flown):
+def test_its_layers_are_kept_with_their_style(flown):
     from qgis.core import QgsProject, QgsRuleBasedRenderer
 
     flown.results.keep.click()
     layers = list(QgsProject.instance().mapLayers().values())
     positions = next(layer for layer in layers if layer.geometryType() == 0)
     assert len(layers) == 2 and isinstance(positions.renderer(), QgsRuleBasedRenderer)
-    assert positions.temporalProperties().startField() == "time"
 
 
 def test_saved_results_bring_the_track_back(flown, tmp_path):

@@ -199,9 +199,6 @@ class LocalizeTab(QWidget):
             labels: Folder of the photos' label images; empty where they were not kept.
         """
         self._layers, self._results_file, self._model_used = layers, file, model
-        if layers.track is not None:
-            flight_look().give(layers.positions)
-            track_look().give(layers.track)
         self.hit.use(self._database.path(), model)
         findings = read_findings(layers, labels)
         if findings:
@@ -212,9 +209,13 @@ class LocalizeTab(QWidget):
 
     def _keep_results(self) -> None:
         # A copy: the user may remove the layer and keep the results again.
-        for layer in (self._layers.track, self._layers.positions):
-            if layer is not None:
-                QgsProject.instance().addMapLayer(layer.clone())
+        positions, track = self._layers.positions.clone(), self._layers.track
+        if track is not None:
+            flight_look(positions).give(positions)
+            track = track.clone()
+            track_look().give(track)
+            QgsProject.instance().addMapLayer(track)
+        QgsProject.instance().addMapLayer(positions)
         self._messages.info(tr("The positions are a temporary layer of the project now; export it to keep them."))
 
     def _save_results(self) -> None:
