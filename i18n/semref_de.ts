@@ -5548,8 +5548,8 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} wurde nicht mit dem Schlüssel {key} signiert oder seitdem geändert; holen Sie die Datei noch einmal von dort, wo sie exportiert wurde.</translation>
   </message>
   <message>
-   <source>{placed} of {images} images have a position, on {tracks} tracks.</source>
-   <translation>{placed} von {images} Bildern haben eine Position, auf {tracks} Spuren.</translation>
+   <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
+   <translation>{placed} von {images} Bildern haben eine Position; Spuren: {tracks}.</translation>
   </message>
   <message>
    <source>{place}, set aside</source>

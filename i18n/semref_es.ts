@@ -5548,8 +5548,8 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no se firmó con la clave {key}, o se cambió después; obténgalo de nuevo de donde se exportó.</translation>
   </message>
   <message>
-   <source>{placed} of {images} images have a position, on {tracks} tracks.</source>
-   <translation>{placed} de {images} imágenes tienen posición, en {tracks} trayectorias.</translation>
+   <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
+   <translation>{placed} de {images} imágenes tienen posición; trayectorias: {tracks}.</translation>
   </message>
   <message>
    <source>{place}, set aside</source>

@@ -5548,8 +5548,8 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} n’a pas été signé avec la clé {key}, ou a été modifié depuis ; récupérez-le à nouveau là où il a été exporté.</translation>
   </message>
   <message>
-   <source>{placed} of {images} images have a position, on {tracks} tracks.</source>
-   <translation>{placed} images sur {images} ont une position, sur {tracks} traces.</translation>
+   <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
+   <translation>{placed} images sur {images} ont une position ; traces : {tracks}.</translation>
   </message>
   <message>
    <source>{place}, set aside</source>

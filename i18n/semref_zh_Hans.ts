@@ -5548,8 +5548,8 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 不是用密钥 {key} 签名的，或之后被更改；请从导出处重新获取。</translation>
   </message>
   <message>
-   <source>{placed} of {images} images have a position, on {tracks} tracks.</source>
-   <translation>{images} 幅影像中有 {placed} 幅有位置，分属 {tracks} 条航迹。</translation>
+   <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
+   <translation>{images} 幅影像中有 {placed} 幅有位置；航迹数：{tracks}。</translation>
   </message>
   <message>
    <source>{place}, set aside</source>

@@ -167,7 +167,7 @@ class LocalizeFlight(LocalizeAlgorithm):
                 outputs.text(self.REPORT, self._report(values, database, flown, reader.said_of(links)))
         placed = sum(one.is_placed for one in flown)
         tracks = len(tracks_of(flown))
-        text = tr("{placed} of {images} images have a position, on {tracks} tracks.")
+        text = tr("{placed} of {images} images have a position; tracks: {tracks}.")
         feedback.pushInfo(text.format(placed=placed, images=len(flown), tracks=tracks))
         return {self.FIX_COUNT: placed, self.TRACK_COUNT: tracks}
 
