@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ...core.errors import ParameterError
 from ...core.localization import Method
@@ -17,6 +17,7 @@ from ..framework.flight_layers import FlownImage, report_points, tracks_of, writ
 from ..framework.localized_image import LabelImages, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches
 from ..framework.localizing import LocalizeAlgorithm
+from ..framework.photo_labels import pace_results
 from ..translation import tr
 from ..wording.sentences import worded
 
@@ -121,6 +122,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             *self.shown_parameters(),
             NumberResult(self.FIX_COUNT, tr("Number of images with a position")),
             NumberResult(self.TRACK_COUNT, tr("Number of tracks")),
+            *pace_results(),
         )
 
     def check(self, values: Values) -> None:
@@ -128,7 +130,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         if not values.files(self.IMAGES):
             raise ParameterError("algorithms.no_images")
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         from ...core.localizer.localizer import Localizer
         from ...core.localizer.settings import LOCALIZER
         from ..exchange.reference_systems import database_crs
@@ -169,7 +171,11 @@ class LocalizeFlight(LocalizeAlgorithm):
         tracks = len(tracks_of(flown))
         text = tr("{placed} of {images} images have a position; tracks: {tracks}.")
         feedback.pushInfo(text.format(placed=placed, images=len(flown), tracks=tracks))
-        return {self.FIX_COUNT: placed, self.TRACK_COUNT: tracks}
+        found = {self.FIX_COUNT: placed, self.TRACK_COUNT: tracks}
+        if read_labels.pace is None:
+            return found
+        feedback.pushInfo(read_labels.pace.told())
+        return {**found, **read_labels.pace.results}
 
     def _odometry(self, values: Values, paths: Sequence[str]) -> tuple:
         """Rows of the odometry table; none without one."""
