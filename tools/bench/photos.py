@@ -32,7 +32,7 @@ from semref.core.simulation.views import View
 from semref.storage.sample_files import grid_of, rasterize
 
 PAGE = "benchmarks.md"
-AREA = "The sample area, and dubai_aerial where named."
+AREA = "The sample area, and dubai_aerial, banepa and oam_buildings where named."
 SEED = 1671
 COUNT, TILE_COUNT, QUICK_COUNT = 200, 50, 2
 METHODS = (Method.CONSTELLATION, Method.AUTOMATIC)
