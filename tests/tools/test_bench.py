@@ -5,6 +5,7 @@ import importlib
 import importlib.util
 import signal
 import sys
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -267,6 +268,14 @@ def test_a_smaller_risk_costs_right_fixes_and_wrong_ones_are_counted(bench):
     (row,) = [line for line in table.splitlines() if line.startswith("| all")]
     assert [cell.split(",")[0].strip() for cell in row.split("|")[2:-1]] == ["2/4", "2/4", "1/4", "1/4"]
     assert "; 1 wrong" in row and "1/1" in table.splitlines()[-1]
+
+
+def test_images_of_two_places_are_told_apart_by_whether_both_sides_could_tell(bench):
+    reliability = bench("reliability")
+    fix, few = (replace(told(bench, 1e-9, False), smaller_side=number) for number in (7, 1))
+    said = replace(fix, is_fix=False, reason="localization.one_side_elsewhere")
+    text = reliability.of_two_places([fix, few, few, said])
+    assert "such 1/4, 25 %" in text and "places 3/4" in text and "such 1/2" in text and "places 1/2" in text
 
 
 def test_an_image_without_its_place_and_the_mirrored_one_are_judged_as_wrong_ones(bench):

@@ -61,9 +61,16 @@ RISKS = (0.5, 1e-2, 1e-4, 1e-6)
 DECADES = (1.0, 0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 0.0)
 
 
+FEW = 5
+"""Landmarks that a side of an image of two places must show before it could be told."""
+
+
 @dataclass(frozen=True)
 class Told:
-    """What was said of an image, and whether its best place is the right one."""
+    """What was said of an image, and whether its best place is the right one.
+
+    ``smaller_side``: landmarks on the side that shows fewer, of an image of two places.
+    """
 
     kind: str
     noise: str
@@ -75,6 +82,7 @@ class Told:
     is_fix: bool
     is_sound: bool
     reason: str
+    smaller_side: int = 0
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
@@ -84,7 +92,13 @@ def measure(run: inputs.Run) -> dict[str, str]:
     ground = Ground.of(run)
     told = list(_kept(run, ground, "country", count))
     halves = list(_kept(run, ground, TWO_PLACES, max(count // 10, 4)))
-    text = [_ABOUT.format(half=run.half, count=len(told)), curve(told), by_decade(told), costs(told), _two(halves)]
+    text = [
+        _ABOUT.format(half=run.half, count=len(told)),
+        curve(told),
+        by_decade(told),
+        costs(told),
+        of_two_places(halves),
+    ]
     if (run.data / two_dates.SOURCE).exists():
         other = list(_kept(run, None, "christchurch", max(count // 4, 4)))
         text += [_CHRISTCHURCH.format(count=len(other)), curve(other), by_decade(other), costs(other)]
@@ -159,7 +173,10 @@ def two_places(ground: Ground, rng: np.random.Generator) -> Told:
     _, other = seen_landmarks(ground, rng, size, 2 * LEAST_LANDMARKS, scales=(scale, scale))
     axis, cut = int(rng.integers(2)), size * float(rng.choice(HALVES))
     both = joined(one.select(one.centers_xy[:, axis] < cut), other.select(other.centers_xy[:, axis] >= cut))
-    return judged(ground, view, spoiled(ground, view, both, NOISES[noise], rng), TWO_PLACES, noise, False)
+    seen = spoiled(ground, view, both, NOISES[noise], rng)
+    before = int((seen.centers_xy[:, axis] < cut).sum())
+    told = judged(ground, view, seen, TWO_PLACES, noise, False)
+    return replace(told, smaller_side=min(before, len(seen) - before))
 
 
 def joined(one: Landmarks, other: Landmarks) -> Landmarks:
@@ -295,10 +312,16 @@ def costs(told: Sequence[Told]) -> str:
     return page.table(header, rows)
 
 
-def _two(told: Sequence[Told]) -> str:
-    fixes = sum(t.is_fix for t in told)
-    said = sum(t.reason == "localization.one_side_elsewhere" for t in told)
+def of_two_places(told: Sequence[Told]) -> str:
+    """How often images of two places are told as such, and with enough landmarks on both sides to tell."""
+    parts = []
+    for chosen in (told, [t for t in told if t.smaller_side >= FEW]):
+        said = sum(t.reason == "localization.one_side_elsewhere" for t in chosen)
+        fixes = sum(t.is_fix for t in chosen)
+        parts.append(
+            f"told as such {page.rate(said, len(chosen))}, a fix of one of the places {page.rate(fixes, len(chosen))}"
+        )
     return (
-        f"Images of two places, cut at 0.3–0.7 of the edge, clean to 40 / 40 / 10 %: told as such "
-        f"{page.rate(said, len(told))}, a fix of one of the places {page.rate(fixes, len(told))}."
+        f"Images of two places, cut at 0.3–0.7 of the edge, clean to 40 / 40 / 10 %: {parts[0]}. "
+        f"Where both sides show {FEW} landmarks or more: {parts[1]}."
     )
