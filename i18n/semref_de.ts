@@ -1108,6 +1108,14 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Fixe durch</translation>
   </message>
   <message>
+   <source>Flight log</source>
+   <translation>Fluglog</translation>
+  </message>
+  <message>
+   <source>Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</source>
+   <translation>Fluglogs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</translation>
+  </message>
+  <message>
    <source>Folder</source>
    <translation>Ordner</translation>
   </message>
@@ -3036,6 +3044,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Text- oder Zahlenfeld, das die Klasse jedes Polygons angibt.</translation>
   </message>
   <message>
+   <source>The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were taken; give the log of this flight, or a camera table with times.</source>
+   <translation>Das LOG sagt nichts über diese Bilder, etwa {image}: weder nach Namen noch zu ihren Aufnahmezeiten; geben Sie das Log dieses Fluges an oder eine Kameratabelle mit Zeiten.</translation>
+  </message>
+  <message>
    <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
    <translation>Der Verarbeitungsanbieter SemRef ist ausgeschaltet; er lässt sich in den Optionen einschalten.</translation>
   </message>
@@ -3382,6 +3394,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>Die Linien von der Mitte zu den Landmarken des Topologievektors</translation>
+  </message>
+  <message>
+   <source>The log of an autopilot (ArduPilot .bin, PX4 .ulg, .tlog), subtitles of DJI (.SRT) or a geo.txt: heading, height and attitude that neither camera table nor photos tell, and motion between images where neither pixels nor the odometry table tell it. Its positions are left alone.</source>
+   <translation>Das Log eines Autopiloten (ArduPilot .bin, PX4 .ulg, .tlog), Untertitel von DJI (.SRT) oder eine geo.txt: Kurs, Höhe und Lage, die weder Kameratabelle noch Fotos angeben, und die Bewegung zwischen Bildern, wo weder Pixel noch die Odometrietabelle sie angeben. Seine Positionen bleiben unbeachtet.</translation>
   </message>
   <message>
    <source>The loss is no longer a number; train with a lower learning rate.</source>
@@ -5108,8 +5124,8 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{package} wurde installiert, ist aber mit numpy {numpy} nicht nutzbar: {reason}; es wurde wieder entfernt.</translation>
   </message>
   <message>
-   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {none} unknown.</source>
-   <translation>{pairs} Paare von Nachbarn: {pixels} in ihren Pixeln gesehen, {table} von der Tabelle angegeben, {none} unbekannt.</translation>
+   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, {none} unknown.</source>
+   <translation>{pairs} Paare von Nachbarn: {pixels} in ihren Pixeln gesehen, {table} von der Tabelle angegeben, {log} vom Log, {none} unbekannt.</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>

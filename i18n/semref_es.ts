@@ -1108,6 +1108,14 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Posiciones por</translation>
   </message>
   <message>
+   <source>Flight log</source>
+   <translation>Registro de vuelo</translation>
+  </message>
+  <message>
+   <source>Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</source>
+   <translation>Registros de vuelo (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</translation>
+  </message>
+  <message>
    <source>Folder</source>
    <translation>Carpeta</translation>
   </message>
@@ -3036,6 +3044,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Campo de texto o numérico que indica la clase de cada polígono.</translation>
   </message>
   <message>
+   <source>The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were taken; give the log of this flight, or a camera table with times.</source>
+   <translation>El LOG no dice nada de estas imágenes, como {image}: ni por nombre ni en las horas en que se tomaron; indique el registro de este vuelo, o una tabla de cámaras con horas.</translation>
+  </message>
+  <message>
    <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
    <translation>El proveedor de procesos SemRef está desactivado; actívelo en las opciones.</translation>
   </message>
@@ -3382,6 +3394,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>Las líneas del centro a los hitos del vector topológico</translation>
+  </message>
+  <message>
+   <source>The log of an autopilot (ArduPilot .bin, PX4 .ulg, .tlog), subtitles of DJI (.SRT) or a geo.txt: heading, height and attitude that neither camera table nor photos tell, and motion between images where neither pixels nor the odometry table tell it. Its positions are left alone.</source>
+   <translation>El registro de un autopiloto (ArduPilot .bin, PX4 .ulg, .tlog), subtítulos de DJI (.SRT) o un geo.txt: rumbo, altura y actitud que no indican ni la tabla de cámaras ni las fotos, y el movimiento entre imágenes donde no lo indican ni los píxeles ni la tabla de odometría. Sus posiciones no se usan.</translation>
   </message>
   <message>
    <source>The loss is no longer a number; train with a lower learning rate.</source>
@@ -5108,8 +5124,8 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{package} se instaló, pero no se puede usar con numpy {numpy}: {reason}; se ha quitado de nuevo.</translation>
   </message>
   <message>
-   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {none} unknown.</source>
-   <translation>{pairs} pares de vecinas: {pixels} vistos en sus píxeles, {table} indicados por la tabla, {none} desconocidos.</translation>
+   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, {none} unknown.</source>
+   <translation>{pairs} pares de vecinas: {pixels} vistos en sus píxeles, {table} indicados por la tabla, {log} por el registro, {none} desconocidos.</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>

@@ -1108,6 +1108,14 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Positions par</translation>
   </message>
   <message>
+   <source>Flight log</source>
+   <translation>Journal de vol</translation>
+  </message>
+  <message>
+   <source>Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</source>
+   <translation>Journaux de vol (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</translation>
+  </message>
+  <message>
    <source>Folder</source>
    <translation>Dossier</translation>
   </message>
@@ -3036,6 +3044,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Champ de texte ou numérique qui indique la classe de chaque polygone.</translation>
   </message>
   <message>
+   <source>The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were taken; give the log of this flight, or a camera table with times.</source>
+   <translation>Le LOG ne dit rien de ces images, comme {image} : ni par nom ni aux heures de prise de vue ; donnez le journal de ce vol, ou une table des caméras avec les heures.</translation>
+  </message>
+  <message>
    <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
    <translation>Le fournisseur de traitements SemRef est désactivé ; activez-le dans les options.</translation>
   </message>
@@ -3382,6 +3394,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>Les lignes du centre aux repères visuels du vecteur topologique</translation>
+  </message>
+  <message>
+   <source>The log of an autopilot (ArduPilot .bin, PX4 .ulg, .tlog), subtitles of DJI (.SRT) or a geo.txt: heading, height and attitude that neither camera table nor photos tell, and motion between images where neither pixels nor the odometry table tell it. Its positions are left alone.</source>
+   <translation>Le journal d’un autopilote (ArduPilot .bin, PX4 .ulg, .tlog), des sous-titres de DJI (.SRT) ou un geo.txt : cap, hauteur et attitude que ni la table des caméras ni les photos ne donnent, et le mouvement entre images là où ni les pixels ni la table d’odométrie ne le donnent. Ses positions ne sont pas utilisées.</translation>
   </message>
   <message>
    <source>The loss is no longer a number; train with a lower learning rate.</source>
@@ -5108,8 +5124,8 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{package} a été installé, mais est inutilisable avec numpy {numpy} : {reason} ; il a été retiré.</translation>
   </message>
   <message>
-   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {none} unknown.</source>
-   <translation>{pairs} paires de voisines : {pixels} vues dans leurs pixels, {table} données par la table, {none} inconnues.</translation>
+   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, {none} unknown.</source>
+   <translation>{pairs} paires de voisines : {pixels} vues dans leurs pixels, {table} données par la table, {log} par le journal, {none} inconnues.</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>

@@ -1108,6 +1108,14 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>定位方法</translation>
   </message>
   <message>
+   <source>Flight log</source>
+   <translation>飞行日志</translation>
+  </message>
+  <message>
+   <source>Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</source>
+   <translation>飞行日志 (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</translation>
+  </message>
+  <message>
    <source>Folder</source>
    <translation>文件夹</translation>
   </message>
@@ -3036,6 +3044,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>给出每个多边形类别的文本或数值字段。</translation>
   </message>
   <message>
+   <source>The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were taken; give the log of this flight, or a camera table with times.</source>
+   <translation>LOG 没有关于这些影像（例如 {image}）的信息：名称和拍摄时间都对不上；请提供此航次的日志，或带时间的相机表。</translation>
+  </message>
+  <message>
    <source>The Processing provider SemRef is switched off; switch it on in the options.</source>
    <translation>数据处理提供程序 SemRef 已停用；请在选项中启用。</translation>
   </message>
@@ -3382,6 +3394,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The lines from the center to the landmarks of the topology vector</source>
    <translation>从中心到拓扑向量各地标的连线</translation>
+  </message>
+  <message>
+   <source>The log of an autopilot (ArduPilot .bin, PX4 .ulg, .tlog), subtitles of DJI (.SRT) or a geo.txt: heading, height and attitude that neither camera table nor photos tell, and motion between images where neither pixels nor the odometry table tell it. Its positions are left alone.</source>
+   <translation>自动驾驶仪日志（ArduPilot .bin、PX4 .ulg、.tlog）、DJI 字幕（.SRT）或 geo.txt：提供相机表和照片未给出的航向、高度和姿态，以及像素和里程计表未给出的影像间运动。不使用其中的位置。</translation>
   </message>
   <message>
    <source>The loss is no longer a number; train with a lower learning rate.</source>
@@ -5108,8 +5124,8 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>已安装 {package}，但它无法与 numpy {numpy} 一起使用：{reason}；已重新移除。</translation>
   </message>
   <message>
-   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {none} unknown.</source>
-   <translation>{pairs} 对相邻影像：{pixels} 对由像素看出，{table} 对由表给出，{none} 对未知。</translation>
+   <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, {none} unknown.</source>
+   <translation>{pairs} 对相邻影像：{pixels} 对由像素看出，{table} 对由表给出，{log} 对由日志给出，{none} 对未知。</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>

@@ -12,7 +12,7 @@ from ...core.localization import Method
 from ..framework import offers, priors
 from ..framework.base import Declared, cancelable, check_canceled, interruptible
 from ..framework.declarations import File, LineOutput, Number, NumberResult, PointOutput
-from ..framework.flight_images import FlightReader, in_order, localized_of, say_pose
+from ..framework.flight_images import FlightReader, in_order, localized_of, say_pose, with_log
 from ..framework.flight_layers import FlownImage, report_points, tracks_of, write_flight_positions, write_tracks
 from ..framework.localized_image import LabelImages, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
     from ...core.database.model import ReferenceDatabase
     from ...core.flight.motion import Link
+    from ...core.flight.telemetry import Telemetry
     from ...core.geometry.camera import Camera
     from ...core.localizer.localizer import Localizer
     from ..framework.outputs import Outputs
@@ -40,6 +41,7 @@ class LocalizeFlight(LocalizeAlgorithm):
     TAGS = ("track", "trajectory", "path", "sequence", "uav", "drone", "navigation", "gnss", "odometry", "position")
 
     ODOMETRY = "ODOMETRY"
+    LOG = "LOG"
     TRACK = "TRACK"
     REPORT = offers.REPORT
     TRACK_COUNT = "TRACK_COUNT"
@@ -95,6 +97,18 @@ class LocalizeFlight(LocalizeAlgorithm):
                 ),
             ),
             self.sun_parameter(),
+            File(
+                self.LOG,
+                tr("Flight log"),
+                tr(
+                    "The log of an autopilot (ArduPilot .bin, PX4 .ulg, .tlog), subtitles of DJI (.SRT) or a geo.txt: "
+                    "heading, height and attitude that neither camera table nor photos tell, and motion between "
+                    "images where neither pixels nor the odometry table tell it. Its positions are left alone."
+                ),
+                optional=True,
+                advanced=True,
+                filter=tr("Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)"),
+            ),
         )
 
     def _output_parameters(self) -> tuple[Declared, ...]:
@@ -143,6 +157,8 @@ class LocalizeFlight(LocalizeAlgorithm):
         localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
         paths, cameras = in_order(*self.read_images(values, method, feedback))
         steps = self._odometry(values, paths)
+        log = self._log(values, feedback)
+        cameras = with_log(cameras, log, paths, method != Method.TOPOLOGY_VECTOR)
         read_labels = self.label_reader(values, database.class_table, feedback)
         with outputs.folder(self.LABELS) as folder:
             keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
@@ -153,7 +169,7 @@ class LocalizeFlight(LocalizeAlgorithm):
                 feedback.setProgressText(os.path.basename(path))
                 cancelable(reader.take, path, camera, feedback=feedback)
                 feedback.setProgress(READ_PERCENT * (n + 1) / len(paths))
-            links = reader.links_with(steps)
+            links = reader.links_with(steps, log)
             flown = self._joined(reader, links, localizer, values.number(self.RISK), feedback)
             flown = self._with_jumps(values, flown, cameras, database, feedback)
             for one in flown:
@@ -188,6 +204,14 @@ class LocalizeFlight(LocalizeAlgorithm):
         if len(paths) > 1 and not odometry_links(steps, paths):
             raise ParameterError("algorithms.odometry_of_other_images", path=table, image=os.path.basename(paths[0]))
         return steps
+
+    def _log(self, values: Values, feedback: QgsProcessingFeedback) -> Telemetry | None:
+        """The flight's log; None without one."""
+        from ...core.flight.logs.files import read_log
+
+        if not values.has(self.LOG):
+            return None
+        return cancelable(read_log, values.file(self.LOG), feedback=feedback)
 
     def _joined(
         self,
@@ -235,6 +259,7 @@ class LocalizeFlight(LocalizeAlgorithm):
             (tr("Method"), tr("of each image by itself: {method}").format(method=worded(self.method(values).title))),
             (tr("Allowed risk of a wrong track"), f"{values.number(self.RISK):g}"),
             (tr("Model"), os.path.basename(values.file(self.MODEL)) or tr("none: label images")),
+            (tr("Flight log"), os.path.basename(values.file(self.LOG)) or tr("none")),
             (tr("Odometry table"), os.path.basename(values.file(self.ODOMETRY)) or tr("none")),
         ]
         return flight_html(report_points(flown), os.path.basename(database.source), links, settings)

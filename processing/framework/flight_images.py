@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Callable
 
 import numpy as np
 
-from ...core.errors import SemRefError
+from ...core.errors import ParameterError, SemRefError
 from ..translation import tr
 from ..wording.camera_messages import camera_remark
 from ..wording.sentences import worded
@@ -24,11 +24,15 @@ if TYPE_CHECKING:
     from ...core.flight.motion import Link
     from ...core.flight.odometry import Step
     from ...core.flight.pixel_features import Features
+    from ...core.flight.telemetry import Telemetry
     from ...core.geometry.camera import Camera
     from ...core.geometry.leveling import Leveling
     from ...core.localization import Method, Prior
     from ...core.localizer.localizer import Localizer
     from .localizing import LabelReader
+
+_SOURCES = {"pixels": "pixels", "table": "odometry", "log": "log"}
+"""Sources of links by what a sentence calls their counts."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +71,41 @@ def by_name(path: str) -> tuple[list[tuple[int, str]], str]:
     """What names are sorted by, numbers in them as numbers."""
     parts = re.split(r"(\d+)", os.path.basename(path).lower())
     return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts], path
+
+
+def with_log(
+    cameras: Sequence[Camera], log: Telemetry | None, paths: Sequence[str], with_attitude: bool
+) -> list[Camera]:
+    """The cameras with what a flight log tells and they don't.
+
+    Args:
+        cameras: Of the images.
+        log: Of the flight; None without one.
+        paths: Of the images.
+        with_attitude: Whether images are leveled.
+
+    Raises:
+        ParameterError: The log tells nothing of these images.
+    """
+    from ...core.flight.table import stem_of
+    from ...core.flight.telemetry import log_cameras, log_links
+    from ...core.geometry.camera import Camera as NoCamera
+
+    if log is None:
+        return list(cameras)
+    names, times_s = [stem_of(path) for path in paths], [camera.time_s for camera in cameras]
+    told = log_cameras(log, names, times_s)
+    if all(one == NoCamera() for one in told) and not log_links(log, names, times_s):
+        raise ParameterError("algorithms.log_of_other_images", image=os.path.basename(paths[0]))
+    return [
+        replace(
+            camera,
+            attitude=camera.attitude or (one.attitude if with_attitude else None),
+            height=camera.height or one.height,
+            heading_deg=one.heading_deg if camera.heading_deg is None else camera.heading_deg,
+        )
+        for camera, one in zip(cameras, told)
+    ]
 
 
 class FlightReader:
@@ -148,26 +187,32 @@ class FlightReader:
         elif motion.reason is not None:
             self.unlinked.append((number, worded(motion.reason)))
 
-    def links_with(self, steps: Sequence[Step]) -> list[Link]:
-        """All links: those of an odometry table, and of pixels where it tells none."""
+    def links_with(self, steps: Sequence[Step], log: Telemetry | None) -> list[Link]:
+        """All links: those of an odometry table, of pixels where it tells none, of a log where neither does."""
         from ...core.flight.odometry import odometry_links
+        from ...core.flight.table import stem_of
+        from ...core.flight.telemetry import log_links
 
-        told = odometry_links(steps, [image.name for image in self.flown])
-        pairs = {(link.first, link.second) for link in told}
-        return sorted(
-            [*told, *(link for link in self.links if (link.first, link.second) not in pairs)],
-            key=lambda link: (link.second, link.first),
-        )
+        names = [image.name for image in self.flown]
+        links = {(link.first, link.second): link for link in odometry_links(steps, names)}
+        logged = []
+        if log is not None:
+            logged = log_links(log, [stem_of(name) for name in names], [image.time_s for image in self.flown])
+        for link in (*self.links, *logged):
+            links.setdefault((link.first, link.second), link)
+        return sorted(links.values(), key=lambda link: (link.second, link.first))
 
     def said_of(self, links: Sequence[Link]) -> list[str]:
         """Sentences about where the motion is known from, and why it isn't."""
         pairs = max(len(self.flown) - 1, 0)
         linked = {link.second: str(link.source) for link in links if link.second == link.first + 1}
-        table = sum(source != "pixels" for source in linked.values())
+        sources = list(linked.values())
         text = tr(
-            "{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {none} unknown."
+            "{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, "
+            "{none} unknown."
         )
-        said = [text.format(pairs=pairs, pixels=len(linked) - table, table=table, none=pairs - len(linked))]
+        counts = {key: sources.count(source) for key, source in _SOURCES.items()}
+        said = [text.format(pairs=pairs, none=pairs - len(linked), **counts)]
         names = [image.name for image in self.flown]
         for number, reason in self.unlinked:
             if number not in linked:

@@ -14,6 +14,10 @@ SENTENCES = {
     "algorithms.odometry_of_other_images": (
         "{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight."
     ),
+    "algorithms.log_of_other_images": (
+        "The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were "
+        "taken; give the log of this flight, or a camera table with times."
+    ),
     "algorithms.image_moved": "There is no image {path}; give IMAGES, the folder where it lies now.",
     "algorithms.no_route_layer": (
         "ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file."

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -179,6 +180,29 @@ def test_a_flight_over_other_ground_has_no_track(localize, tmp_path):
     assert results["FIX_COUNT"] == results["TRACK_COUNT"] == 0
     assert all(row["x"] is None and row["reason"] for row in rows)
     assert "None" not in Path(results["REPORT"]).read_text(encoding="utf-8")
+
+
+def geo(names: Sequence[str], turned: float = 0.0) -> str:
+    """OpenDroneMap's geo.txt with the true headings; ``turned``: degrees that they are off."""
+    lines = [f"{name} 9 47 300 {view.heading_deg + turned} 0 0" for name, view in zip(names, VIEWS)]
+    return "\n".join(["EPSG:4326", *lines])
+
+
+def test_headings_of_a_log_narrow_the_search(localize, flight, tmp_path):
+    names = [f"image{n}.png" for n in range(5, 5 + COUNT)]
+    _, right = localize(LOG=str(write_text(tmp_path / "geo.txt", geo(names))))
+    assert right["FIX_COUNT"] >= COUNT - 3
+    _, wrong = localize(LOG=str(write_text(tmp_path / "turned.txt", geo(names, 90))))
+    assert wrong["FIX_COUNT"] == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [("no log", "no flight log that SemRef reads"), (geo(["other.png"]), "tells nothing of these images")],
+)
+def test_what_is_no_log_of_this_flight_is_refused(localize, tmp_path, text, sentence):
+    with pytest.raises(QgsProcessingException, match=sentence):
+        localize(LOG=str(write_text(tmp_path / "geo.txt", text)))
 
 
 @pytest.mark.parametrize(
