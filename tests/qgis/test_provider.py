@@ -29,6 +29,7 @@ NAMES = (
     "makesample",
     "describeimage",
     "localizeimages",
+    "localizeflight",
     "georeferenceimages",
     "evaluatelocalization",
     "assessdatabase",

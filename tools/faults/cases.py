@@ -43,6 +43,7 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
         "exportonboard": {"DATABASE": area},
         "describeimage": {"INPUT": str(at / "images" / "0.png"), "DATABASE": area},
         "localizeimages": {"DATABASE": area, "IMAGES": [str(at / "images")], "METHOD": 2},
+        "localizeflight": {"DATABASE": area, "IMAGES": [str(at / "images")], "METHOD": 2},
         "georeferenceimages": {"POSITIONS": str(at / "positions.gpkg"), "IMAGES": [str(at / "images")]},
         "evaluatelocalization": {"DATABASE": area, "LABELS": labels, "TRIALS": 1, "METHODS": [1]},
         "assessdatabase": {**noise, "FOOTPRINT": "100", "SPACING": 120, "TRIALS": 20},

@@ -14,7 +14,12 @@ from .content import State, state
 LEAST_SIZE_M = (1500.0, 1300.0)
 """Of the sample area; hardly less holds a photo turned by any angle."""
 
-_NEVER_REPLACED = {"localizeimages": ("LABELS",), "makesample": ("OUTPUT",), "georeferenceimages": ("OUTPUT",)}
+_NEVER_REPLACED = {
+    "localizeimages": ("LABELS",),
+    "localizeflight": ("LABELS",),
+    "makesample": ("OUTPUT",),
+    "georeferenceimages": ("OUTPUT",),
+}
 """Folders that are not written over older ones."""
 
 
