@@ -67,6 +67,8 @@ def by_areas(
         settings: Of flights.
     """
     pyramid, errors = localizer.pyramid, localizer.errors
+    if not pyramid.space.channels:
+        return None
     image = image_evidence(np.ascontiguousarray(labels_hw), pyramid)
     pose = ScoredPose(float(state[0]), float(-state[1]), float(np.degrees(state[2]) % 360), float(np.exp(state[3])))
     edge, decision = pyramid.settings.coarse_edge, pyramid.settings.decision_edge

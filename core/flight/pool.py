@@ -115,7 +115,7 @@ def updated(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, set
         gain = variances / total * np.clip(worths / 2, 0, 1)[:, None]
         states += np.column_stack([gain[:, 0], gain]) * off
         variances -= gain * variances
-    evidence[:, -1] = weight * np.maximum(worths, own_worth(states, variances, seen, settings))
+    evidence[:, -1] = weight * worths + own_worth(states, variances, seen, settings)
     return Pool(states, variances, evidence)
 
 
@@ -130,11 +130,18 @@ def look_noise(seen: SeenImage, states: np.ndarray, settings: FlightSettings) ->
 
 
 def own_worth(states: np.ndarray, variances: np.ndarray, seen: SeenImage, settings: FlightSettings) -> np.ndarray:
-    """(n,) what the image's own best place is worth to hypotheses at it; −inf to others and without one."""
-    if seen.own_state is None or seen.own_odds <= 0:
-        return np.full(len(states), -np.inf)
+    """(n,) evidence that the image's own best place adds to hypotheses at it; 0 to others and without one."""
+    lead = own_lead(seen, settings)
+    if seen.own_state is None or lead <= 0:
+        return np.zeros(len(states))
     reach = OWN_SHARE * seen.edge_px * np.exp(seen.own_state[3]) + 3 * np.sqrt(variances[:, 0])
-    return np.where(same_place(states, seen.own_state, reach), min(seen.own_odds, settings.own_most), -np.inf)
+    return np.where(same_place(states, seen.own_state, reach), lead, 0.0)
+
+
+def own_lead(seen: SeenImage, settings: FlightSettings) -> float:
+    """The lead that makes a flight as sure of a place as the image by itself is; not above 0 where that is not."""
+    offset, slope = settings.risk_curve
+    return (min(seen.own_odds, settings.own_most) - offset) / slope if seen.own_odds > 0 else 0.0
 
 
 def started(poses: Sequence[ScoredPose], seen: SeenImage, weight: float, settings: FlightSettings) -> Pool:
@@ -143,7 +150,7 @@ def started(poses: Sequence[ScoredPose], seen: SeenImage, weight: float, setting
     variances = look_noise(seen, states, settings)
     evidence = np.zeros((len(states), settings.window))
     worths = worth(np.array([pose.score for pose in poses]), seen, settings)
-    evidence[:, -1] = weight * np.maximum(worths, own_worth(states, variances, seen, settings))
+    evidence[:, -1] = weight * worths + own_worth(states, variances, seen, settings)
     return Pool(states, variances, evidence)
 
 

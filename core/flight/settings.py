@@ -26,7 +26,7 @@ class FlightSettings:
         evidence_curve: What an image's agreement at an expected place is worth, ln of the likelihood ratio: offset,
             slope a deviation of what chance gives, least, most [Liechtenstein, north; flights].
         overlap_share: Least weight of an image that shows hardly new ground [reasoning].
-        own_most: Most that a fix of an image's own is worth; what can outvote one [reasoning].
+        own_most: Log odds of an image's own best place count up to so much: the flight can outvote it [reasoning].
         risk_curve: ln of the odds that a track is right, from its lead over the strongest opponent: offset, slope
             [Liechtenstein, north; flights].
         lost_evidence: A track whose last images' evidence falls below is lost [by hand; flights].
@@ -59,7 +59,7 @@ class FlightSettings:
     nulls: int = 100
     evidence_curve: tuple[float, float, float, float] = (-2.0, 1.2, -2.0, 10.0)
     overlap_share: float = 0.35
-    own_most: float = 9.0
+    own_most: float = 12.0
     risk_curve: tuple[float, float] = (-1.0, 1.6)
     lost_evidence: float = -3.0
     recent: int = 5

@@ -190,6 +190,7 @@ class FlightTracker:
         searching, held = self.settings.search_every
         every = searching if self._held is None else held
         is_searched = len(self._past) < self.settings.search_first or self._number % every == 0
+        is_searched = is_searched or self._held is None and not len(self._mirror)
         self._pool = self._looked(self._pool, Past(seen, link or NOWHERE, weight), self._past if is_searched else None)
         if self._held is None:
             flipped = [Past(mirrored(past.seen), past.link.mirrored(), past.weight) for past in self._past]
@@ -215,10 +216,10 @@ class FlightTracker:
         """A hypothesis at the image's own best place."""
         if seen.own_state is None or seen.own_odds <= 0:
             return Pool.empty(self.settings.window)
+        deviation = 0.01 * self._edge_m(seen)
         evidence = np.zeros((1, self.settings.window))
-        evidence[0, -1] = weight * min(seen.own_odds, self.settings.own_most)
-        edge = 0.01 * self._edge_m(seen)
-        return Pool(seen.own_state[None], np.array([[edge**2, 1e-4, 1e-4]]), evidence)
+        alone = Pool(seen.own_state[None], np.array([[deviation**2, 1e-4, 1e-4]]), evidence)
+        return updated(alone, seen, self.localizer.pyramid, weight, self.settings)
 
     @staticmethod
     def _edge_m(seen: SeenImage) -> float:
@@ -227,16 +228,18 @@ class FlightTracker:
 
     def _follow(self, image: FlightImage, seen: SeenImage, link: Link | None) -> None:
         """Holds the track, finds one, or loses it."""
-        settings, found = self.settings, Looked(link=link)
+        settings, found, is_lost = self.settings, Looked(link=link), False
         if self._held is not None and link is not None:
             expected = step_over(self._held, link, self._shared_m2, settings).predicted
             measured = self._measured(image, expected)
             self._held = expected if measured is None else with_measurement(expected, measured, self._shared_m2)
             found = Looked(self._held, measured, link)
             if self._is_lost(seen):
-                self._held, found = None, Looked(link=link)
-                self._mirror = Pool.empty(settings.window)
-        if self._held is None:
+                # The mirrored flight was not followed meanwhile: what is decided waits for it.
+                self._held, self._mirror = None, Pool.empty(settings.window)
+                found = Looked(link=link)
+                is_lost = True
+        if self._held is None and not is_lost:
             risk = self._decided()
             if risk <= settings.allowed_risk:
                 self._risk, self.track = risk, self.track + 1

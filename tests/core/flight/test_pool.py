@@ -47,9 +47,11 @@ def test_of_hypotheses_at_one_place_the_best_is_kept():
 def test_an_own_place_speaks_for_hypotheses_at_it_alone():
     pool = pool_at((0, 0, 0.0), (2000, 0, 0.0))
     seen = SeenImage(None, 320.0, (0.0, 1.0), Prior(), np.array([20.0, 0.0, 0.05, np.log(2.0)]), 30.0)
-    assert own_worth(pool.states, pool.variances, seen, FLIGHT).tolist() == [FLIGHT.own_most, -np.inf]
+    offset, slope = FLIGHT.risk_curve
+    most = (FLIGHT.own_most - offset) / slope
+    assert own_worth(pool.states, pool.variances, seen, FLIGHT).tolist() == [most, 0.0]
     unsure = SeenImage(None, 320.0, (0.0, 1.0), Prior(), seen.own_state, -1.0)
-    assert own_worth(pool.states, pool.variances, unsure, FLIGHT).tolist() == [-np.inf, -np.inf]
+    assert own_worth(pool.states, pool.variances, unsure, FLIGHT).tolist() == [0.0, 0.0]
 
 
 def test_the_same_place_has_the_same_heading():

@@ -11,7 +11,7 @@ from semref.core.errors import ParameterError
 from semref.core.flight.tracker import FlightTracker
 
 sys.path.insert(0, str(Path(__file__).parent))
-from conftest import FEW
+from conftest import FEW, errors_m, fly
 
 sys.path.pop(0)
 
@@ -41,3 +41,16 @@ def test_a_broken_state_is_refused(localizer, broken):
     state = {**FlightTracker(localizer).state(), **broken} if broken else {}
     with pytest.raises(ParameterError):
         FlightTracker.from_state(localizer, state)
+
+
+def test_a_track_that_the_images_contradict_is_lost_and_found_again_under_another_number(labels, flown, localizer):
+    """The flight jumps to another place in between; the link says that it went on."""
+    other = fly(labels, seed=3, start=(501_400.0, 5_198_700.0))
+    tracker = FlightTracker(localizer, replace(FEW, window=4, recent=3))
+    images = [*flown.images[:5], *other.images]
+    links = [None, *flown.links[:4], flown.links[4], *other.links]
+    poses = [tracker.add(*pair) for pair in zip(images, links)]
+    assert poses[4].track == 1 and poses[4].is_fix
+    assert not all(pose.is_fix for pose in poses[5:])
+    assert poses[-1].is_fix and poses[-1].track == 2
+    assert errors_m(poses[-1:], other.views[-1:]).max() < 20
