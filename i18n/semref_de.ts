@@ -260,6 +260,10 @@
    <translation>Ein Fehler hat das Training beendet: {reason}; bitte melden, was im Protokoll steht.</translation>
   </message>
   <message>
+   <source>An image every {every:g} s can't be had of a video; choose {least:g} to {most:g} s.</source>
+   <translation>Ein Bild alle {every:g} s lässt sich einem Video nicht entnehmen; wählen Sie {least:g} bis {most:g} s.</translation>
+  </message>
+  <message>
    <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
    <translation>Ein Bild von {width} × {height} Pixeln zeigt zu wenig, um segmentiert zu werden; es braucht bei der Auflösung des Modells {least} Pixel in jeder Richtung.</translation>
   </message>
@@ -5157,7 +5161,7 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   </message>
   <message>
    <source>{path} can't be written: {reason}.</source>
-   <translation>{path} lässt sich nicht schreiben: {reason}.</translation>
+   <translation>{path} kann nicht geschrieben werden: {reason}.</translation>
   </message>
   <message>
    <source>{path} can't be written: {reason}; choose another place.</source>
@@ -5230,6 +5234,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
    <translation>{path} hat kein Koordinatenbezugssystem; dem Layer ein metrisches zuweisen.</translation>
+  </message>
+  <message>
+   <source>{path} has no frames that can be read.</source>
+   <translation>{path} hat keine lesbaren Einzelbilder.</translation>
   </message>
   <message>
    <source>{path} has no georeference, so its windows would have no place on the map.</source>
@@ -5460,6 +5468,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} ist kein Text und damit keine Route; eine andere Datei wählen.</translation>
   </message>
   <message>
+   <source>{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.</source>
+   <translation>{path} ist kein lesbares Video; wählen Sie eine MP4-, MOV-, MKV-, AVI- oder MPEG-Datei.</translation>
+  </message>
+  <message>
    <source>{path} is no waypoint list: its first line is not “QGC WPL 110”.</source>
    <translation>{path} ist keine Wegpunktliste: Die erste Zeile ist nicht „QGC WPL 110“.</translation>
   </message>
@@ -5506,6 +5518,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} is the state of a flight in another database.</source>
    <translation>{path} ist der Stand eines Fluges in einer anderen Datenbank.</translation>
+  </message>
+  <message>
+   <source>{path} is there already; choose another folder.</source>
+   <translation>{path} ist schon da; wählen Sie einen anderen Ordner.</translation>
   </message>
   <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>

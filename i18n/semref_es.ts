@@ -260,6 +260,10 @@
    <translation>Un error detuvo el entrenamiento: {reason}; informe de lo que dice el registro.</translation>
   </message>
   <message>
+   <source>An image every {every:g} s can't be had of a video; choose {least:g} to {most:g} s.</source>
+   <translation>No se puede obtener una imagen cada {every:g} s de un vídeo; elija de {least:g} a {most:g} s.</translation>
+  </message>
+  <message>
    <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
    <translation>Una imagen de {width} × {height} píxeles muestra demasiado poco para segmentarla; necesita {least} píxeles en cada sentido con la resolución del modelo.</translation>
   </message>
@@ -5232,6 +5236,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no tiene sistema de referencia de coordenadas; asigne uno métrico a la capa.</translation>
   </message>
   <message>
+   <source>{path} has no frames that can be read.</source>
+   <translation>{path} no tiene fotogramas que puedan leerse.</translation>
+  </message>
+  <message>
    <source>{path} has no georeference, so its windows would have no place on the map.</source>
    <translation>{path} no está georreferenciado, así que sus ventanas no tendrían lugar en el mapa.</translation>
   </message>
@@ -5460,6 +5468,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{path} no es texto y, por tanto, no es una ruta; elija otro archivo.</translation>
   </message>
   <message>
+   <source>{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.</source>
+   <translation>{path} no es un vídeo que pueda leerse; elija un archivo MP4, MOV, MKV, AVI o MPEG.</translation>
+  </message>
+  <message>
    <source>{path} is no waypoint list: its first line is not “QGC WPL 110”.</source>
    <translation>{path} no es una lista de puntos de paso: su primera línea no es «QGC WPL 110».</translation>
   </message>
@@ -5506,6 +5518,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} is the state of a flight in another database.</source>
    <translation>{path} es el estado de un vuelo en otra base de datos.</translation>
+  </message>
+  <message>
+   <source>{path} is there already; choose another folder.</source>
+   <translation>{path} ya existe; elija otra carpeta.</translation>
   </message>
   <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>

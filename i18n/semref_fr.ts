@@ -260,6 +260,10 @@
    <translation>Une erreur a arrêté l’entraînement : {reason} ; veuillez signaler ce que contient le journal.</translation>
   </message>
   <message>
+   <source>An image every {every:g} s can't be had of a video; choose {least:g} to {most:g} s.</source>
+   <translation>On ne peut pas tirer d’une vidéo une image toutes les {every:g} s ; choisissez de {least:g} à {most:g} s.</translation>
+  </message>
+  <message>
    <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
    <translation>Une image de {width} × {height} pixels montre trop peu pour être segmentée ; il lui faut {least} pixels dans chaque sens à la résolution du modèle.</translation>
   </message>
@@ -5232,6 +5236,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} n’a pas de système de coordonnées de référence ; attribuez-en un métrique à la couche.</translation>
   </message>
   <message>
+   <source>{path} has no frames that can be read.</source>
+   <translation>{path} n’a aucune image lisible.</translation>
+  </message>
+  <message>
    <source>{path} has no georeference, so its windows would have no place on the map.</source>
    <translation>{path} n’est pas géoréférencée, ses fenêtres n’auraient donc pas de place sur la carte.</translation>
   </message>
@@ -5460,6 +5468,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} n’est pas du texte et donc pas un itinéraire ; choisissez un autre fichier.</translation>
   </message>
   <message>
+   <source>{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.</source>
+   <translation>{path} n’est pas une vidéo lisible ; choisissez un fichier MP4, MOV, MKV, AVI ou MPEG.</translation>
+  </message>
+  <message>
    <source>{path} is no waypoint list: its first line is not “QGC WPL 110”.</source>
    <translation>{path} n’est pas une liste de points de passage : sa première ligne n’est pas « QGC WPL 110 ».</translation>
   </message>
@@ -5506,6 +5518,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} is the state of a flight in another database.</source>
    <translation>{path} est l’état d’un vol dans une autre base de données.</translation>
+  </message>
+  <message>
+   <source>{path} is there already; choose another folder.</source>
+   <translation>{path} existe déjà ; choisissez un autre dossier.</translation>
   </message>
   <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>

@@ -260,6 +260,10 @@
    <translation>训练因错误而停止：{reason}；请报告日志中的内容。</translation>
   </message>
   <message>
+   <source>An image every {every:g} s can't be had of a video; choose {least:g} to {most:g} s.</source>
+   <translation>无法每隔 {every:g} 秒从视频中取一幅影像；请选择 {least:g} 到 {most:g} 秒。</translation>
+  </message>
+  <message>
    <source>An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way at the model's resolution.</source>
    <translation>{width} × {height} 像元的影像内容太少，无法分割；按模型的分辨率，每个方向需要 {least} 个像元。</translation>
   </message>
@@ -5232,6 +5236,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 没有坐标参照系；请为该图层指定以米为单位的坐标参照系。</translation>
   </message>
   <message>
+   <source>{path} has no frames that can be read.</source>
+   <translation>{path} 没有可读取的帧。</translation>
+  </message>
+  <message>
    <source>{path} has no georeference, so its windows would have no place on the map.</source>
    <translation>{path} 没有地理参照，因此其窗口在地图上没有位置。</translation>
   </message>
@@ -5460,6 +5468,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 不是文本，因此不是航线；请选择其他文件。</translation>
   </message>
   <message>
+   <source>{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.</source>
+   <translation>{path} 不是可读取的视频；请选择 MP4、MOV、MKV、AVI 或 MPEG 文件。</translation>
+  </message>
+  <message>
    <source>{path} is no waypoint list: its first line is not “QGC WPL 110”.</source>
    <translation>{path} 不是航点列表：其首行不是“QGC WPL 110”。</translation>
   </message>
@@ -5506,6 +5518,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} is the state of a flight in another database.</source>
    <translation>{path} 是另一个数据库中航次的状态。</translation>
+  </message>
+  <message>
+   <source>{path} is there already; choose another folder.</source>
+   <translation>{path} 已存在；请选择其他文件夹。</translation>
   </message>
   <message>
    <source>{path} keeps its weights in another file that is missing or cut short; put it beside the model under its old name ({reason}).</source>

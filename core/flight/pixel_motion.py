@@ -39,9 +39,9 @@ LEAST_EVIDENCE = 7.0
 AGREES_WITHIN_PX = 2.5
 """Working pixels from the fitted motion."""
 
-TILT_SHARES = (0.0095, 0.006, 0.023)
-"""Standard deviations that tilts of up to 2° and a lens of 0.5 % make, which two images alone do not tell, for a way of
-one edge: of the place in edges (it grows with the square of the way), the turn and the log scale (with the way)."""
+TILT_SPREAD = 0.0165
+"""Standard deviation of a tilt that nobody tells, to either side, over the focal length in edges: up to 2° in any
+direction under a view of 60°."""
 
 RELIEF_SHARES = (0.03, 0.075, 0.075)
 """What comes on top, growing with the way, where no cell agrees; it falls with the square of the share that doesn't:
@@ -136,12 +136,7 @@ def _proposed(first: Features, second: Features) -> np.ndarray | None:
 def _link(first: Features, second: Features, found: Fitted, share: float, numbers: tuple[int, int]) -> Link:
     """The motion in pixels of the images, of which a share of the cells tells."""
     (right, down, turn, log_scale), covariance = found.pose()
-    edge = max(first.picture_hw.shape)
-    way = math.hypot(right, down) / edge
-    tilt = np.array(TILT_SHARES) * (edge * way**2, way, way)
-    relief = (1 - share) ** 2 * np.array(RELIEF_SHARES) * (edge * way, way, way)
-    unseen = (tilt**2 + relief**2)[[0, 0, 1, 2]]
-    covariance = covariance + np.diag(unseen)
+    covariance = covariance + unseen(np.array([right, down]), max(first.picture_hw.shape), share)
     units = np.array([first.scale, first.scale, 1.0, 1.0])
     return Link(
         *numbers,
@@ -151,3 +146,24 @@ def _link(first: Features, second: Features, found: Fitted, share: float, number
         as_rows(covariance * np.outer(units, units)),
         LinkSource.PIXELS,
     )
+
+
+def unseen(move: np.ndarray, edge: int, share: float) -> np.ndarray:
+    """(4, 4) of what two images alone do not tell: tilt of the first one, relief of the ground.
+
+    Args:
+        move: (2,) right and down, working pixels.
+        edge: Of the first picture, working pixels.
+        share: Of the cells that agree.
+
+    Returns:
+        Of right, down (working pixels), turn and log scale.
+
+    A tilt along the way shortens or lengthens it by its square, and what lies there by one and a half times the way on
+    average over both directions; a tilt across the way shears, which turns by half of it.
+    """
+    way = float(np.hypot(*move)) / edge
+    along, across = np.array([*(move * way), 0.0, 1.5 * way]), np.array([0.0, 0.0, 0.5 * way, 0.0])
+    tilt = TILT_SPREAD**2 * (np.outer(along, along) + np.outer(across, across))
+    relief = (1 - share) ** 2 * way * np.array(RELIEF_SHARES)[[0, 0, 1, 2]] * [edge, edge, 1.0, 1.0]
+    return tilt + np.diag(relief**2)

@@ -31,8 +31,13 @@ def text_of(path: str) -> str:
         raise ParameterError("flight.not_utf8", path=path) from None
 
 
-def bytes_of(path: str, most: int) -> bytes:
+def bytes_of(path: str, most: int, count: int | None = None) -> bytes:
     """The bytes of a regular file that has at most ``most``.
+
+    Args:
+        path: Of the file.
+        most: Bytes that it may have.
+        count: How many of its first ones; all if None.
 
     Raises:
         ParameterError: It can't be read, is no regular file or is too large.
@@ -44,7 +49,7 @@ def bytes_of(path: str, most: int) -> bytes:
         if state.st_size > most:
             raise ParameterError("flight.file_too_large", path=path, most_mb=most // 1_000_000)
         with open(path, "rb") as file:
-            return file.read(most)
+            return file.read(most if count is None else count)
     except (OSError, ValueError) as error:
         # ValueError: a path with a null character.
         reason = getattr(error, "strerror", None) or str(error)

@@ -33,4 +33,10 @@ SENTENCES = {
     ),
     "flight.no_log": "{path} is no flight log that SemRef reads; it reads {kinds}.",
     "flight.empty_log": "{path} tells neither heading nor height nor speed of a flight.",
+    # Video
+    "flight.frame_step": "An image every {every:g} s can't be had of a video; choose {least:g} to {most:g} s.",
+    "flight.no_video": "{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.",
+    "flight.no_frames": "{path} has no frames that can be read.",
+    "flight.frame_exists": "{path} is there already; choose another folder.",
+    "flight.frame_unwritable": "{path} can't be written: {reason}.",
 }

@@ -1,16 +1,18 @@
 """Relative motion from pixels: links of overlapping photos and label images with known truth, and of unrelated ones.
 
 Photos are cut from orthophotos with any turn, scale 0.9–1.1, exposure, color, vignetting and blur that change from one
-to the next; the truth is that of the two views. Tiles 1 to 3 of dubai_aerial fitted the spreads, the others test them.
+to the next; the truth is that of the two views. The spreads follow from geometry, none was fitted to these pairs.
 """
 
 from __future__ import annotations
 
 import math
+import multiprocessing
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -59,7 +61,15 @@ class Source:
     edge_px: int
     noise: LabelNoise | None = None
     pixel_sizes: tuple[float, float] = (1.0, 1.5)
-    features: Callable[[np.ndarray], Features] = photo_features
+
+    @property
+    def is_photo(self) -> bool:
+        """Whether images are photos, not labels."""
+        return self.rasters[0].ndim == 3
+
+    def features(self, image: np.ndarray) -> Features:
+        """Of an image of this kind."""
+        return photo_features(image) if self.is_photo else label_features(image)
 
 
 @dataclass
@@ -111,14 +121,19 @@ def measure(run: inputs.Run) -> dict[str, str]:
         return {"relative motion": "Not measured: the real data is not here."}
     cv2.setNumThreads(1)
     count = run.how_many(COUNT, QUICK_COUNT)
-    rows, unrelated = [], []
-    for source in _sources(run):
-        for is_level in (True, False):
-            case = source.name + ("" if is_level else f", tilt ≤ {TILT_DEG:g}°, lens ± {LENS:.1%}")
-            rows += _related(run, source, case, is_level, count)
-        if run.wants(f"unrelated {source.name}"):
-            unrelated.append(_unrelated(source, count))
-            print("  " + " | ".join(unrelated[-1]), file=sys.stderr, flush=True)
+    SOURCES.extend(_sources(run))
+    cases = [
+        (number, is_level, overlap)
+        for number, source in enumerate(SOURCES)
+        for is_level in (True, False)[: 1 + source.is_photo]
+        for overlap in OVERLAPS
+        if run.wants(_case(source, is_level, overlap))
+    ]
+    others = [number for number, source in enumerate(SOURCES) if run.wants(f"unrelated {source.name}")]
+    with ProcessPoolExecutor(mp_context=multiprocessing.get_context("fork")) as pool:
+        found = [pool.submit(_related, *case, count) for case in cases]
+        refused = [pool.submit(_unrelated, number, count) for number in others]
+        rows, unrelated = [one.result() for one in found], [one.result() for one in refused]
     body = f"{_ABOUT}\n\n{page.table(COLUMNS, rows)}\n\n{page.table(UNRELATED, unrelated)}"
     photos = sorted((run.data / "dji_brighton_beach").glob("*.JPG"))
     if photos and run.wants("drone"):
@@ -132,18 +147,20 @@ image; photos of {EDGE_PX} pixels, label images of {LABEL_EDGE_PX}. Wrong: off b
 the scale, or {math.degrees(WRONG):.0f}°. Times on one thread, of the processor."""
 
 
+SOURCES: list[Source] = []
+"""What the processes that measure rows share."""
+
+
 def _sources(run: inputs.Run) -> Iterator[Source]:
     tiles = sorted((run.data / inputs.TILES).glob("*_image.tif"))
-    for name, chosen in (("Dubai, tiles 1–3 (fitted)", tiles[:3]), ("Dubai, tiles 4–6", tiles[3:])):
-        yield Source(name, [_colors(path) for path in chosen], EDGE_PX)
+    yield Source("Dubai, six tiles", [_colors(path) for path in tiles], EDGE_PX)
     banepa = run.data / "banepa" / "banepa_photo.tif"
     if banepa.exists():
         yield Source("Banepa", [_colors(banepa)], EDGE_PX, pixel_sizes=(1.0, 2.5))
     labels = [inputs.read_labels(run.label_map())]
     meters = {"true labels": None, "20 / 20 / 5 %": GOAL, "poor network": STRONG}
     for name, noise in meters.items():
-        source = Source(f"Liechtenstein, {name}", labels, LABEL_EDGE_PX, noise, (0.9, 1.1), label_features)
-        yield source
+        yield Source(f"Liechtenstein, {name}", labels, LABEL_EDGE_PX, noise, (0.9, 1.1))
 
 
 def _colors(path: Path) -> np.ndarray:
@@ -153,27 +170,29 @@ def _colors(path: Path) -> np.ndarray:
     return np.ascontiguousarray(np.moveaxis(gdal.Open(str(path)).ReadAsArray()[:3], 0, 2))
 
 
-def _related(run: inputs.Run, source: Source, case: str, is_level: bool, count: int) -> list[list[str]]:
-    rows = []
-    for low, high in OVERLAPS:
-        name = f"{low:.0%}–{high:.0%}"
-        if not run.wants(f"{case} {name}"):
-            continue
-        tally = Tally()
-        for number in range(count):
-            rng = np.random.default_rng([SEED, round(100 * low), number])
-            raster = source.rasters[number % len(source.rasters)]
-            views = _pair(raster, source, rng.uniform(low, high), is_level, rng)
-            images = [_shown(raster, view, source, rng) for view in views]
-            start = time.process_time()
-            features = [source.features(image) for image in images]
-            middle = time.process_time()
-            motion = motion_between(*features)
-            tally.seconds.append(((middle - start) / 2, time.process_time() - middle))
-            tally.add(motion, _truth(*views), source.edge_px)
-        rows.append(tally.row(case, name))
-        print("  " + " | ".join(rows[-1]), dict(tally.reasons), file=sys.stderr, flush=True)
-    return rows
+def _case(source: Source, is_level: bool, overlap: tuple[float, float]) -> str:
+    seen = source.name + ("" if is_level else f", tilt ≤ {TILT_DEG:g}°, lens ± {LENS:.1%}")
+    return f"{seen} {overlap[0]:.0%}–{overlap[1]:.0%}"
+
+
+def _related(number: int, is_level: bool, overlap: tuple[float, float], count: int) -> list[str]:
+    """A row: pairs of a source with an overlap."""
+    source, tally = SOURCES[number], Tally()
+    for turn in range(count):
+        rng = np.random.default_rng([SEED, round(100 * overlap[0]), turn])
+        raster = source.rasters[turn % len(source.rasters)]
+        views = _pair(raster, source, rng.uniform(*overlap), is_level, rng)
+        images = [_shown(raster, view, source, rng) for view in views]
+        start = time.process_time()
+        features = [source.features(image) for image in images]
+        middle = time.process_time()
+        motion = motion_between(*features)
+        tally.seconds.append(((middle - start) / 2, time.process_time() - middle))
+        tally.add(motion, _truth(*views), source.edge_px)
+    case, _, share = _case(source, is_level, overlap).rpartition(" ")
+    row = tally.row(case, share)
+    print("  " + " | ".join(row), dict(tally.reasons), file=sys.stderr, flush=True)
+    return row
 
 
 def _pair(raster: np.ndarray, source: Source, overlap: float, is_level: bool, rng: np.random.Generator) -> list[View]:
@@ -247,33 +266,28 @@ def _truth(first: View, second: View) -> Link:
     return Link(0, 1, (apart.real, -apart.imag), turn, scale, tuple(tuple(row) for row in np.eye(4).tolist()))
 
 
-def _unrelated(source: Source, count: int) -> list[str]:
-    """Images whose ground has no point in common, every second one mirrored ground of the first, all against all."""
-    rng = np.random.default_rng([SEED, 7])
-    seen: list[tuple[int, View, Features]] = []
-    for number in range(max(count // 2, 4)):
+def _unrelated(number: int, count: int) -> list[str]:
+    """A row: images whose ground has no point in common, all against all, and each against its own mirrored picture."""
+    source, rng = SOURCES[number], np.random.default_rng([SEED, 7])
+    seen: list[tuple[tuple[int, bool], View, Features]] = []
+    for number in range(max(2 * count // 5, 4)):
         index = number % len(source.rasters)
         raster = source.rasters[index]
         view = _pair(raster, source, 0.5, False, rng)[0]
-        seen.append((index, view, source.features(_shown(raster, view, source, rng))))
+        image = _shown(raster, view, source, rng)
+        seen.append(((index, False), view, source.features(image)))
+        seen.append(((index, True), view, source.features(np.ascontiguousarray(image[:, ::-1]))))
     wrong = pairs = 0
-    for number, (index, view, features) in enumerate(seen):
-        for other, other_view, others in seen[:number]:
-            apart = math.hypot(view.x - other_view.x, view.y - other_view.y)
-            if index == other and apart < 0.75 * (view.footprint + other_view.footprint):
+    for number, (ground, view, features) in enumerate(seen):
+        for other_ground, other, others in seen[:number]:
+            apart = math.hypot(view.x - other.x, view.y - other.y)
+            if ground == other_ground and apart < 0.75 * (view.footprint + other.footprint):
                 continue
             pairs += 1
             wrong += motion_between(others, features).link is not None
-        mirrored = replace(features, picture_hw=features.picture_hw[:, ::-1].copy())
-        pairs += 1
-        wrong += motion_between(mirrored_features(mirrored), features).link is not None
-    return [source.name, str(pairs), page.rate(wrong, pairs)]
-
-
-def mirrored_features(features: Features) -> Features:
-    """Features of the mirrored picture that ``features`` already holds."""
-    known = features.is_known_hw
-    return photo_features(features.picture_hw, None if known is None else known[:, ::-1])
+    row = [source.name, str(pairs), page.rate(wrong, pairs)]
+    print("  " + " | ".join(row), file=sys.stderr, flush=True)
+    return row
 
 
 def _drone(photos: Sequence[Path]) -> str:

@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from semref.core.flight.pixel_features import label_features, photo_features
-from semref.core.flight.pixel_motion import CHANCE, LEAST_EVIDENCE, evidence, motion_between
+from semref.core.flight.pixel_fit import fitted
+from semref.core.flight.pixel_motion import CHANCE, LEAST_EVIDENCE, evidence, motion_between, unseen
+from semref.core.simulation.views import View, image_coordinates, map_coordinates
 
 EDGE = 320
 
@@ -149,15 +151,32 @@ def test_ground_that_an_image_does_not_show_is_left_out():
     assert part.link.translation == pytest.approx(whole.link.translation, abs=0.1)
 
 
-def test_the_spread_grows_with_the_way_because_of_what_two_images_do_not_tell():
-    def deviations(shift):
-        views = ((500, 500), 0, 1.0), ((500 + shift, 500), 0, 1.0)
-        link = motion_between(*(photo_features(cut(scene(1), *view)) for view in views)).link
-        return np.sqrt(np.diag(link.covariance))
+def test_the_spread_holds_a_tilt_that_two_images_do_not_tell():
+    """Along the way and in scale, together; hardly across it."""
 
-    near, far = deviations(20), deviations(160)
-    assert (far > 3 * near).all()
-    assert far[0] == pytest.approx(0.0095 * 160**2 / EDGE, rel=0.2)
+    def known(shift):
+        views = ((500, 500), 0, 1.0), ((500 + shift, 500), 0, 1.0)
+        return np.array(motion_between(*(photo_features(cut(scene(1), *view)) for view in views)).link.covariance)
+
+    near, far = (np.sqrt(np.diag(known(shift))) for shift in (20, 160))
+    assert far[0] > 6 * near[0] and far[0] > 4 * far[1]
+    assert far[[0, 2, 3]] == pytest.approx([EDGE * 0.0165 / 4, 0.0165 / 4, 1.5 * 0.0165 / 2], rel=0.1)
+    assert known(160)[0, 3] > 0.9 * far[0] * far[3]
+
+
+@pytest.mark.parametrize("direction", [0, 60, 200])
+def test_the_spread_covers_tilted_views(direction):
+    """The geometry alone: places of a level second image in a first one that was tilted by 2°."""
+    tilted = View(0, 0, 20, 1.0, 512, 512, tilt_deg=2.0, tilt_direction_deg=direction)
+    level = View(180, 100, 50, 1.05, 512, 512)
+    at_first = np.array(np.meshgrid(np.arange(16.0, 512, 32), np.arange(16.0, 512, 32))).reshape(2, -1).T
+    at_second = image_coordinates(level, np.column_stack(map_coordinates(tilted, *at_first.T)))
+    is_shared = ((at_second > 0) & (at_second < 512)).all(axis=1)
+    pose, _ = fitted(at_second[is_shared] - 256, at_first[is_shared] - 256, 2.5).pose()
+    apart = complex(180, 100) * np.exp(1j * np.radians(20))
+    off = pose - [apart.real, -apart.imag, np.radians(30), np.log(1.05)]
+    spread = unseen(np.array([apart.real, -apart.imag]), 512, 1.0) + np.diag([0.2, 0.2, 1e-3, 1e-3]) ** 2
+    assert off @ np.linalg.solve(spread, off) < 16
 
 
 def test_evidence_is_what_speaks_against_chance():

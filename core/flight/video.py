@@ -1,0 +1,143 @@
+"""Frames of a video as images of a flight: ``python -m core.flight.video VIDEO FOLDER --every 2``.
+
+Beside the images stands ``cameras.csv``, a camera table with the time of each in the video and, where DJI's subtitles
+of the video's name lie beside it, the gimbal's heading and attitude.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import io
+import math
+import os
+import sys
+from collections.abc import Iterator
+
+import cv2
+
+from ..errors import ParameterError, SemRefError
+from .logs.files import read_log
+from .table import bytes_of
+from .telemetry import Telemetry, log_cameras
+
+TABLE = "cameras.csv"
+LEAST_STEP_S, MOST_STEP_S = 0.02, 3600.0
+MOST_FRAMES = 100_000
+"""Images that are written of one video."""
+
+_QUALITY = 95
+_STARTS = ((4, b"ftyp"), (0, b"\x1a\x45\xdf\xa3"), (8, b"AVI "), (0, b"\x47"), (0, b"\0\0\1\xba"))
+"""How MP4 and QuickTime, Matroska, AVI, and MPEG streams begin; playlists and descriptions of streams would be followed
+to other computers, and are refused."""
+
+
+def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None = None) -> Iterator[tuple[str, float]]:
+    """Writes a video's frames as JPEGs and, at the end, their camera table; gives each one's path and the share done.
+
+    Args:
+        video: Path of the file.
+        folder: Where they go; made if need be. What lies there is never overwritten.
+        every_s: Seconds from one to the next.
+        log: Of the same flight, in the video's time.
+
+    Raises:
+        ParameterError: The video can't be read, or an image not be written.
+    """
+    if not LEAST_STEP_S <= every_s <= MOST_STEP_S:
+        raise ParameterError("flight.frame_step", every=every_s, least=LEAST_STEP_S, most=MOST_STEP_S)
+    capture = _opened(video)
+    stem = os.path.splitext(os.path.basename(video))[0]
+    count = capture.get(cv2.CAP_PROP_FRAME_COUNT)
+    names: list[str] = []
+    times: list[float] = []
+    wanted, number = 0.0, 0
+    try:
+        while len(names) < MOST_FRAMES and capture.grab():
+            # Before the first frame is taken the time is 0; from then on it is that of the frame taken last.
+            time_s, number = capture.get(cv2.CAP_PROP_POS_MSEC) / 1000, number + 1
+            if not math.isfinite(time_s) or time_s < wanted - 1e-6:
+                continue
+            is_there, frame = capture.retrieve()
+            if not is_there:
+                continue
+            wanted = max(wanted + every_s, time_s + every_s / 2)
+            name = f"{stem}_{time_s:010.3f}.jpg"
+            _write(
+                os.path.join(folder, name),
+                cv2.imencode(".jpg", frame, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])[1].tobytes(),
+            )
+            names.append(name)
+            times.append(time_s)
+            yield os.path.join(folder, name), min(number / count, 1.0) if count >= 1 else 0.0
+    finally:
+        capture.release()
+    if not names:
+        raise ParameterError("flight.no_frames", path=video)
+    _write(os.path.join(folder, TABLE), _table(names, times, log).encode("utf-8"))
+
+
+def _opened(video: str) -> cv2.VideoCapture:
+    start = bytes_of(video, 1 << 50, 16)
+    if not any(start[at : at + len(mark)] == mark for at, mark in _STARTS):
+        raise ParameterError("flight.no_video", path=video)
+    capture = cv2.VideoCapture(os.path.abspath(video))
+    if not capture.isOpened():
+        raise ParameterError("flight.no_video", path=video)
+    return capture
+
+
+def _write(path: str, data: bytes) -> None:
+    """Writes a new file; raises ParameterError where one lies, or it can't be."""
+    try:
+        os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+        with open(path, "xb") as file:
+            file.write(data)
+    except FileExistsError:
+        raise ParameterError("flight.frame_exists", path=path) from None
+    except OSError as error:
+        raise ParameterError("flight.frame_unwritable", path=path, reason=error.strerror or str(error)) from None
+
+
+def _table(names: list[str], times: list[float], log: Telemetry | None) -> str:
+    """The camera table's text. Heights above take-off are left out: the table's are above the ground seen."""
+    text = io.StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(["image", "time", "heading", "roll", "pitch"])
+    stems = [os.path.splitext(name)[0] for name in names]
+    cameras = [None] * len(names) if log is None else log_cameras(log, stems, list(times))
+    for name, time_s, camera in zip(names, times, cameras):
+        heading = camera.heading_deg if camera else None
+        attitude = camera.attitude if camera else None
+        angles = (None, None) if attitude is None else (attitude.roll_deg, attitude.pitch_deg)
+        cells = ["" if value is None else f"{value:.2f}" for value in (heading, *angles)]
+        rows.writerow([name, f"{time_s:.3f}", *cells])
+    return text.getvalue()
+
+
+def subtitles_of(video: str) -> str | None:
+    """Path of the subtitles beside a video; None where there are none."""
+    stem = os.path.splitext(video)[0]
+    return next((stem + ending for ending in (".SRT", ".srt") if os.path.isfile(stem + ending)), None)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Runs the command; gives its exit code."""
+    parser = argparse.ArgumentParser("python -m core.flight.video", description="Writes a video's frames as images.")
+    parser.add_argument("video", metavar="VIDEO")
+    parser.add_argument("folder", metavar="FOLDER", help="where the images and cameras.csv go")
+    parser.add_argument("--every", type=float, default=2.0, metavar="S", help="seconds from image to image; default 2")
+    parser.add_argument("--log", help="flight log in the video's time; default: subtitles of its name beside it")
+    options = parser.parse_args(arguments)
+    try:
+        path = options.log or subtitles_of(options.video)
+        for written, _ in write_frames(options.video, options.folder, options.every, read_log(path) if path else None):
+            print(written, flush=True)
+    except SemRefError as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
