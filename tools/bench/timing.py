@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import statistics
 import sys
 import time
@@ -29,6 +30,29 @@ def spread(values: Sequence[float]) -> Spread:
 def ratios(numerators: Sequence[float], denominators: Sequence[float]) -> Spread:
     """Spread of the ratios of measurements that were taken in the same turn."""
     return spread([a / b for a, b in zip(numerators, denominators)])
+
+
+def on_processor(candidate: Callable[[], object]) -> Callable[[], float]:
+    """The candidate, telling the seconds of all processors together that this process spent on it."""
+
+    def run() -> float:
+        begin = time.process_time()
+        candidate()
+        return time.process_time() - begin
+
+    return run
+
+
+def on_processor_of_children(candidate: Callable[[], object]) -> Callable[[], float]:
+    """As ``on_processor``, with the processes that it starts and waits for."""
+
+    def run() -> float:
+        begin = os.times()
+        candidate()
+        end = os.times()
+        return sum(end[:4]) - sum(begin[:4])
+
+    return run
 
 
 def take_turns(candidates: dict[str, Callable[[], float | None]], repetitions: int) -> dict[str, list[float]]:
