@@ -4188,6 +4188,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Kalibrierungsfehler</translation>
   </message>
   <message>
+   <source>camera: {camera}</source>
+   <translation>Kamera: {camera}</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>Klasse</translation>
   </message>
@@ -4272,6 +4276,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Befunde</translation>
   </message>
   <message>
+   <source>focal length {value:.0f} px</source>
+   <translation>Brennweite {value:.0f} px</translation>
+  </message>
+  <message>
    <source>found</source>
    <translation>gefunden</translation>
   </message>
@@ -4310,6 +4318,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>height (m)</source>
    <translation>Höhe (m)</translation>
+  </message>
+  <message>
+   <source>height {value:.1f} m</source>
+   <translation>Höhe {value:.1f} m</translation>
   </message>
   <message>
    <source>held by</source>
@@ -4422,6 +4434,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>lens and tilt</source>
    <translation>Objektiv und Neigung</translation>
+  </message>
+  <message>
+   <source>lens straightened by up to {value:.1f} % of the width</source>
+   <translation>Verzeichnung bis {value:.1f} % der Breite ausgeglichen</translation>
   </message>
   <message>
    <source>localizable</source>
@@ -4564,6 +4580,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>pip konnte {package} nicht installieren: {reason}.</translation>
   </message>
   <message>
+   <source>pitch {value:.1f}°</source>
+   <translation>Nick {value:.1f}°</translation>
+  </message>
+  <message>
    <source>pixel size (m)</source>
    <translation>Pixelgröße (m)</translation>
   </message>
@@ -4606,6 +4626,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>right, down</source>
    <translation>rechts, unten</translation>
+  </message>
+  <message>
+   <source>roll {value:.1f}°</source>
+   <translation>Roll {value:.1f}°</translation>
   </message>
   <message>
    <source>scale</source>
@@ -4788,6 +4812,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>y</translation>
   </message>
   <message>
+   <source>yaw {value:.1f}°</source>
+   <translation>Gier {value:.1f}°</translation>
+  </message>
+  <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
    <translation>{area:.2f} m², die zwei beanspruchten, gehören {name} (Objekt {id}), nicht mehr Objekt {other}.</translation>
   </message>
@@ -4926,6 +4954,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.</source>
    <translation>{image} war geneigt, was eine World-Datei nicht sagen kann; schreiben Sie stattdessen GeoTIFFs oder Passpunkte.</translation>
+  </message>
+  <message>
+   <source>{image}: camera: {camera}</source>
+   <translation>{image}: Kamera: {camera}</translation>
   </message>
   <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>

@@ -4188,6 +4188,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>error de calibración</translation>
   </message>
   <message>
+   <source>camera: {camera}</source>
+   <translation>cámara: {camera}</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>clase</translation>
   </message>
@@ -4272,6 +4276,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>hallazgos</translation>
   </message>
   <message>
+   <source>focal length {value:.0f} px</source>
+   <translation>distancia focal {value:.0f} px</translation>
+  </message>
+  <message>
    <source>found</source>
    <translation>encontrado</translation>
   </message>
@@ -4310,6 +4318,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>height (m)</source>
    <translation>altura (m)</translation>
+  </message>
+  <message>
+   <source>height {value:.1f} m</source>
+   <translation>altura {value:.1f} m</translation>
   </message>
   <message>
    <source>held by</source>
@@ -4422,6 +4434,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>lens and tilt</source>
    <translation>objetivo e inclinación</translation>
+  </message>
+  <message>
+   <source>lens straightened by up to {value:.1f} % of the width</source>
+   <translation>distorsión corregida hasta un {value:.1f} % del ancho</translation>
   </message>
   <message>
    <source>localizable</source>
@@ -4564,6 +4580,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>pip no pudo instalar {package}: {reason}.</translation>
   </message>
   <message>
+   <source>pitch {value:.1f}°</source>
+   <translation>cabeceo {value:.1f}°</translation>
+  </message>
+  <message>
    <source>pixel size (m)</source>
    <translation>tamaño de píxel (m)</translation>
   </message>
@@ -4606,6 +4626,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>right, down</source>
    <translation>derecha, abajo</translation>
+  </message>
+  <message>
+   <source>roll {value:.1f}°</source>
+   <translation>alabeo {value:.1f}°</translation>
   </message>
   <message>
    <source>scale</source>
@@ -4788,6 +4812,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>y</translation>
   </message>
   <message>
+   <source>yaw {value:.1f}°</source>
+   <translation>guiñada {value:.1f}°</translation>
+  </message>
+  <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
    <translation>{area:.2f} m² que dos reclamaban pertenecen a {name} (objeto espacial {id}), ya no al objeto espacial {other}.</translation>
   </message>
@@ -4926,6 +4954,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.</source>
    <translation>{image} estaba inclinada, lo que un archivo world no puede expresar; escriba GeoTIFF o puntos de control.</translation>
+  </message>
+  <message>
+   <source>{image}: camera: {camera}</source>
+   <translation>{image}: cámara: {camera}</translation>
   </message>
   <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>

@@ -4188,6 +4188,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>erreur de calibration</translation>
   </message>
   <message>
+   <source>camera: {camera}</source>
+   <translation>caméra : {camera}</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>classe</translation>
   </message>
@@ -4272,6 +4276,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>constats</translation>
   </message>
   <message>
+   <source>focal length {value:.0f} px</source>
+   <translation>focale {value:.0f} px</translation>
+  </message>
+  <message>
    <source>found</source>
    <translation>trouvé</translation>
   </message>
@@ -4310,6 +4318,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>height (m)</source>
    <translation>hauteur (m)</translation>
+  </message>
+  <message>
+   <source>height {value:.1f} m</source>
+   <translation>hauteur {value:.1f} m</translation>
   </message>
   <message>
    <source>held by</source>
@@ -4422,6 +4434,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>lens and tilt</source>
    <translation>objectif et inclinaison</translation>
+  </message>
+  <message>
+   <source>lens straightened by up to {value:.1f} % of the width</source>
+   <translation>distorsion redressée jusqu’à {value:.1f} % de la largeur</translation>
   </message>
   <message>
    <source>localizable</source>
@@ -4564,6 +4580,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>pip n’a pas pu installer {package} : {reason}.</translation>
   </message>
   <message>
+   <source>pitch {value:.1f}°</source>
+   <translation>tangage {value:.1f}°</translation>
+  </message>
+  <message>
    <source>pixel size (m)</source>
    <translation>taille de pixel (m)</translation>
   </message>
@@ -4606,6 +4626,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>right, down</source>
    <translation>droite, bas</translation>
+  </message>
+  <message>
+   <source>roll {value:.1f}°</source>
+   <translation>roulis {value:.1f}°</translation>
   </message>
   <message>
    <source>scale</source>
@@ -4788,6 +4812,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>y</translation>
   </message>
   <message>
+   <source>yaw {value:.1f}°</source>
+   <translation>lacet {value:.1f}°</translation>
+  </message>
+  <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
    <translation>{area:.2f} m² que deux entités revendiquaient appartiennent à {name} (entité {id}), et non plus à l’entité {other}.</translation>
   </message>
@@ -4926,6 +4954,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.</source>
    <translation>{image} était inclinée, ce qu’un fichier world ne peut pas dire ; écrivez plutôt des GeoTIFF ou des points de calage.</translation>
+  </message>
+  <message>
+   <source>{image}: camera: {camera}</source>
+   <translation>{image} : caméra : {camera}</translation>
   </message>
   <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>

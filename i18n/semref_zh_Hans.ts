@@ -4188,6 +4188,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>校准误差</translation>
   </message>
   <message>
+   <source>camera: {camera}</source>
+   <translation>相机：{camera}</translation>
+  </message>
+  <message>
    <source>class</source>
    <translation>类别</translation>
   </message>
@@ -4272,6 +4276,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>问题</translation>
   </message>
   <message>
+   <source>focal length {value:.0f} px</source>
+   <translation>焦距 {value:.0f} 像素</translation>
+  </message>
+  <message>
    <source>found</source>
    <translation>找到的比例</translation>
   </message>
@@ -4310,6 +4318,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>height (m)</source>
    <translation>高度（m）</translation>
+  </message>
+  <message>
+   <source>height {value:.1f} m</source>
+   <translation>高度 {value:.1f} 米</translation>
   </message>
   <message>
    <source>held by</source>
@@ -4422,6 +4434,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>lens and tilt</source>
    <translation>镜头与倾斜</translation>
+  </message>
+  <message>
+   <source>lens straightened by up to {value:.1f} % of the width</source>
+   <translation>镜头畸变已校正，最多为宽度的 {value:.1f} %</translation>
   </message>
   <message>
    <source>localizable</source>
@@ -4564,6 +4580,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>pip 无法安装 {package}：{reason}。</translation>
   </message>
   <message>
+   <source>pitch {value:.1f}°</source>
+   <translation>俯仰 {value:.1f}°</translation>
+  </message>
+  <message>
    <source>pixel size (m)</source>
    <translation>像元大小（m）</translation>
   </message>
@@ -4606,6 +4626,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>right, down</source>
    <translation>右、下</translation>
+  </message>
+  <message>
+   <source>roll {value:.1f}°</source>
+   <translation>横滚 {value:.1f}°</translation>
   </message>
   <message>
    <source>scale</source>
@@ -4788,6 +4812,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>y</translation>
   </message>
   <message>
+   <source>yaw {value:.1f}°</source>
+   <translation>偏航 {value:.1f}°</translation>
+  </message>
+  <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
    <translation>两个要素同时占有的 {area:.2f} m² 归 {name}（要素 {id}），不再属于要素 {other}。</translation>
   </message>
@@ -4926,6 +4954,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.</source>
    <translation>{image} 是倾斜拍摄的，世界文件无法表达；请改写 GeoTIFF 或控制点。</translation>
+  </message>
+  <message>
+   <source>{image}: camera: {camera}</source>
+   <translation>{image}：相机：{camera}</translation>
   </message>
   <message>
    <source>{image}: distance {distance:.3f}, confidence {confidence:.2f}</source>

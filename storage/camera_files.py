@@ -43,7 +43,8 @@ def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
         time_s = row.time_s if timed else photo.time_s
         heading = photo.heading_deg if row.heading_deg is None else row.heading_deg
         lens, height = row.lens or photo.lens, row.height or photo.height
-        cameras.append(Camera(known.attitude, lens, known.source, time_s, known.problem, height, heading))
+        bent = None if row.lens else photo.distortion
+        cameras.append(Camera(known.attitude, lens, known.source, time_s, known.problem, height, heading, bent))
     return cameras
 
 

@@ -62,6 +62,7 @@ class Finding:
     source: str | None
     track: int | None
     outvoted: bool | None
+    camera: str | None
     crs: QgsCoordinateReferenceSystem
     outline: QgsGeometry | None
     possible: tuple[QgsGeometry, ...] = ()

@@ -9,11 +9,12 @@ above the ground they see, and the focal length on a film that they don't have.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, hypot, radians
 
 from ..errors import ParameterError
 from ..sentences import Sentence
+from .lens_distortion import LensDistortion
 from .leveling import Attitude, Leveling, focal_length_from_35mm, focal_length_from_view, leveling
 
 LEVEL_DEG = 0.01
@@ -116,6 +117,7 @@ class Camera:
         problem: What can't be used.
         height: Above the ground that it sees.
         heading_deg: Where the image's top points to, clockwise from north.
+        distortion: How the lens bends, where it is known and the photo not corrected for it.
     """
 
     attitude: Attitude | None = None
@@ -125,9 +127,10 @@ class Camera:
     problem: Sentence | None = None
     height: Height | None = None
     heading_deg: float | None = None
+    distortion: LensDistortion | None = None
 
     def leveling(self, shape_hw: tuple[int, int]) -> Leveling | None:
-        """How to level an image; None when it is level or not enough is known.
+        """How to level an image and straighten what its lens bends; None when neither is needed or known.
 
         Args:
             shape_hw: (height, width) of the image, 1 or more each.
@@ -138,11 +141,27 @@ class Camera:
         """
         if self.problem:
             raise ParameterError(self.problem)
-        if self.attitude is None or self.lens is None or not self.lens.fits(shape_hw):
+        if self.lens is None or not self.lens.fits(shape_hw):
             return None
-        if max(abs(self.attitude.roll_deg), abs(self.attitude.pitch_deg)) < LEVEL_DEG:
+        attitude = self.attitude or Attitude(0.0, 0.0)
+        is_level = max(abs(attitude.roll_deg), abs(attitude.pitch_deg)) < LEVEL_DEG
+        if is_level and self.distortion is None:
             return None
-        return leveling(self.attitude, self.lens.focal_length_px(shape_hw), shape_hw)
+        way = leveling(attitude, self.focal_length_px(shape_hw), shape_hw, self.distortion)
+        return way if self.attitude is not None else replace(way, nadir=None)
+
+    def unbending(self, shape_hw: tuple[int, int]) -> Leveling | None:
+        """How to straighten what the lens bends in an image that is taken as level; None where it bends nothing known.
+
+        Raises as ``leveling`` does.
+        """
+        return None if self.distortion is None else replace(self, attitude=None, problem=None).leveling(shape_hw)
+
+    def focal_length_px(self, shape_hw: tuple[int, int]) -> float:
+        """In pixels of an image of ``shape_hw`` (height, width): by the lens's calibration where there is one."""
+        if self.distortion is not None:
+            return sum(self.distortion.focal_xy) / 2 * shape_hw[1]
+        return 0.0 if self.lens is None else self.lens.focal_length_px(shape_hw)
 
     def pixel_sizes(self, shape_hw: tuple[int, int]) -> tuple[float, float] | None:
         """Smallest and largest ground size of a pixel at the image's center, meters; None when not enough is known.

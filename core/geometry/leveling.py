@@ -3,7 +3,8 @@
 Conventions. The camera's frame is (right, top, axis): right and top of its image, and the optical axis. Roll and pitch
 of 0 look straight down. Pitch > 0 tilts the axis towards the image's top, then roll > 0 towards its right, so that
 straight down is (−sin roll · cos pitch, −sin pitch, cos roll · cos pitch) in that frame. Where the camera is heading
-needn't be known. The ground is taken as level, the lens as free of distortion with its axis at the image's center.
+needn't be known. The ground is taken as level; the lens as free of distortion with its axis at the image's center,
+unless its calibration is given.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import cv2
 import numpy as np
 
 from ..errors import LabelMapError, ParameterError
+from .lens_distortion import LensDistortion, border
 
 LONGEST_FOCAL_LENGTH_PX = 1e9
 """Pixels; a camera with a longer one sees nothing."""
@@ -21,6 +23,9 @@ LONGEST_FOCAL_LENGTH_PX = 1e9
 STEEPEST_VIEW_DEG = 75.0
 """A corner of the image may look so far from straight down. There the same solid angle covers 1/cos³ 75° = 58 times the
 ground that it covers straight below, and at 90° is the horizon. A tilt of 35° at a field of view of 60° comes to it."""
+
+STRIP_ROWS = 256
+"""Rows of a level image that a bent lens is looked up for at a time."""
 
 LONGEST_EDGE_PX = 32_766
 """OpenCV warps images with edges shorter than 2¹⁵."""
@@ -106,14 +111,16 @@ class Leveling:
         shape_hw: (height, width) of the level image, the smallest that holds all the ground seen.
         middle: Offset of the level image's middle.
         corners: (4,) offsets of the image's corners, upper left first, clockwise.
-        nadir: Offset of the ground straight below the camera.
+        nadir: Offset of the ground straight below the camera; None where its attitude is not known.
+        bent: The image as its lens bends it; None for one that does not. ``homography`` is then of a camera without it.
     """
 
     homography: np.ndarray
     shape_hw: tuple[int, int]
     middle: complex
     corners: np.ndarray
-    nadir: complex
+    nadir: complex | None
+    bent: BentImage | None = None
 
     def level(self, labels_hw: np.ndarray) -> np.ndarray:
         """Labels as a level camera sees them, by nearest neighbor.
@@ -124,6 +131,9 @@ class Leveling:
         Returns:
             Uint8 labels of shape ``shape_hw``; 0 is ground not seen.
         """
+        if self.bent is not None:
+            own = np.ones(2)
+            return self._unbent(labels_hw, self.bent, self.shape_hw, (own, own), cv2.INTER_NEAREST)
         # OpenCV counts from the center of the first pixel.
         shift = np.array([[1, 0, 0.5], [0, 1, 0.5], [0, 0, 1]])
         matrix = np.linalg.inv(shift) @ self.homography @ shift
@@ -143,25 +153,109 @@ class Leveling:
         pixel = np.array(image_shape_hw[::-1]) / grid
         size = np.maximum(np.rint(np.array(self.shape_hw[::-1]) / pixel), 1).astype(int)
         level_pixel = np.array(self.shape_hw[::-1]) / size
+        split = np.moveaxis(planes_hwk, 2, 0)
+        if self.bent is not None:
+            to, pixels = (int(size[1]), int(size[0])), (pixel, level_pixel)
+            planes = [self._unbent(np.ascontiguousarray(p), self.bent, to, pixels, cv2.INTER_LINEAR) for p in split]
+            return np.stack(planes, axis=2) if planes else np.zeros((*to, 0), np.uint8)
         shift = np.array([[1, 0, 0.5], [0, 1, 0.5], [0, 0, 1]])
         to_level = np.diag([*1 / level_pixel, 1]) @ self.homography @ np.diag([*pixel, 1])
         matrix = np.linalg.inv(shift) @ to_level @ shift
-        planes = [cv2.warpPerspective(plane, matrix, tuple(size.tolist())) for plane in np.moveaxis(planes_hwk, 2, 0)]
+        planes = [cv2.warpPerspective(plane, matrix, tuple(size.tolist())) for plane in split]
         return np.stack(planes, axis=2) if planes else np.zeros((size[1], size[0], 0), np.uint8)
 
     def in_image(self, pixels_xy: np.ndarray) -> np.ndarray:
         """(n, 2) pixel coordinates of the image, of (n, 2) ones of the level image."""
+        straight = self._straight(pixels_xy)
+        return straight if self.bent is None else self.bent.seen(straight)
+
+    def _unbent(
+        self,
+        values: np.ndarray,
+        bent: BentImage,
+        shape_hw: tuple[int, int],
+        pixels: tuple[np.ndarray, np.ndarray],
+        how: int,
+    ) -> np.ndarray:
+        """Each pixel of the level image looked up where the lens shows it, strip by strip.
+
+        Args:
+            values: (h, w) of the image, on pixels that may be larger than its own.
+            bent: The image.
+            shape_hw: (height, width) of what comes out.
+            pixels: (2,) width and height of a pixel of ``values``, in pixels of the image, and of what comes out, in
+                pixels of the level image.
+            how: OpenCV's kind of interpolation.
+        """
+        height, width = shape_hw
+        found = np.zeros(shape_hw, values.dtype)
+        for first in range(0, height, STRIP_ROWS):
+            rows, columns = np.mgrid[first : min(first + STRIP_ROWS, height), 0:width]
+            straight = self._straight((np.column_stack([columns.ravel(), rows.ravel()]) + 0.5) * pixels[1])
+            # OpenCV counts from the center of the first pixel.
+            seen = (bent.seen(straight) / pixels[0] - 0.5).astype(np.float32)
+            # What lies beyond the image's own edge would be looked up where the lens's formula turns back.
+            seen[~bent.holds(straight)] = -2
+            strip = cv2.remap(values, seen.reshape(*rows.shape, 2), None, how)
+            found[first : first + STRIP_ROWS] = strip
+        return found
+
+    def _straight(self, pixels_xy: np.ndarray) -> np.ndarray:
         rays = np.column_stack([pixels_xy, np.ones(len(pixels_xy))]) @ np.linalg.inv(self.homography).T
         return rays[:, :2] / rays[:, 2:]
 
 
-def leveling(attitude: Attitude, focal_length_px: float, shape_hw: tuple[int, int]) -> Leveling:
+@dataclass(frozen=True)
+class BentImage:
+    """An image of a lens that bends, and where a camera without it would have its pixels.
+
+    Attributes:
+        lens: Its calibration.
+        shape_hw: (height, width) of the image.
+        focal_length_px: Of the camera without it.
+    """
+
+    lens: LensDistortion
+    shape_hw: tuple[int, int]
+    focal_length_px: float
+
+    def seen(self, straight_xy: np.ndarray) -> np.ndarray:
+        """(n, 2) pixel coordinates of the image, of (n, 2) ones of a camera without the lens."""
+        width = self.shape_hw[1]
+        return self._middle + width * self.lens.seen((straight_xy - self._middle) / self.focal_length_px)
+
+    def straight(self, seen_xy: np.ndarray) -> np.ndarray:
+        """(n, 2) pixel coordinates of a camera without the lens, of (n, 2) ones of the image."""
+        rays = self.lens.rays((seen_xy - self._middle) / self.shape_hw[1])
+        return self._middle + self.focal_length_px * rays
+
+    def holds(self, straight_xy: np.ndarray) -> np.ndarray:
+        """(n,) bool: which pixels of a camera without the lens are not farther from the center than the image goes."""
+        reach = np.hypot(*(self.border - self._middle).T).max() + 1
+        return np.hypot(*(straight_xy - self._middle).T) <= reach
+
+    @property
+    def border(self) -> np.ndarray:
+        """(n, 2) pixel coordinates of a camera without the lens, around the image."""
+        height, width = self.shape_hw
+        return self.straight(self._middle + width * border(height / width))
+
+    @property
+    def _middle(self) -> np.ndarray:
+        height, width = self.shape_hw
+        return np.array([width / 2, height / 2])
+
+
+def leveling(
+    attitude: Attitude, focal_length_px: float, shape_hw: tuple[int, int], lens: LensDistortion | None = None
+) -> Leveling:
     """How to level an image.
 
     Args:
         attitude: Of the camera.
         focal_length_px: Of the camera, pixels of the image.
         shape_hw: (height, width) of the image, pixels.
+        lens: Its calibration; None for one that does not bend.
 
     Raises:
         ParameterError: The focal length is none that a camera has, or the view comes too near the horizon.
@@ -172,9 +266,14 @@ def leveling(attitude: Attitude, focal_length_px: float, shape_hw: tuple[int, in
         raise ParameterError("geometry.focal_length", focal_length_px=focal_length_px, most=LONGEST_FOCAL_LENGTH_PX)
     if not height or not width:
         raise LabelMapError("labels.no_pixels")
+    bent = None if lens is None else BentImage(lens, shape_hw, focal_length_px)
     rays = np.array([(x, y, focal_length_px) for x, y in _around(width / 2, height / 2)])
-    depths = rays @ attitude.down
-    steepest = float(np.degrees(np.arccos(np.clip(depths / np.linalg.norm(rays, axis=1), -1, 1)).max()))
+    around = rays
+    if bent is not None:
+        corners_xy = np.array([(0, 0), (width, 0), (width, height), (0, height)], float)
+        rays, around = (_rays(points, shape_hw, focal_length_px) for points in (bent.straight(corners_xy), bent.border))
+    depths = around @ attitude.down
+    steepest = float(np.degrees(np.arccos(np.clip(depths / np.linalg.norm(around, axis=1), -1, 1)).max()))
     if steepest > STEEPEST_VIEW_DEG:
         raise ParameterError(
             "geometry.near_horizon",
@@ -185,8 +284,9 @@ def leveling(attitude: Attitude, focal_length_px: float, shape_hw: tuple[int, in
         )
     to_ground = _ground_matrix(attitude.down, focal_length_px)
     corners = _complex(to_ground, rays)
-    left, bottom = np.floor((corners.real.min(), corners.imag.min()))
-    right, top = np.ceil((corners.real.max(), corners.imag.max()))
+    ground = _complex(to_ground, around)
+    left, bottom = np.floor((ground.real.min(), ground.imag.min()))
+    right, top = np.ceil((ground.real.max(), ground.imag.max()))
     size = int(top - bottom), int(right - left)
     if max(*size, *shape_hw) > LONGEST_EDGE_PX:
         raise LabelMapError(
@@ -201,7 +301,14 @@ def leveling(attitude: Attitude, focal_length_px: float, shape_hw: tuple[int, in
     to_pixels = np.array([[1, 0, -left], [0, -1, top], [0, 0, 1]])
     nadir = complex(_complex(to_ground, attitude.down))
     homography = to_pixels @ to_ground @ from_pixels
-    return Leveling(homography, size, complex(left + right, bottom + top) / 2, corners, nadir)
+    return Leveling(homography, size, complex(left + right, bottom + top) / 2, corners, nadir, bent)
+
+
+def _rays(pixels_xy: np.ndarray, shape_hw: tuple[int, int], focal_length_px: float) -> np.ndarray:
+    """(n, 3) rays in the camera's frame of (n, 2) pixels of an image without distortion."""
+    height, width = shape_hw
+    x, y = pixels_xy.T
+    return np.column_stack([x - width / 2, height / 2 - y, np.full(len(pixels_xy), focal_length_px)])
 
 
 def _around(x: float, y: float) -> tuple[tuple[float, float], ...]:

@@ -9,6 +9,7 @@ from math import atan, degrees, isfinite
 
 from ..errors import ParameterError
 from ..geometry.camera import Camera, Height, Lens, above_ground, above_takeoff
+from ..geometry.lens_distortion import LensDistortion
 from ..geometry.leveling import Attitude, attitude_from_gimbal, focal_length_from_35mm
 from ..sentences import Sentence
 from .photo_tags import PhotoTags, read_tags
@@ -69,8 +70,11 @@ def camera_of(tags: PhotoTags, name: str) -> Camera:
             attitude = _attitude(tags)
         except ParameterError as error:
             problem = Sentence("labels.at_line", where=name, fault=error.sentence)
-    height = _height(tags, attitude)
-    return Camera(attitude, _lens(tags), name if attitude else "", _time(tags), problem, height, heading)
+    height, bent = _height(tags, attitude), _distortion(tags)
+    lens = _lens(tags)
+    if lens is None and bent is not None and tags.shape_hw is not None:
+        lens = Lens("field_of_view", 2 * degrees(atan(0.5 / bent.focal_xy[0])), tags.shape_hw[1] / tags.shape_hw[0])
+    return Camera(attitude, lens, name if attitude or bent else "", _time(tags), problem, height, heading, bent)
 
 
 def _attitude(tags: PhotoTags) -> Attitude | None:
@@ -127,6 +131,36 @@ def _focal_length_px(tags: PhotoTags, shape_hw: tuple[int, int]) -> float | None
     if calibrated and roughly and CALIBRATED[0] <= calibrated / roughly <= CALIBRATED[1]:
         return calibrated
     return found if found and isfinite(found) else None
+
+
+def _distortion(tags: PhotoTags) -> LensDistortion | None:
+    """By DJI's “dewarp data” (user manuals of Mavic 3 Enterprise, Matrice 4 and Zenmuse P1).
+
+    That is “date;fx,fy,cx,cy,k1,k2,p1,p2,k3”, in pixels, the center counted from the photo's. A photo that was
+    corrected in the camera says so (DewarpFlag), and one of a viewer or of digital zoom is not what was calibrated.
+    """
+    if tags.shape_hw is None or min(tags.shape_hw) < 1 or tags.number("DewarpFlag") or tags.zoom > MOST_ZOOM:
+        return None
+    height, width = tags.shape_hw
+    for name, count in (("DewarpDataK6", 12), ("DewarpData", 9)):
+        numbers = _numbers(tags.text(name).rpartition(";")[2], count)
+        if numbers and tags.orientation == 1:
+            fx, fy, cx, cy, k1, k2, p1, p2, *others = numbers
+            found = LensDistortion((fx / width, fy / width), (cx / width, cy / width), (k1, k2, *others), (p1, p2))
+            roughly = _focal_length_px(tags, tags.shape_hw)
+            fits = roughly is None or CALIBRATED[0] <= fx / roughly <= CALIBRATED[1]
+            if any(found.radial) and fits and found.is_usable(height / width):
+                return found
+    return None
+
+
+def _numbers(text: str, count: int) -> list[float] | None:
+    """So many finite numbers between commas; None for anything else."""
+    try:
+        numbers = [float(part) for part in text.split(",")]
+    except ValueError:
+        return None
+    return numbers if len(numbers) == count and all(isfinite(number) for number in numbers) else None
 
 
 def _time(tags: PhotoTags) -> float | None:

@@ -69,6 +69,15 @@ class PhotoTags:
         found = re.search(rf"\b{re.escape(name)}\s*(?:=\s*[\"']|>)\s*([-+]?\d{{1,12}}(?:\.\d{{0,12}})?)", self.xmp)
         return float(found.group(1)) if found else None
 
+    def text(self, name: str) -> str:
+        """A text of the XMP packet, written as an attribute or as an element; empty where it is missing.
+
+        Args:
+            name: Of the property, with or without the prefix of its namespace.
+        """
+        found = re.search(rf"\b{re.escape(name)}\s*(?:=\s*([\"'])([^\"'<>]{{0,1000}})\1|>([^<]{{0,1000}})<)", self.xmp)
+        return (found.group(2) or found.group(3) or "").strip() if found else ""
+
 
 def read_tags(path: str) -> PhotoTags:
     """Tags of a JPEG or TIFF file; none for other files and for what can't be read.

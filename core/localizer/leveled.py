@@ -84,12 +84,13 @@ def as_taken(found: Localization, way: Leveling) -> Localization:
         return found
     turn = turn_of(*place.oriented)
     center = complex(*place.position) - turn * way.middle
-    corners, nadir = center + turn * way.corners, center + turn * way.nadir
+    corners = center + turn * way.corners
+    nadir = None if way.nadir is None else center + turn * way.nadir
     return replace(
         found,
         best=replace(place, position=(center.real, center.imag)),
         footprint=np.column_stack([corners.real, corners.imag]),
-        nadir=(nadir.real, nadir.imag),
+        nadir=None if nadir is None else (nadir.real, nadir.imag),
     )
 
 

@@ -18,7 +18,7 @@ from ..labels.image_files import read_label_image, read_photo
 from ..labels.image_source import ArrayImage
 from ..labels.photo_camera import photo_camera
 from ..localization import Localization, Method, Prior
-from ..localizer.leveled import with_camera
+from ..localizer.leveled import localize_leveled, with_camera
 from ..localizer.localizer import Localizer
 from ..localizer.record import record
 from ..segmentation.class_bias import KnownBiases, known_biases
@@ -106,7 +106,13 @@ class Finding:
         seen = self.read_labels(path)
         height, width = seen.labels_hw.shape
         prior = self.prior_of(path, (height, width))
-        return self.told(self.localizer.localize(seen.labels_hw, self.method, prior, shares=seen.shares))
+        method, bent = self.method, None
+        if method != Method.TOPOLOGY_VECTOR:
+            bent = photo_camera(path).unbending((height, width))
+        if bent is None:
+            return self.told(self.localizer.localize(seen.labels_hw, method, prior, shares=seen.shares))
+        found = localize_leveled(self.localizer, seen.labels_hw, method, prior, bent, shares=seen.shares)
+        return self.told(found)
 
     def told(self, result: Localization) -> dict[str, Any]:
         """A result as a record, with longitude and latitude where they are known."""

@@ -56,6 +56,7 @@ FIELDS = (
     ("correlation", "real"),
     ("sigma_heading", "real"),
     ("sigma_scale", "real"),
+    ("camera", "text"),
 )
 FOOTPRINT_FIELDS = (
     ("image", "text"),
@@ -82,7 +83,8 @@ MATCH_FIELDS = (
 class LocalizedImage:
     """One image and its result; ``error`` instead when it could not be read.
 
-    remark: about its leveling; jump: whether it could not have been reached in time, None if that was not checked.
+    remark: about its leveling; camera: what was read of it; jump: whether it could not have been reached in time, None
+    if that was not checked.
     """
 
     path: str
@@ -91,6 +93,7 @@ class LocalizedImage:
     shape_hw: tuple[int, int] = (0, 0)
     remark: str = ""
     jump: bool | None = None
+    camera: str = ""
 
 
 class LabelImages:
@@ -186,6 +189,7 @@ def row(item: LocalizedImage) -> dict[str, Any]:
         "camera_y": result.nadir and result.nadir[1],
         "jump": item.jump,
         "search_capped": result.search_capped,
+        "camera": item.camera or None,
     }
 
 
@@ -242,6 +246,8 @@ def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
     if item.result is None:
         feedback.reportError(f"{name}: {item.error}", False)
         return
+    if item.camera:
+        feedback.pushInfo(tr("{image}: camera: {camera}").format(image=name, camera=item.camera))
     if item.remark:
         feedback.pushInfo(f"{name}: {item.remark}")
     result = item.result

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable, Union
 from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.localization import LEAST_RISK, RISK, Method
 from ..translation import tr
-from ..wording.camera_messages import camera_remark
+from ..wording.camera_messages import camera_read, camera_remark
 from ..wording.sentences import worded
 from . import offers, priors
 from .base import LOCALIZATION, SemRefAlgorithm, cancelable
@@ -173,7 +173,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         cameras = cancelable(read_cameras, paths, values.file(self.ATTITUDE), feedback=feedback)
         if method == Method.TOPOLOGY_VECTOR:
             # The published method, exactly: images as they are.
-            cameras = [replace(camera, attitude=None, problem=None) for camera in cameras]
+            cameras = [replace(camera, attitude=None, problem=None, distortion=None) for camera in cameras]
         return paths, cameras
 
     def localizing(
@@ -256,8 +256,8 @@ def localize_image(
         labels_hw = seen.labels_hw
         localizer.heed_biases(known.class_biases, known.class_spread)
         found = localize(seen, camera)
-        remark = camera_remark(camera, labels_hw.shape)
+        remark, read = camera_remark(camera, labels_hw.shape), camera_read(camera, labels_hw.shape)
     except SemRefError as error:
         return LocalizedImage(path, error=worded(error))
     keep(path, labels_hw)
-    return LocalizedImage(path, found, "", labels_hw.shape, remark)
+    return LocalizedImage(path, found, "", labels_hw.shape, remark, camera=read)

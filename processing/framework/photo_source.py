@@ -195,10 +195,12 @@ def draw_for_model(
     Raises:
         SemRefError: The model can't be read or does not say its resolution, or the layer can't be drawn.
     """
+    from ...core.segmentation.devices import CPU
     from ...core.segmentation.model import SegmentationModel
     from ..exchange.rendering import draw, plan_drawing
 
-    resolution_m = SegmentationModel(model_path, 1).settings.resolution_m
+    # Only its metadata are wanted: no need to wake a graphics card.
+    resolution_m = SegmentationModel(model_path, 1, device=CPU.key).settings.resolution_m
     if resolution_m is None:
         raise ImageError("exchange.resolution_unknown", layer=layer.name(), model=model_path)
     drawing = plan_drawing(layer, extent, crs, resolution_m, context)

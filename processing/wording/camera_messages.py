@@ -1,4 +1,4 @@
-"""What the log says about the attitude of an image's camera."""
+"""What log and dock say about an image's camera: what was read of it, and what was done with that."""
 
 from __future__ import annotations
 
@@ -8,6 +8,26 @@ from ..translation import tr
 
 if TYPE_CHECKING:
     from ...core.geometry.camera import Camera
+
+
+def camera_read(camera: Camera, shape_hw: tuple[int, int]) -> str:
+    """What is known of an image's camera, in one line; empty when nothing is."""
+    known = camera.lens is not None and camera.lens.fits(shape_hw)
+    attitude = camera.attitude
+    parts = (
+        (camera.focal_length_px(shape_hw) if known else None, tr("focal length {value:.0f} px")),
+        (camera.height and camera.height.meters, tr("height {value:.1f} m")),
+        (camera.heading_deg, tr("yaw {value:.1f}°")),
+        (attitude and attitude.roll_deg, tr("roll {value:.1f}°")),
+        (attitude and attitude.pitch_deg, tr("pitch {value:.1f}°")),
+        (_most_shift(camera, shape_hw) if known else None, tr("lens straightened by up to {value:.1f} % of the width")),
+    )
+    return ", ".join(text.format(value=value + 0.0) for value, text in parts if value is not None)
+
+
+def _most_shift(camera: Camera, shape_hw: tuple[int, int]) -> float | None:
+    """Percent of the width; None where no lens is known to bend."""
+    return None if camera.distortion is None else 100 * camera.distortion.shift(shape_hw[0] / shape_hw[1])
 
 
 def camera_remark(camera: Camera, shape_hw: tuple[int, int]) -> str:

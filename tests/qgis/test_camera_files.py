@@ -11,7 +11,7 @@ from made_inputs import write_raster, write_text
 from osgeo import gdal
 
 from semref.core.errors import ParameterError
-from semref.processing.wording.camera_messages import camera_remark
+from semref.processing.wording.camera_messages import camera_read, camera_remark
 from semref.storage.camera_files import read_cameras
 
 DJI = 'drone-dji:GimbalRollDegree="+0.00" drone-dji:GimbalPitchDegree="-80.00" drone-dji:GimbalYawDegree="+12.30"'
@@ -44,6 +44,65 @@ def table(folder: Path, text: str) -> str:
 
 def angles(camera) -> tuple:
     return camera.attitude.roll_deg, camera.attitude.pitch_deg
+
+
+DEWARP = 'drone-dji:DewarpData="2018-03-13;60.2,60.1,-0.13,0.75,-0.269478,0.115681,-0.0000875,-0.000306,-0.0357628"'
+"""As a Phantom 4 RTK states it, for photos of 80 × 60 pixels."""
+
+
+def test_what_dji_states_of_its_lens_straightens_the_image(tmp_path):
+    photo(tmp_path / "IMG_1.jpg", f'{DEWARP} drone-dji:DewarpFlag="0" drone-dji:RelativeAltitude="+40.0"')
+    (camera,) = read_cameras([label_image(tmp_path)], "")
+    lens = camera.distortion
+    assert lens.focal_xy == pytest.approx((60.2 / 80, 60.1 / 80)) and lens.center_xy == pytest.approx(
+        (-0.13 / 80, 0.75 / 80)
+    )
+    assert lens.radial == (-0.269478, 0.115681, -0.0357628) and lens.tangential == (-0.0000875, -0.000306)
+    # On a label image of half the size.
+    way = camera.leveling((30, 40))
+    assert way.bent is not None and way.nadir is None and way.shape_hw > (30, 40)
+    told = "focal length 30 px, height 40.0 m, lens straightened by up to 16.7 % of the width"
+    assert camera_read(camera, (30, 40)) == told
+
+
+@pytest.mark.parametrize(
+    "xmp",
+    [
+        f'{DEWARP} drone-dji:DewarpFlag="1"',
+        'drone-dji:DewarpData=""',
+        'drone-dji:DewarpData="2018-03-13;60.2,60.1,-0.13"',
+        'drone-dji:DewarpData="2018-03-13;60.2,60.1,nan,0,-0.2,0,0,0,0"',
+        'drone-dji:DewarpData="60,60,0,0,-9,0,0,0,0"',
+        'drone-dji:DewarpData="60,60,0,0,0,0,0,0,0"',
+        'drone-dji:DewarpData="one,two,0,0,0,0,0,0,0"',
+    ],
+    ids=["corrected in the camera", "empty", "too short", "no number", "turns back", "bends nothing", "words"],
+)
+def test_a_photo_that_is_straight_or_states_no_lens_is_left_as_it_is(tmp_path, xmp):
+    photo(tmp_path / "IMG_1.jpg", xmp)
+    (camera,) = read_cameras([label_image(tmp_path)], "")
+    assert camera.distortion is None and camera.leveling((30, 40)) is None
+
+
+def test_a_table_that_states_a_lens_says_all_of_it(tmp_path):
+    photo(tmp_path / "IMG_1.jpg", DEWARP)
+    (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, "image,focal_length_px\nIMG_1.png,35\n"))
+    assert camera.distortion is None and camera.lens.value == 35
+
+
+def test_a_lens_of_eight_factors_is_read_too(tmp_path):
+    photo(tmp_path / "IMG_1.jpg", 'drone-dji:DewarpDataK6="2024-01-01;60,60,0,0,0.2,0.03,0,0,0,0.4,0.05,0.001"')
+    (camera,) = read_cameras([label_image(tmp_path)], "")
+    assert camera.distortion.radial == (0.2, 0.03, 0.0, 0.4, 0.05, 0.001)
+
+
+@pytest.mark.real_data
+def test_originals_of_a_drone_tell_what_is_read_and_state_no_lens(real_data):
+    path = real_data("dji_brighton_beach/DJI_0018.JPG")
+    (camera,) = read_cameras([str(path)], "")
+    assert camera.distortion is None
+    said = camera_read(camera, (2250, 4000))
+    assert said == "focal length 2310 px, height 39.8 m, yaw 45.0°, roll 0.0°, pitch 0.1°"
 
 
 # --- CSV ---

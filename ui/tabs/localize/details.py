@@ -71,6 +71,8 @@ def _lines(finding: Finding) -> list[str]:
         lines.append(f"{tr('lon, lat')}: {position_text(finding, DEGREES, project)}")
         lines.append(f"x, y: {position_text(finding, DATABASE, project)} ({escape(finding.crs.authid())})")
     lines += _measures(finding)
+    if finding.camera:
+        lines.append(escape(tr("camera: {camera}").format(camera=finding.camera)))
     return lines
 
 
