@@ -2216,8 +2216,8 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Ein Objekt je Befund, im Koordinatenbezugssystem der Klassenkarte.</translation>
   </message>
   <message>
-   <source>One flight (the times of these {count} photos look like it)</source>
-   <translation>Ein Flug (die Zeiten dieser {count} Fotos sehen danach aus)</translation>
+   <source>One flight? {count} photos in a row</source>
+   <translation>Ein Flug? {count} Fotos in Folge</translation>
   </message>
   <message>
    <source>One line a track, from image to image.</source>

@@ -2216,8 +2216,8 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Un objeto espacial por hallazgo, en el sistema de referencia de coordenadas del mapa de etiquetas.</translation>
   </message>
   <message>
-   <source>One flight (the times of these {count} photos look like it)</source>
-   <translation>Un vuelo (las horas de estas {count} fotos lo sugieren)</translation>
+   <source>One flight? {count} photos in a row</source>
+   <translation>¿Un vuelo? {count} fotos seguidas</translation>
   </message>
   <message>
    <source>One line a track, from image to image.</source>

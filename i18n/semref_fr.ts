@@ -2216,8 +2216,8 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Une entité par constat, dans le système de coordonnées de référence de la carte d’étiquettes.</translation>
   </message>
   <message>
-   <source>One flight (the times of these {count} photos look like it)</source>
-   <translation>Un seul vol (les heures de ces {count} photos le suggèrent)</translation>
+   <source>One flight? {count} photos in a row</source>
+   <translation>Un vol ? {count} photos à la suite</translation>
   </message>
   <message>
    <source>One line a track, from image to image.</source>

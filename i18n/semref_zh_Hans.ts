@@ -2216,8 +2216,8 @@ The model that ships with SemRef can read these photos.</source>
    <translation>每个问题一个要素，采用标签图的坐标参照系。</translation>
   </message>
   <message>
-   <source>One flight (the times of these {count} photos look like it)</source>
-   <translation>同一次飞行（这 {count} 张照片的时间看起来如此）</translation>
+   <source>One flight? {count} photos in a row</source>
+   <translation>同一次飞行？连续 {count} 张照片</translation>
   </message>
   <message>
    <source>One line a track, from image to image.</source>

@@ -60,6 +60,8 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.add_layer.setMenu(self.layers)
         self.remove = tool_button("/mActionDeleteSelected.svg", tr("Remove the selected images (Del)"))
         self.flight = QCheckBox()
+        # The dock may be narrower than its text.
+        self.flight.setMinimumWidth(1)
         self.flight.setToolTip(
             tr(
                 "Places all images together, in the order of their times, else of their names: also those that have "
@@ -119,7 +121,7 @@ class ImageBox(QgsCollapsibleGroupBox):
 
     def _offer_flight(self, count: int) -> None:
         """Says so where the images look like a flight; it is for the user to say that they are."""
-        looks = tr("One flight (the times of these {count} photos look like it)").format(count=count)
+        looks = tr("One flight? {count} photos in a row").format(count=count)
         self.flight.setText(looks if count else tr("These images are one flight"))
 
     def model_path(self) -> str:
