@@ -1,0 +1,82 @@
+"""How much of the processor's time a command takes here against an earlier commit, the two taking turns.
+
+    .venv/bin/python tools/against.py COMMIT [--turns N] -- COMMAND [arguments]
+
+The command runs in the root of either working tree; {root}, {folder} and {name} in it become the tree's path, the path of
+the folder above and its name. Prints the median and the extremes of the turns' ratios. Examples:
+
+    .venv/bin/python tools/against.py v0.1.0 -- python3 -m core localize map.npz images --output {root}/fixes.jsonl
+    .venv/bin/python tools/against.py v0.1.0 -- python3 -c "import sys; sys.path.insert(0, '{folder}'); import {name}.plugin"
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+# Only packages on the path: a file of ours must not hide a module of the same name.
+sys.path[0] = str(Path(__file__).resolve().parent)
+
+from bench.timing import ratios, spread, take_turns
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+def in_tree(command: Sequence[str], root: Path) -> list[str]:
+    """The command for the working tree at ``root``."""
+    places = {"{root}": str(root), "{folder}": str(root.parent), "{name}": root.name}
+    parts = []
+    for part in command:
+        for place, value in places.items():
+            part = part.replace(place, value)  # noqa: PLW2901 - one replacement after the other
+        parts.append(part)
+    return parts
+
+
+def processor_seconds(command: Sequence[str], root: Path) -> float:
+    """Seconds of the processor, of user and system, that the command and its children take in ``root``.
+
+    Raises:
+        SystemExit: When it fails.
+    """
+    before = os.times()
+    done = subprocess.run(in_tree(command, root), cwd=root, stdout=subprocess.DEVNULL, check=False)
+    after = os.times()
+    if done.returncode:
+        raise SystemExit(f"exit status {done.returncode} in {root}")
+    return after.children_user + after.children_system - before.children_user - before.children_system
+
+
+def main(arguments: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("commit")
+    parser.add_argument("--turns", type=int, default=12)
+    parser.add_argument("command", nargs="+")
+    options = parser.parse_args(arguments)
+    with tempfile.TemporaryDirectory(prefix="semref-against-") as folder:
+        # A name that Python can import.
+        then = Path(folder) / "semref_then"
+        git = ["git", "-C", str(ROOT)]
+        subprocess.run([*git, "worktree", "add", "--quiet", "--detach", str(then), options.commit], check=True)
+        try:
+            trees = {"now": ROOT, options.commit: then}
+            runs = {name: partial(processor_seconds, options.command, root) for name, root in trees.items()}
+            seconds = take_turns(runs, options.turns)
+        finally:
+            subprocess.run([*git, "worktree", "remove", "--force", str(then)], check=True)
+    now, before = seconds["now"], seconds[options.commit]
+    print(
+        f"{ratios(now, before).text()} of the processor time of {options.commit}, {options.turns} turns each "
+        f"({spread(now).median:.2f} s against {spread(before).median:.2f} s)"
+    )
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
