@@ -2,11 +2,13 @@
 
     .venv/bin/python tools/against.py COMMIT [--turns N] -- COMMAND [arguments]
 
-The command runs in the root of either working tree; {root}, {folder} and {name} in it become the tree's path, the path of
-the folder above and its name. Prints the median and the extremes of the turns' ratios. Examples:
+The command runs in the root of either working tree; {root}, {folder} and {name} in it become the tree's path, the path
+of the folder above and its name. Prints the median and the extremes of the turns' ratios. Examples (of the first one
+the folder holds label images, and the file is what *Export for onboard use* makes):
 
-    .venv/bin/python tools/against.py v0.1.0 -- python3 -m core localize map.npz images --output {root}/fixes.jsonl
-    .venv/bin/python tools/against.py v0.1.0 -- python3 -c "import sys; sys.path.insert(0, '{folder}'); import {name}.plugin"
+    .venv/bin/python tools/against.py v0.1.0 -- python3 -m core localize --database /data/map.npz /data/images
+    .venv/bin/python tools/against.py v0.1.0 -- \\
+        python3 -c "import sys; sys.path.insert(0, '{folder}'); import {name}.plugin"
 """
 
 from __future__ import annotations
@@ -20,9 +22,6 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-# Only packages on the path: a file of ours must not hide a module of the same name.
-sys.path[0] = str(Path(__file__).resolve().parent)
-
 from bench.timing import ratios, spread, take_turns
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -34,7 +33,7 @@ def in_tree(command: Sequence[str], root: Path) -> list[str]:
     parts = []
     for part in command:
         for place, value in places.items():
-            part = part.replace(place, value)  # noqa: PLW2901 - one replacement after the other
+            part = part.replace(place, value)
         parts.append(part)
     return parts
 

@@ -14,6 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 @pytest.fixture(scope="module")
 def against():
     path = list(sys.path)
+    sys.path.insert(0, str(ROOT / "tools"))
     spec = importlib.util.spec_from_file_location("against", ROOT / "tools" / "against.py")
     module = importlib.util.module_from_spec(spec)
     try:
