@@ -290,7 +290,10 @@ def _unrelated(number: int, count: int) -> list[str]:
     return row
 
 
-_TURNED = "photos that a viewer turned and saved, as their XMP tells, after the camera had written its yaw"
+_TURNED = (
+    "their XMP says that a photo viewer saved one of the two photos, which seems to have turned it after the camera "
+    "wrote its yaw"
+)
 
 
 def _drone(photos: Sequence[Path]) -> str:
