@@ -76,7 +76,7 @@ def test_the_class_that_is_none_is_not_shown_first(segment, image, tmp_path):
 
 def test_what_was_not_asked_for_is_not_written(segment, image, tmp_path):
     found = segment(image)
-    assert set(found) == {"OUTPUT"}
+    assert set(found) == {"OUTPUT", "DEVICE", "TILES_PER_SECOND"}
     assert {path.name for path in tmp_path.glob("*.tif")} == {"image.tif", "labels.tif"}
 
 
