@@ -192,9 +192,12 @@ def test_every_status_has_words(qgis_app):
     from semref.processing.framework.localized_image import ERROR
     from semref.ui.findings import status_text
 
+    def words(status, is_verified=True):
+        return status_text(SimpleNamespace(status=status, is_verified=is_verified, is_by_flight=False))
+
     for status in (*(status.key for status in Status), ERROR):
-        assert status_text(SimpleNamespace(status=status, is_verified=True)) != status
-    assert "nverified" in status_text(SimpleNamespace(status=Status.FIX, is_verified=False))
+        assert words(status) != status
+    assert "nverified" in words(Status.FIX, is_verified=False)
 
 
 def test_the_heading_arrow_points_where_the_top_of_the_image_is(dock, iface, area):

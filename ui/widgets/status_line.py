@@ -10,16 +10,17 @@ from qgis.PyQt.QtWidgets import QLabel
 class StatusLine(QLabel):
     """Shortens long file names in the middle instead of widening the dock."""
 
-    _full_text = ""
+    _text = ""
+    _aside = ""
 
     @property
     def text_shown(self) -> str:
         """As a whole."""
-        return self._full_text
+        return f"{self._text} {self._aside}".rstrip()
 
-    def show_text(self, text: str) -> None:
-        """Shows a sentence, shortened to what fits."""
-        self._full_text = text
+    def show_text(self, text: str, aside: str = "") -> None:
+        """Shows a sentence, shortened to what fits, and one beside it where there is room for both."""
+        self._text, self._aside = text, aside
         self._shorten()
 
     def minimumSizeHint(self) -> QSize:
@@ -32,5 +33,8 @@ class StatusLine(QLabel):
         self._shorten()
 
     def _shorten(self) -> None:
-        self.setText(self.fontMetrics().elidedText(self._full_text, Qt.TextElideMode.ElideMiddle, self.width()))
-        self.setToolTip(self._full_text)
+        metrics, width = self.fontMetrics(), self.width()
+        fits = metrics.horizontalAdvance(self.text_shown) <= width
+        text = self.text_shown if fits else self._text
+        self.setText(metrics.elidedText(text, Qt.TextElideMode.ElideMiddle, width))
+        self.setToolTip(self.text_shown)

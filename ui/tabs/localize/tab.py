@@ -186,7 +186,7 @@ class LocalizeTab(QWidget):
         self._set_running(False)
         self._show_layers(layers, "", self._model_used, labels)
         if self.run.pace:
-            self.state.show_text(f"{self.state.text_shown} {self.run.pace}")
+            self.state.show_text(self.state.text_shown, self.run.pace)
         self.found.emit(self.state.text_shown)
 
     def _show_layers(self, layers: ResultLayers, file: str, model: str, labels: str = "") -> None:

@@ -1,0 +1,40 @@
+"""The line below the button: what is said, and what is said beside it."""
+
+from __future__ import annotations
+
+import pytest
+
+SAID, ASIDE = "2 of 2 images have a fix.", "CPU, 11.6 tiles a second."
+
+
+@pytest.fixture
+def line(qgis_app):
+    from semref.ui.widgets.status_line import StatusLine
+
+    line = StatusLine()
+    line.show_text(SAID, ASIDE)
+    line.show()
+    yield line
+    line.close()
+
+
+def test_a_wide_line_says_both(line):
+    line.resize(2000, 20)
+    assert line.text() == f"{SAID} {ASIDE}"
+
+
+def test_a_narrow_line_leaves_what_is_said_beside_to_the_tool_tip(line):
+    line.resize(line.fontMetrics().horizontalAdvance(SAID) + 5, 20)
+    assert line.text() == SAID
+    assert line.toolTip() == line.text_shown == f"{SAID} {ASIDE}"
+
+
+def test_a_line_too_narrow_for_either_is_shortened_in_the_middle(line):
+    line.resize(line.fontMetrics().horizontalAdvance(SAID) // 2, 20)
+    assert "…" in line.text() and line.text().startswith("2 of") and line.text().endswith("fix.")
+
+
+def test_the_next_sentence_has_nothing_of_the_last_beside_it(line):
+    line.show_text("Canceled.")
+    line.resize(2000, 20)
+    assert line.text() == "Canceled."
