@@ -61,7 +61,7 @@ class LensDistortion:
         for _ in range(ROUNDS):
             rest = (seen_xy - self.seen(rays)) / focal
             rays = rays + rest
-            if np.nanmax(np.abs(rest), initial=0.0) < EXACT:
+            if np.fmax.reduce(np.abs(rest), axis=None, initial=0.0) < EXACT:
                 break
         with np.errstate(invalid="ignore"):
             is_exact = np.abs(seen_xy - self.seen(rays)).max(axis=-1) < 100 * EXACT

@@ -139,6 +139,7 @@ def test_a_variant_lies_beside_the_plain_package_and_comes_first_from_the_next_s
     assert importlib.import_module(GOOD.module).VALUE == 8
 
 
+@needs_pip
 def test_a_variant_is_refused_where_another_one_comes_first(root, tmp_path, wheels, installer, monkeypatch):
     own = tmp_path / "site"
     (own / GOOD.module).mkdir(parents=True)
