@@ -49,6 +49,7 @@ class Variant:
 LIGHT = (
     "first_fix",
     "dock_localize",
+    "flight",
     "inspect",
     "correct",
     "prior",

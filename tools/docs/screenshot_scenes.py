@@ -67,6 +67,33 @@ def with_results_in_view(session: Session, name: str) -> None:
         box.setCollapsed(False)
 
 
+def flight(session: Session) -> None:
+    """The sample's flight on the map, one of its photos chosen."""
+    session.show_tab(LOCALIZE)
+    content = session.dock.content
+    tab = content.localize
+    listed = tab.images.paths()
+    tab.images.list.show_only([str(Path(session.job["sample"]) / "flight")])
+    tab.images.flight.setChecked(True)
+    tab.localize_button.click()
+    wait_until(lambda: not tab.run.running, "the flight")
+    session.localized = False
+    boxes = content.database, tab.images
+    for box in boxes:
+        box.setCollapsed(True)
+    session.show_everything()
+    zooms = tab.results.zoom.isChecked()
+    tab.results.zoom.setChecked(False)
+    tab.results.table.selectRow(tab.results.table.model().rowCount() // 2)
+    wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
+    session.take("flight")
+    tab.results.zoom.setChecked(zooms)
+    for box in boxes:
+        box.setCollapsed(False)
+    tab.images.flight.setChecked(False)
+    tab.images.list.show_only(listed)
+
+
 def dock_localize(session: Session) -> None:
     """The dock's first tab alone."""
     session.resize(WINDOW[0], TALL)
