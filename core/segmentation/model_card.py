@@ -7,6 +7,8 @@ makers say less; what is not of the shape that is told there is left out, never 
 from __future__ import annotations
 
 import math
+import mmap
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -18,8 +20,6 @@ from .metadata import LONGEST_METADATA, named_channels, read_settings
 from .onnx_file import read_header, read_metadata
 
 KEY = "model_card"
-LARGEST_FILE = 2_000_000_000
-"""Bytes; ONNX's own limit of a file."""
 
 _LONGEST_SENTENCE = 2000
 _MOST_PLACES = 100
@@ -90,14 +90,20 @@ class ModelCard:
 
 def read_card(path: str) -> ModelCard:
     """The card of an ONNX file; of one that can't be used it says why not."""
+    # A pipe would be waited for without end.
+    if not os.path.isfile(path):
+        return ModelCard(path, Sentence("segmentation.no_model_file", path=path))
     try:
-        with open(path, "rb") as file:
-            data = file.read(LARGEST_FILE)
+        # Of files of hundreds of megabytes only what is looked at is read; an empty one is refused.
+        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+            texts = None if read_header(data) is None else read_metadata(data)
     except OSError:
         return ModelCard(path, Sentence("segmentation.no_model_file", path=path))
-    if read_header(data) is None:
+    except ValueError:
+        texts = None
+    if texts is None:
         return ModelCard(path, Sentence("segmentation.no_onnx", path=path))
-    return card_of_texts(read_metadata(data), path)
+    return card_of_texts(texts, path)
 
 
 def card_of_texts(texts: Mapping[str, str], path: str) -> ModelCard:

@@ -6,6 +6,7 @@ length (text, another message) or 4 or 8 bytes. Fields that are not asked for ar
 
 from __future__ import annotations
 
+import mmap
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -37,7 +38,7 @@ class OnnxHeader:
         return next((name for name in self.weight_files if not os.path.isfile(os.path.join(folder, name))), "")
 
 
-def read_header(data: bytes) -> OnnxHeader | None:
+def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
     """What the bytes of an ONNX file say; None when they are no protobuf or hold no graph."""
     ir_version, opset, graph = 0, 0, None
     try:
@@ -56,15 +57,24 @@ def read_header(data: bytes) -> OnnxHeader | None:
         return None
 
 
-def read_metadata(data: bytes) -> dict[str, str]:
-    """The entries of an ONNX file's metadata, of whose bytes ``read_header`` says something."""
-    found = {}
-    for number, value in _fields(memoryview(data)):
-        if number == _METADATA and isinstance(value, memoryview):
-            entry = dict(_fields(value))
-            key, text = (bytes(entry.get(part, b"")).decode("utf-8", "replace") for part in (_KEY, _VALUE))
-            found[key] = text
-    return found
+def read_metadata(data: bytes | mmap.mmap) -> dict[str, str]:
+    """The entries of an ONNX file's metadata, of whose bytes ``read_header`` says something; damaged ones are none."""
+    entries = (_entry(number, value) for number, value in _fields(memoryview(data)))
+    return dict(entry for entry in entries if entry is not None)
+
+
+def _entry(number: int, value: int | memoryview) -> tuple[str, str] | None:
+    """(key, text) of a field that is an entry of metadata; None for any other."""
+    if number != _METADATA or not isinstance(value, memoryview):
+        return None
+    try:
+        stated = dict(_fields(value))
+    except ValueError:
+        return None
+    parts = [stated.get(part, b"") for part in (_KEY, _VALUE)]
+    # A number in place of a text would be taken for a count of bytes.
+    key, text = ("" if isinstance(part, int) else bytes(part).decode("utf-8", "replace") for part in parts)
+    return key, text
 
 
 def with_metadata(data: bytes, key: str, text: str) -> bytes:
@@ -77,8 +87,8 @@ def with_metadata(data: bytes, key: str, text: str) -> bytes:
     """
     kept = []
     for number, value, part in _parts(memoryview(data)):
-        stated = dict(_fields(value)) if number == _METADATA and isinstance(value, memoryview) else {}
-        kept += [] if stated.get(_KEY) == key.encode() else [part]
+        stated = _entry(number, value)
+        kept += [] if stated is not None and stated[0] == key else [part]
     entry = b"".join(_length_delimited(number, word.encode()) for number, word in ((_KEY, key), (_VALUE, text)))
     return b"".join([*kept, _length_delimited(_METADATA, entry)])
 

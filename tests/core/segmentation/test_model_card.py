@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+from pathlib import Path
 
 import pytest
 
@@ -86,3 +88,29 @@ def test_a_file_that_is_no_model_says_so_and_so_does_one_for_other_work(tmp_path
     path.write_bytes(b"no model")
     assert read_card(str(path)).fault.code == "segmentation.no_onnx"
     assert card_of_texts({"model_type": "Detector"}, "").fault.code == "segmentation.not_a_segmentor"
+
+
+def test_what_is_no_regular_file_is_not_waited_for(tmp_path):
+    os.mkfifo(tmp_path / "pipe.onnx")
+    (tmp_path / "folder.onnx").mkdir()
+    (tmp_path / "loop.onnx").symlink_to(tmp_path / "loop.onnx")
+    (tmp_path / "empty.onnx").write_bytes(b"")
+    faults = {name: read_card(str(tmp_path / f"{name}.onnx")).fault.code for name in ("pipe", "folder", "loop", "empty")}
+    assert faults.pop("empty") == "segmentation.no_onnx"
+    assert set(faults.values()) == {"segmentation.no_model_file"}
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        b"\xff\xff",
+        # The key and the text as numbers.
+        b"\x08\xff\xff\xff\xff\xff\xff\xff\xff\x7f\x10\xff\xff\xff\xff\xff\xff\xff\xff\x7f",
+    ],
+)
+def test_a_damaged_entry_of_metadata_is_none_and_leaves_the_others(entry, tmp_path):
+    path = Path(tmp_path / "model.onnx")
+    path.write_bytes(smallest_model(4, 11) + bytes([14 << 3 | 2, len(entry)]) + entry)
+    assert read_card(str(path)).fault is None
+    path.write_bytes(with_metadata(path.read_bytes(), KEY, json.dumps(TOLD)))
+    assert read_card(str(path)).name == TOLD["name"]
