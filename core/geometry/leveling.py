@@ -9,6 +9,7 @@ unless its calibration is given.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -131,13 +132,7 @@ class Leveling:
         Returns:
             Uint8 labels of shape ``shape_hw``; 0 is ground not seen.
         """
-        if self.bent is not None:
-            own = np.ones(2)
-            return self._unbent(labels_hw, self.bent, self.shape_hw, (own, own), cv2.INTER_NEAREST)
-        # OpenCV counts from the center of the first pixel.
-        shift = np.array([[1, 0, 0.5], [0, 1, 0.5], [0, 0, 1]])
-        matrix = np.linalg.inv(shift) @ self.homography @ shift
-        return cv2.warpPerspective(labels_hw, matrix, self.shape_hw[::-1], flags=cv2.INTER_NEAREST)
+        return self._warped([labels_hw], self.shape_hw, (np.ones(2), np.ones(2)), cv2.INTER_NEAREST)[0]
 
     def level_planes(self, planes_hwk: np.ndarray, image_shape_hw: tuple[int, int]) -> np.ndarray:
         """Planes on a grid over an image, as a level camera sees them, by linear interpolation.
@@ -153,42 +148,51 @@ class Leveling:
         pixel = np.array(image_shape_hw[::-1]) / grid
         size = np.maximum(np.rint(np.array(self.shape_hw[::-1]) / pixel), 1).astype(int)
         level_pixel = np.array(self.shape_hw[::-1]) / size
-        split = np.moveaxis(planes_hwk, 2, 0)
-        if self.bent is not None:
-            to, pixels = (int(size[1]), int(size[0])), (pixel, level_pixel)
-            planes = [self._unbent(np.ascontiguousarray(p), self.bent, to, pixels, cv2.INTER_LINEAR) for p in split]
-            return np.stack(planes, axis=2) if planes else np.zeros((*to, 0), np.uint8)
-        shift = np.array([[1, 0, 0.5], [0, 1, 0.5], [0, 0, 1]])
-        to_level = np.diag([*1 / level_pixel, 1]) @ self.homography @ np.diag([*pixel, 1])
-        matrix = np.linalg.inv(shift) @ to_level @ shift
-        planes = [cv2.warpPerspective(plane, matrix, tuple(size.tolist())) for plane in split]
-        return np.stack(planes, axis=2) if planes else np.zeros((size[1], size[0], 0), np.uint8)
+        to = int(size[1]), int(size[0])
+        split = [np.ascontiguousarray(plane) for plane in np.moveaxis(planes_hwk, 2, 0)]
+        planes = self._warped(split, to, (pixel, level_pixel), cv2.INTER_LINEAR)
+        return np.stack(planes, axis=2) if planes else np.zeros((*to, 0), np.uint8)
 
     def in_image(self, pixels_xy: np.ndarray) -> np.ndarray:
         """(n, 2) pixel coordinates of the image, of (n, 2) ones of the level image."""
         straight = self._straight(pixels_xy)
         return straight if self.bent is None else self.bent.seen(straight)
 
+    def _warped(
+        self,
+        planes: Sequence[np.ndarray],
+        shape_hw: tuple[int, int],
+        pixels: tuple[np.ndarray, np.ndarray],
+        how: int,
+    ) -> list[np.ndarray]:
+        """Planes over the image, as a level camera sees them.
+
+        Args:
+            planes: (h, w) each, on pixels that may be larger than the image's own.
+            shape_hw: (height, width) of what comes out.
+            pixels: (2,) width and height of a pixel of ``planes``, in pixels of the image, and of what comes out, in
+                pixels of the level image.
+            how: OpenCV's kind of interpolation.
+        """
+        if self.bent is not None:
+            return self._unbent(planes, self.bent, shape_hw, pixels, how)
+        # OpenCV counts from the center of the first pixel.
+        shift = np.array([[1, 0, 0.5], [0, 1, 0.5], [0, 0, 1]])
+        to_level = np.diag([*1 / pixels[1], 1]) @ self.homography @ np.diag([*pixels[0], 1])
+        matrix = np.linalg.inv(shift) @ to_level @ shift
+        return [cv2.warpPerspective(plane, matrix, shape_hw[::-1], flags=how) for plane in planes]
+
     def _unbent(
         self,
-        values: np.ndarray,
+        planes: Sequence[np.ndarray],
         bent: BentImage,
         shape_hw: tuple[int, int],
         pixels: tuple[np.ndarray, np.ndarray],
         how: int,
-    ) -> np.ndarray:
-        """Each pixel of the level image looked up where the lens shows it, strip by strip.
-
-        Args:
-            values: (h, w) of the image, on pixels that may be larger than its own.
-            bent: The image.
-            shape_hw: (height, width) of what comes out.
-            pixels: (2,) width and height of a pixel of ``values``, in pixels of the image, and of what comes out, in
-                pixels of the level image.
-            how: OpenCV's kind of interpolation.
-        """
+    ) -> list[np.ndarray]:
+        """As ``_warped``, each pixel looked up where the lens shows it, strip by strip, once for all planes."""
         height, width = shape_hw
-        found = np.zeros(shape_hw, values.dtype)
+        found = [np.zeros(shape_hw, plane.dtype) for plane in planes]
         for first in range(0, height, STRIP_ROWS):
             rows, columns = np.mgrid[first : min(first + STRIP_ROWS, height), 0:width]
             straight = self._straight((np.column_stack([columns.ravel(), rows.ravel()]) + 0.5) * pixels[1])
@@ -196,8 +200,8 @@ class Leveling:
             seen = (bent.seen(straight) / pixels[0] - 0.5).astype(np.float32)
             # What lies beyond the image's own edge would be looked up where the lens's formula turns back.
             seen[~bent.holds(straight)] = -2
-            strip = cv2.remap(values, seen.reshape(*rows.shape, 2), None, how)
-            found[first : first + STRIP_ROWS] = strip
+            for plane, level in zip(planes, found):
+                level[first : first + STRIP_ROWS] = cv2.remap(plane, seen.reshape(*rows.shape, 2), None, how)
         return found
 
     def _straight(self, pixels_xy: np.ndarray) -> np.ndarray:
