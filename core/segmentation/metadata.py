@@ -119,7 +119,12 @@ def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
 def named_channels(texts: Mapping[str, str], source: str) -> list[str] | None:
     """The class names in a model's metadata, in the order of its channels; None without any. Raises ModelError."""
     key = next((key for key in ("class_names", "names") if key in texts), None)
-    return None if key is None else [str(name) for name in _by_channel(texts, key, source)]
+    # JSON's escapes can name halves of characters, which no file can be written with.
+    return (
+        None
+        if key is None
+        else [str(name).encode("utf-8", "replace").decode("utf-8") for name in _by_channel(texts, key, source)]
+    )
 
 
 def read_classes(texts: Mapping[str, str], channels: int, source: str, given: ClassTable | None = None) -> ModelClasses:

@@ -6,7 +6,7 @@ import pytest
 
 from semref.core.errors import ModelError
 from semref.core.labels.class_table import class_table_from_csv
-from semref.core.segmentation.metadata import read_classes, read_settings
+from semref.core.segmentation.metadata import named_channels, read_classes, read_settings
 
 NAMES = '{"0": "building", "1": "water"}'
 
@@ -157,3 +157,7 @@ def test_classes_that_cannot_be_are_refused(texts, channels, message):
 def test_a_table_without_one_of_the_classes_is_refused():
     with pytest.raises(ModelError, match="class table lacks the class water"):
         values_of({"class_names": NAMES}, 2, class_table_from_csv("value,name\n1,building\n"))
+
+
+def test_half_a_character_in_a_name_is_replaced_as_it_can_t_be_written():
+    assert named_channels({"class_names": r'["\ud800road", "b"]'}, "model") == ["?road", "b"]

@@ -95,7 +95,9 @@ def test_what_is_no_regular_file_is_not_waited_for(tmp_path):
     (tmp_path / "folder.onnx").mkdir()
     (tmp_path / "loop.onnx").symlink_to(tmp_path / "loop.onnx")
     (tmp_path / "empty.onnx").write_bytes(b"")
-    faults = {name: read_card(str(tmp_path / f"{name}.onnx")).fault.code for name in ("pipe", "folder", "loop", "empty")}
+    faults = {
+        name: read_card(str(tmp_path / f"{name}.onnx")).fault.code for name in ("pipe", "folder", "loop", "empty")
+    }
     assert faults.pop("empty") == "segmentation.no_onnx"
     assert set(faults.values()) == {"segmentation.no_model_file"}
 
