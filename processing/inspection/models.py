@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -33,6 +34,9 @@ def listed_models(folder: Path) -> list[ModelCard]:
     """The cards of the models in a folder and in those just below it, by name, then of the one that ships."""
     from ...core.segmentation.model_card import read_card
 
-    own = sorted({*folder.glob("*.onnx"), *folder.glob("*/*.onnx")})[:MOST_LISTED] if folder.is_dir() else []
-    shipped = [path for path in sorted(SHIPPED.glob("*.onnx")) if path not in own]
-    return [read_card(str(path)) for path in (*own, *shipped)]
+    # Not Path.is_dir, which raises where the folder may not be looked at.
+    own = sorted({*folder.glob("*.onnx"), *folder.glob("*/*.onnx")}) if os.path.isdir(folder) else []
+    found = (*own[:MOST_LISTED], *sorted(SHIPPED.glob("*.onnx")))
+    # Each file once: a folder may be a link to the one that it lies in. The shortest path is it.
+    by_file = {os.path.realpath(path): path for path in sorted(found, key=lambda path: len(path.parts), reverse=True)}
+    return [read_card(str(path)) for path in found if by_file[os.path.realpath(path)] is path]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import os
 
@@ -84,6 +85,36 @@ def test_the_window_says_where_more_models_come_from(dialog):
 def test_a_folder_that_is_not_there_leaves_the_model_that_ships(dialog, folder):
     dialog.models.folder.setFilePath(str(folder / "nowhere"))
     assert [row[0] for row in rows(dialog)] == ["Sample area (made up)"]
+
+
+def test_a_folder_whose_name_no_system_takes_leaves_the_model_that_ships(dialog):
+    dialog.models.folder.setFilePath("/" + "long" * 2000)
+    assert [row[0] for row in rows(dialog)] == ["Sample area (made up)"]
+
+
+def test_names_that_are_no_text_or_look_like_html_are_shown_as_they_are(dialog, folder):
+    from semref.core.segmentation.onnx_file import smallest_model, with_metadata
+
+    image = f"<img src='{folder}/seen.png'>"
+    model = with_metadata(smallest_model(4, 11), "class_names", json.dumps([image, "b"]))
+    (folder / "a.onnx").write_bytes(with_metadata(model, "model_card", json.dumps(dict.fromkeys(CARD, image))))
+    with open(os.fsencode(folder) + b"/\xff.onnx", "wb") as file:
+        file.write(smallest_model(4, 11))
+    dialog.models.refresh()
+    tree = dialog.models.list
+    tips = [tree.topLevelItem(row).toolTip(1) for row in range(tree.topLevelItemCount())]
+    assert [tip for tip in tips if "img" in tip] == [f"<p>{html.escape(image)}, b</p>"]
+    for row in range(tree.topLevelItemCount()):
+        tree.setCurrentItem(tree.topLevelItem(row))
+        assert "\ufffc" not in dialog.models.card.toPlainText()
+    assert len(rows(dialog)) == 6
+
+
+def test_a_folder_that_links_to_itself_lists_each_model_once(dialog, folder):
+    before = rows(dialog)
+    (folder / "again").symlink_to(folder)
+    dialog.models.refresh()
+    assert rows(dialog) == before
 
 
 def test_the_dock_takes_the_model_that_is_chosen(dock, tab, folder):

@@ -25,6 +25,7 @@ from ...processing.reports.model_card import card_html, card_title, quality_text
 from ...processing.translation import tr
 from ...processing.version import guide_url
 from ..widgets.layouts import row_of
+from ..widgets.tips import plain_tip
 
 _SIZE_SETTING = "semref/models/size"
 _SMALLEST_PX = 760, 460
@@ -78,8 +79,8 @@ class ModelList(QWidget):
                 [card_title(card), ", ".join(card.classes), resolution_text(card), quality_text(card)]
             )
             item.setData(0, _CARD, card)
-            item.setToolTip(0, card.file)
-            item.setToolTip(_CLASSES, ", ".join(card.classes))
+            item.setToolTip(0, plain_tip(card.file))
+            item.setToolTip(_CLASSES, plain_tip(", ".join(card.classes)))
             item.setTextAlignment(_QUALITY, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.list.addTopLevelItem(item)
         self.list.setCurrentItem(self.list.topLevelItem(0))

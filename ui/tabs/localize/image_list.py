@@ -20,6 +20,7 @@ from qgis.PyQt.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem,
 from ....processing.translation import tr
 from ...layer_files import dropped_files
 from ...widgets.placeholder import paint_placeholder
+from ...widgets.tips import plain_tip
 
 _PATH_ROLE = Qt.ItemDataRole.UserRole
 _VISIBLE_ROWS = 3
@@ -107,5 +108,5 @@ def _item(path: str) -> QListWidgetItem:
     icon = "/mIconFolder.svg" if os.path.isdir(path) else "/mIconRaster.svg"
     item = QListWidgetItem(QgsApplication.getThemeIcon(icon), os.path.basename(path.rstrip("/\\")) or path)
     item.setData(_PATH_ROLE, path)
-    item.setToolTip(path)
+    item.setToolTip(plain_tip(path))
     return item

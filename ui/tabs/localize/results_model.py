@@ -11,6 +11,7 @@ from qgis.PyQt.QtGui import QStandardItem, QStandardItemModel
 from ....core.localization import Status
 from ....processing.translation import tr
 from ...findings import Finding, status_text
+from ...widgets.tips import plain_tip
 
 IMAGE, CONFIDENCE, ERROR, HEADING, STATUS, WINDOW, DISTANCE = range(7)
 COLUMN_COUNT = 7
@@ -59,7 +60,7 @@ def _item(finding: Finding, column: int) -> QStandardItem:
     item = QStandardItem(_text(finding, column))
     item.setEditable(False)
     item.setData(_sort_value(finding, column), SORT_ROLE)
-    item.setToolTip("\n".join(filter(None, (finding.image, status_text(finding), finding.reason))))
+    item.setToolTip(plain_tip("\n".join(filter(None, (finding.image, status_text(finding), finding.reason)))))
     if column in NUMBER_COLUMNS:
         # Figures end at the same place.
         item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
