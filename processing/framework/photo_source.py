@@ -15,7 +15,7 @@ from qgis.core import (
     QgsRectangle,
 )
 
-from ...core.errors import ImageError, ParameterError
+from ...core.errors import ImageError, ModelError, ParameterError
 from ..translation import tr
 from .base import follow
 
@@ -195,15 +195,16 @@ def draw_for_model(
     Raises:
         SemRefError: The model can't be read or does not say its resolution, or the layer can't be drawn.
     """
-    from ...core.segmentation.devices import CPU
-    from ...core.segmentation.model import SegmentationModel
+    from ...core.segmentation.model_card import read_card
     from ..exchange.rendering import draw, plan_drawing
 
-    # Only its metadata are wanted: no need to wake a graphics card.
-    resolution_m = SegmentationModel(model_path, 1, device=CPU.key).settings.resolution_m
-    if resolution_m is None:
+    # Only its metadata are wanted: no need to start it.
+    card = read_card(model_path)
+    if card.fault is not None:
+        raise ModelError(card.fault)
+    if card.resolution_m is None:
         raise ImageError("exchange.resolution_unknown", layer=layer.name(), model=model_path)
-    drawing = plan_drawing(layer, extent, crs, resolution_m, context)
+    drawing = plan_drawing(layer, extent, crs, card.resolution_m, context)
     path = QgsProcessingUtils.generateTempFilename(f"{_stem(layer.name())}.tif")
     for _ in draw(drawing, path, context, canceled):
         if canceled():
