@@ -39,7 +39,7 @@ def partial_labels(count: int, excluded: dict[Path, list[int]]) -> tuple[np.ndar
 def told_channels(allowed):
     """(count + S, count) bool: of which channels a label tells whether it is them; a set only of those it excludes.
 
-    allowed: as ``allowed_channels`` gives it, or a tensor of that.
+    allowed: as ``partial_labels`` gives it, or a tensor of that.
     """
     told = ~allowed
     told[: allowed.shape[1]] = True

@@ -18,8 +18,6 @@ OAM_LICENSE = (
     "photos CC BY 4.0 (OpenAerialMap), buildings ODbL (OpenStreetMap), as such sets are published by HOTOSM; to be "
     "confirmed before weights are published"
 )
-DUBAI_M = 0.5
-"""Assumed pixel size of dubai_aerial, which states none; cars and houses look rather like 0.5 to 1 m."""
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,6 @@ from qgis.PyQt.QtWidgets import (
     QFrame,
     QGridLayout,
     QGroupBox,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QPlainTextEdit,
@@ -115,16 +114,13 @@ class ComponentsPage(QgsOptionsPageWidget):
         buttons.addWidget(self.copy, 1, 0)
         buttons.addWidget(self.remove, 1, 1)
         buttons.setColumnStretch(2, 1)
-        running = QHBoxLayout()
-        running.addWidget(self.progress, 1)
-        running.addWidget(self.cancel)
         group = QGroupBox(tr("Components"))
         layout = QVBoxLayout(group)
         layout.addWidget(explanation)
         layout.addWidget(self.list)
         layout.addLayout(buttons)
         layout.addWidget(self.state)
-        layout.addLayout(running)
+        layout.addLayout(row_of((self.progress, 1), self.cancel))
         layout.addWidget(self.log, _LOG_STRETCH)
         # Keeps the rest together while there is no log.
         layout.addStretch(1)

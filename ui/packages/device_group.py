@@ -6,7 +6,7 @@ from functools import partial
 
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import Qt, pyqtSignal
-from qgis.PyQt.QtWidgets import QComboBox, QGroupBox, QHBoxLayout, QLabel, QMenu, QPushButton, QVBoxLayout
+from qgis.PyQt.QtWidgets import QComboBox, QGroupBox, QLabel, QMenu, QPushButton, QVBoxLayout
 
 from ...processing.packages.devices import (
     AUTO,
@@ -19,6 +19,7 @@ from ...processing.packages.devices import (
     package_of,
 )
 from ...processing.translation import tr
+from ..widgets.layouts import row_of
 
 
 class DeviceGroup(QGroupBox):
@@ -52,13 +53,12 @@ class DeviceGroup(QGroupBox):
         label.setBuddy(self.device)
         layout = QVBoxLayout(self)
         layout.addWidget(explanation)
-        for widgets in ((label, self.device), (self.install,)):
-            row = QHBoxLayout()
-            for widget in widgets:
-                row.addWidget(widget)
+        choice, offer = row_of(label, self.device), row_of(self.install)
+        layout.addLayout(choice)
+        layout.addWidget(self.missing)
+        layout.addLayout(offer)
+        for row in (choice, offer):
             row.addStretch(1)
-            layout.addLayout(row)
-        layout.insertWidget(2, self.missing)
 
     def show_devices(self, chosen: str) -> None:
         """Shows what can be chosen now, and chooses one by its key."""

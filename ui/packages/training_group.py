@@ -11,7 +11,6 @@ from qgis.PyQt.QtWidgets import (
     QCheckBox,
     QFileDialog,
     QGroupBox,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
     QPushButton,
@@ -28,6 +27,7 @@ from ...processing.packages.training_environment import (
 )
 from ...processing.translation import tr
 from ...processing.wording.sentences import worded
+from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 
 
@@ -74,16 +74,10 @@ class TrainingGroup(QGroupBox):
         layout.addWidget(explanation)
         chosen = QLabel(tr("Python that trains")), self.python
         for row in (chosen, (self.make, self.remove), (self.make_from_wheels,)):
-            line = QHBoxLayout()
-            for widget in row:
-                line.addWidget(widget)
-            layout.addLayout(line)
+            layout.addLayout(row_of(*row))
         layout.addWidget(self.small)
         layout.addWidget(self.state)
-        running = QHBoxLayout()
-        running.addWidget(self.progress, 1)
-        running.addWidget(self.cancel)
-        layout.addLayout(running)
+        layout.addLayout(row_of((self.progress, 1), self.cancel))
 
     def _connect(self) -> None:
         self.make.clicked.connect(self._make)
