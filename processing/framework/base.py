@@ -20,11 +20,11 @@ from ..translation import tr
 from ..version import algorithm_help_url
 from ..wording.sentences import worded
 from .apart import clear_beside_inputs, require_outputs_apart
-from .declarations import NumberResult, Parameter, TextResult
+from .declarations import Parameter, Told
 from .outputs import Outputs
 from .values import Values
 
-Declared = Union[Parameter, NumberResult, TextResult]
+Declared = Union[Parameter, Told]
 Result = TypeVar("Result")
 
 ICON_PATH = Path(__file__).resolve().parents[2] / "resources" / "icon.svg"
@@ -92,7 +92,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
 
     def initAlgorithm(self, config: dict[str, Any] | None = None) -> None:
         for declared in self.parameters():
-            if isinstance(declared, (NumberResult, TextResult)):
+            if isinstance(declared, Told):
                 self.addOutput(declared.definition())
             else:
                 self.addParameter(declared.definition())

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from qgis.core import (
+    QgsProcessingOutputDefinition,
     QgsProcessingOutputNumber,
     QgsProcessingOutputString,
     QgsProcessingParameterBoolean,
@@ -270,24 +271,25 @@ class PolygonOutput(Output):
 
 
 @dataclass(frozen=True)
-class TextResult:
-    """A text that an algorithm tells beside what it writes."""
+class Told:
+    """What an algorithm tells beside what it writes."""
 
+    KIND: ClassVar[type]
     key: str
     title: str
 
-    def definition(self) -> QgsProcessingOutputString:
+    def definition(self) -> QgsProcessingOutputDefinition:
         """QGIS's own output; the caller, ``addOutput``, takes it."""
-        return QgsProcessingOutputString(self.key, self.title)
+        return self.KIND(self.key, self.title)
 
 
-@dataclass(frozen=True)
-class NumberResult:
-    """A number that an algorithm tells beside what it writes."""
+class TextResult(Told):
+    """A text."""
 
-    key: str
-    title: str
+    KIND = QgsProcessingOutputString
 
-    def definition(self) -> QgsProcessingOutputNumber:
-        """QGIS's own output; the caller, ``addOutput``, takes it."""
-        return QgsProcessingOutputNumber(self.key, self.title)
+
+class NumberResult(Told):
+    """A number."""
+
+    KIND = QgsProcessingOutputNumber
