@@ -1,7 +1,5 @@
 """How sure a network is: percents fit the labels, the blending and networks of every kind."""
 
-import tracemalloc
-
 import numpy as np
 import pytest
 from made_models import brightest_color, metadata, painted, write_model, writer
@@ -122,27 +120,6 @@ def test_probabilities_are_known_by_their_sums():
 
 def test_percents_are_rounded_and_stay_in_range():
     np.testing.assert_array_equal(percents(np.array([-0.1, 0.0049, 0.005, 0.994, 0.995, 1.2])), [0, 0, 1, 99, 100, 100])
-
-
-def test_memory_does_not_grow_with_the_height_of_the_image(made):
-    model = made()
-
-    def peak(height):
-        class Endless:
-            shape_hw = height, 300
-
-            def read(self, column, row, width, height):
-                return np.zeros((height, width, 3), np.uint8), None
-
-        tracemalloc.start()
-        for _ in segment(model, Endless(), VALUES, 0.25, ALL):
-            continue
-        try:
-            return tracemalloc.get_traced_memory()[1]
-        finally:
-            tracemalloc.stop()
-
-    assert peak(3000) < 1.2 * peak(300) + 100_000
 
 
 class Corner:

@@ -8,6 +8,7 @@ from made_models import brightest_color, metadata, painted, write_model
 
 from semref.core.errors import ImageError
 from semref.core.labels.image_source import ArrayImage
+from semref.core.segmentation.certainty import LABELS_ALONE, Certainty
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.tiling import segment, tile_starts
 
@@ -105,7 +106,8 @@ def test_an_image_of_a_few_pixels_is_refused(model, shape):
         labels_of(segment(model, ArrayImage(np.zeros((*shape, 3), np.uint8)), VALUES, 0.25))
 
 
-def test_memory_does_not_grow_with_the_height_of_the_image(model):
+@pytest.mark.parametrize("wanted", [LABELS_ALONE, Certainty(of_label=True, of_each=True)], ids=["labels", "all"])
+def test_memory_does_not_grow_with_the_height_of_the_image(model, wanted):
     def peak(height):
         class Endless:
             shape_hw = height, 300
@@ -114,7 +116,7 @@ def test_memory_does_not_grow_with_the_height_of_the_image(model):
                 return np.zeros((height, width, 3), np.uint8), None
 
         tracemalloc.start()
-        for _ in segment(model, Endless(), VALUES, 0.25):
+        for _ in segment(model, Endless(), VALUES, 0.25, wanted):
             continue
         try:
             return tracemalloc.get_traced_memory()[1]
