@@ -19,7 +19,7 @@ import numpy as np
 from bench import inputs, page
 from bench.correlation import ON_A_TILE
 from bench.ground import COLUMNS, Ground, cells, tile_ground
-from bench.photos import TRUE_LABELS, Network, as_seen, seen
+from bench.photos import TRUE_LABELS, Network, agreement, as_seen, seen
 from semref.core.evaluation.trial import Trial
 from semref.core.labels.training_tiles import fitting_tiles
 from semref.core.localization import Method
@@ -144,10 +144,5 @@ def located(ground: Ground, images: list, case: str) -> list[list[str]]:
 
 def agreed(ground: Ground, predicted: np.ndarray, middle: int) -> list[str]:
     """Intersection over union of each class and their mean, and the share of pixels that are right."""
-    labels = ground.labels_hw[:, middle:]
-    known = labels > 0
-    found = []
-    for entry in ground.database.class_table:
-        truth, answer = labels == entry.value, (predicted == entry.value) & known
-        found.append((truth & answer).sum() / max((truth | answer).sum(), 1))
-    return [*(f"{v:.3f}" for v in found), f"{np.mean(found):.3f}", f"{(predicted == labels)[known].mean():.1%}"]
+    found, right = agreement(ground, ground.labels_hw[:, middle:], predicted)
+    return [*(f"{v:.3f}" for v in found), f"{np.mean(found):.3f}", f"{right:.1%}"]

@@ -172,14 +172,22 @@ def seen(ground: Ground, photo_hw3: np.ndarray, view: View) -> np.ndarray:
 
 
 def _agreement(ground: Ground, predicted: np.ndarray) -> str:
-    """Intersection over union a class; 0 counts only as what the network may answer where a class is."""
-    labels, known = ground.labels_hw, ground.labels_hw > 0
+    found, right = agreement(ground, ground.labels_hw, predicted)
     rows: list[Sequence[object]] = []
+    for entry, iou in zip(ground.database.class_table, found):
+        rows.append([entry.name, f"{(ground.labels_hw == entry.value).mean():.1%}", f"{iou:.3f}"])
+    rows.append(["mean", "", f"{np.mean(found):.3f}"])
+    return f"{page.table(['class', 'share of the ground', 'IoU'], rows)}\n\nPixels with the right class: {right:.1%}."
+
+
+def agreement(ground: Ground, labels_hw: np.ndarray, predicted: np.ndarray) -> tuple[list[float], float]:
+    """Intersection over union of each class, and the share of pixels that are right.
+
+    0 counts only as what the network may answer where a class is.
+    """
+    known = labels_hw > 0
     found: list[float] = []
     for entry in ground.database.class_table:
-        truth, answer = labels == entry.value, (predicted == entry.value) & known
+        truth, answer = labels_hw == entry.value, (predicted == entry.value) & known
         found.append((truth & answer).sum() / max((truth | answer).sum(), 1))
-        rows.append([entry.name, f"{truth.mean():.1%}", f"{found[-1]:.3f}"])
-    rows.append(["mean", "", f"{np.mean(found):.3f}"])
-    right = (predicted == labels)[known].mean()
-    return f"{page.table(['class', 'share of the ground', 'IoU'], rows)}\n\nPixels with the right class: {right:.1%}."
+    return found, (predicted == labels_hw)[known].mean()
