@@ -21,6 +21,9 @@ import numpy as np
 from ..errors import ParameterError
 from ..geometry.pose import turn_of
 
+MOST_LOG_SCALE = 10.0
+"""Of a link: no two images of a flight differ more in the size of their pixels than 1 : 22,000."""
+
 Matrix = tuple[tuple[float, ...], ...]
 """A small matrix, row by row: results that hold one can be compared."""
 
@@ -71,13 +74,16 @@ class Link:
         """Checks what a table or another program may have got wrong.
 
         Raises:
-            ParameterError: The images are not in order, a number is not finite, or the covariance is none.
+            ParameterError: The images are not in order, a number is not finite or of no flight, or the covariance is
+                none.
         """
         if not 0 <= self.first < self.second:
             raise ParameterError("flight.link_order", first=self.first, second=self.second)
         numbers = np.array([*self.translation, self.turn, self.log_scale])
         known = np.array(self.covariance, np.float64)
-        if not np.isfinite(numbers).all() or known.shape != (4, 4) or not np.isfinite(known).all():
+        if not np.isfinite(numbers).all() or abs(self.log_scale) > MOST_LOG_SCALE:
+            raise ParameterError("flight.link_numbers", first=self.first, second=self.second)
+        if known.shape != (4, 4) or not np.isfinite(known).all():
             raise ParameterError("flight.link_numbers", first=self.first, second=self.second)
         if not np.allclose(known, known.T) or np.linalg.eigvalsh(known).min() < -1e-9 * max(np.trace(known), 1e-12):
             raise ParameterError("flight.link_covariance", first=self.first, second=self.second)

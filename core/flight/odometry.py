@@ -121,13 +121,14 @@ def odometry_links(steps: Sequence[Step], names: Sequence[str]) -> list[Link]:
 
 def _link(before: int, after: int, steps: Sequence[Step]) -> Link:
     """Of the motion that several steps are together; told from the earlier image of the flight."""
-    place, heading, scale = 0j, 0.0, 1.0
+    place, heading, log_scale = 0j, 0.0, 0.0
     places = []
     for step in steps:
         places.append(place)
         place += complex(step.right_m, step.up_m) * _turned(heading)
         heading += step.turn_deg
-        scale *= step.scale
+        # Of many rows the product itself would leave what numbers hold.
+        log_scale += math.log(step.scale)
     # A heading that is off turns all that comes after it.
     swung = [
         abs(place - start) ** 2 * math.radians(step.sigma_turn_deg) ** 2 for step, start in zip(steps[:-1], places[1:])
@@ -139,7 +140,7 @@ def _link(before: int, after: int, steps: Sequence[Step]) -> Link:
         # The table goes the other way than the flight.
         before, after = after, before
         sigma_m = math.hypot(sigma_m, abs(place) * math.radians(sigma_turn))
-        place, heading, scale = -place / _turned(heading), -heading, 1 / scale
+        place, heading, log_scale = -place / _turned(heading), -heading, -log_scale
     return Link.of_odometry(
         before,
         after,
@@ -148,7 +149,7 @@ def _link(before: int, after: int, steps: Sequence[Step]) -> Link:
         heading,
         sigma_m,
         sigma_turn,
-        math.log(scale),
+        log_scale,
         sigma_scale,
         source=LinkSource.ODOMETRY,
     )

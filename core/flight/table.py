@@ -118,9 +118,14 @@ def rows_of(path: str, needed: Sequence[str]) -> Iterator[Row]:
     if not set(needed) <= set(header):
         raise ParameterError("flight.no_such_table", path=path, first=first[:200], columns=tuple(needed))
     for number, line in numbered[1:]:
-        cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
+        place = Sentence("labels.line", source=path, line=number)
+        try:
+            cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
+        except csv.Error as error:
+            # A null character, before Python 3.11.
+            raise ParameterError("flight.unreadable", path=place, reason=str(error)) from None
         texts = {name: cell.strip() for name, cell in zip(header, cells)}
-        yield Row(texts, Sentence("labels.line", source=path, line=number))
+        yield Row(texts, place)
 
 
 def stem_of(path: str) -> str:

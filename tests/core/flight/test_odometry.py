@@ -85,3 +85,13 @@ def test_semicolons_quotes_and_other_columns_are_taken(tmp_path):
 def test_a_bad_row_is_told_with_its_line(tmp_path, lines, said):
     with pytest.raises(ParameterError, match="odometry.csv, " + said):
         read_odometry(table(tmp_path, *lines))
+
+
+@pytest.mark.parametrize("scale", [0.1, 10])
+@pytest.mark.parametrize("names", [["a", "b"], ["b", "a"]])
+def test_sizes_that_no_flight_has_are_refused_however_many_rows_make_them(tmp_path, scale, names):
+    between = [f"x{number},0,0,0,{scale}" for number in range(400)]
+    path = table(tmp_path, "a,,,", *between, f"b,0,0,0,{scale}", header="image,dx_m,dy_m,dheading_deg,scale")
+    with pytest.raises(ParameterError) as caught:
+        odometry_links(read_odometry(path), names)
+    assert caught.value.sentence.code == "flight.link_numbers"

@@ -57,3 +57,11 @@ def test_numbers_are_finite_and_in_range():
 @pytest.mark.parametrize("path", ["a.b.jpg", "/x/y/a.b.tif", "C:\\x\\a.b.png"])
 def test_the_stem_is_the_name_without_folders_and_extension(path):
     assert stem_of(path) == "a.b"
+
+
+def test_a_null_character_ends_nothing(tmp_path):
+    # Before Python 3.11 csv takes none.
+    try:
+        assert [row.texts["image"] for row in rows_of(write(tmp_path, b"image,b\na\0,1\n"), ["image"])] == ["a\0"]
+    except ParameterError as error:
+        assert error.sentence.code == "flight.unreadable"
