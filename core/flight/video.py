@@ -7,18 +7,20 @@ of the video's name lie beside it, the gimbal's heading and attitude.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import csv
 import io
 import math
 import os
 import sys
 from collections.abc import Iterator
+from typing import TextIO
 
 import cv2
 
 from ..errors import ParameterError, SemRefError
 from .logs.files import read_log
-from .table import bytes_of
+from .table import bytes_of, stem_of
 from .telemetry import Telemetry, log_cameras
 
 TABLE = "cameras.csv"
@@ -42,12 +44,15 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
         log: Of the same flight, in the video's time.
 
     Raises:
-        ParameterError: The video can't be read, or an image not be written.
+        ParameterError: The video can't be read, or an image or the table not be written.
     """
+    table = os.path.join(folder, TABLE)
     if not LEAST_STEP_S <= every_s <= MOST_STEP_S:
         raise ParameterError("flight.frame_step", every=every_s, least=LEAST_STEP_S, most=MOST_STEP_S)
     capture = _opened(video)
-    stem = os.path.splitext(os.path.basename(video))[0]
+    if os.path.lexists(table):
+        raise ParameterError("flight.frame_exists", path=table)
+    stem = stem_of(video)
     count = capture.get(cv2.CAP_PROP_FRAME_COUNT)
     names: list[str] = []
     times: list[float] = []
@@ -62,40 +67,47 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
             if not is_there:
                 continue
             wanted = max(wanted + every_s, time_s + every_s / 2)
-            name = f"{stem}_{time_s:010.3f}.jpg"
-            _write(
-                os.path.join(folder, name),
-                cv2.imencode(".jpg", frame, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])[1].tobytes(),
-            )
-            names.append(name)
+            names.append(f"{stem}_{time_s:010.3f}.jpg")
             times.append(time_s)
-            yield os.path.join(folder, name), min(number / count, 1.0) if count >= 1 else 0.0
+            path = os.path.join(folder, names[-1])
+            _write(path, cv2.imencode(".jpg", frame, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])[1].tobytes())
+            yield path, min(number / count, 1.0) if count >= 1 else 0.0
     finally:
         capture.release()
     if not names:
         raise ParameterError("flight.no_frames", path=video)
-    _write(os.path.join(folder, TABLE), _table(names, times, log).encode("utf-8"))
+    _write(table, _table(names, times, log).encode("utf-8"))
 
 
 def _opened(video: str) -> cv2.VideoCapture:
     start = bytes_of(video, 1 << 50, 16)
     if not any(start[at : at + len(mark)] == mark for at, mark in _STARTS):
         raise ParameterError("flight.no_video", path=video)
-    capture = cv2.VideoCapture(os.path.abspath(video))
+    path = os.path.abspath(video)
+    # OpenCV ends the whole program over a name with bytes that are no text.
+    if path.encode("utf-8", "replace").decode("utf-8") != path:
+        raise ParameterError("flight.no_video", path=video)
+    capture = cv2.VideoCapture(path)
     if not capture.isOpened():
         raise ParameterError("flight.no_video", path=video)
     return capture
 
 
 def _write(path: str, data: bytes) -> None:
-    """Writes a new file; raises ParameterError where one lies, or it can't be."""
+    """Writes a new file, whole or not at all; raises ParameterError where one lies, or it can't be."""
     try:
         os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
-        with open(path, "xb") as file:
-            file.write(data)
+        file = open(path, "xb")  # noqa: SIM115  closed below
     except FileExistsError:
         raise ParameterError("flight.frame_exists", path=path) from None
     except OSError as error:
+        raise ParameterError("flight.frame_unwritable", path=path, reason=error.strerror or str(error)) from None
+    try:
+        with file:
+            file.write(data)
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            os.remove(path)
         raise ParameterError("flight.frame_unwritable", path=path, reason=error.strerror or str(error)) from None
 
 
@@ -121,6 +133,11 @@ def subtitles_of(video: str) -> str | None:
     return next((stem + ending for ending in (".SRT", ".srt") if os.path.isfile(stem + ending)), None)
 
 
+def _say(text: str, where: TextIO | None = None) -> None:
+    """Prints a line; a name's bytes that are no text are escaped."""
+    print(text.encode("utf-8", "backslashreplace").decode("utf-8"), file=where, flush=True)
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Runs the command; gives its exit code."""
     parser = argparse.ArgumentParser("python -m core.flight.video", description="Writes a video's frames as images.")
@@ -132,9 +149,9 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         path = options.log or subtitles_of(options.video)
         for written, _ in write_frames(options.video, options.folder, options.every, read_log(path) if path else None):
-            print(written, flush=True)
+            _say(written)
     except SemRefError as error:
-        print(error, file=sys.stderr)
+        _say(str(error), sys.stderr)
         return 1
     return 0
 

@@ -1,10 +1,13 @@
 """Frames of a video as images of a flight."""
 
 import csv
+import os
+import sys
 
 import cv2
 import numpy as np
 import pytest
+from full_disks import files_of_at_most
 
 from semref.core.errors import ParameterError
 from semref.core.flight.telemetry import telemetry
@@ -78,3 +81,29 @@ def test_the_command_takes_subtitles_beside_the_video(video, tmp_path, capsys):
     assert rows(tmp_path / "out")[0]["heading"] == "12.00"
     assert main([str(tmp_path / "none.mp4"), str(tmp_path / "out")]) == 1
     assert "can't be read" in capsys.readouterr().err
+
+
+def test_a_camera_table_that_lies_there_is_told_before_a_frame_is_written(video, tmp_path):
+    folder = tmp_path / "out"
+    folder.mkdir()
+    (folder / "cameras.csv").write_text("mine")
+    with pytest.raises(ParameterError, match="cameras.csv is there already"):
+        list(write_frames(str(video), str(folder), 1.0))
+    assert [path.name for path in folder.iterdir()] == ["cameras.csv"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="limits of files are Unix's")
+def test_a_full_disk_leaves_no_half_image(video, tmp_path):
+    with files_of_at_most(100), pytest.raises(ParameterError, match="can't be written: File too large"):
+        list(write_frames(str(video), str(tmp_path / "out"), 1.0))
+    assert not list((tmp_path / "out").iterdir())
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="names are text elsewhere")
+def test_a_name_that_is_no_text_is_told_and_escaped(video, tmp_path, capsys):
+    odd = os.fsdecode(os.fsencode(tmp_path) + b"/odd\xff")
+    assert main([str(video), odd, "--every", "5"]) == 0
+    os.rename(video, odd + ".avi")
+    assert main([odd + ".avi", str(tmp_path / "out")]) == 1
+    said = capsys.readouterr()
+    assert "odd\\udcff" in said.out and "odd\\udcff.avi is no video" in said.err
