@@ -9,6 +9,7 @@ from datetime import datetime, timezone
 from math import isfinite
 
 from ..core.errors import ParameterError
+from ..core.flight.table import stem_of
 from ..core.geometry.camera import Camera, Height, Lens, above_ground
 from ..core.geometry.leveling import Attitude
 from ..core.labels.class_table import LONGEST_LINE
@@ -33,12 +34,12 @@ def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
         ParameterError: The CSV can't be used, or names none of the images.
     """
     rows = _read_table(table_path) if table_path else {}
-    if table_path and not any(_stem(path) in rows for path in paths):
+    if table_path and not any(stem_of(path) in rows for path in paths):
         raise ParameterError("storage.cameras_of_other_images", path=table_path, image=os.path.basename(paths[0]))
     timed = any(row.time_s is not None for row in rows.values())
     cameras = []
     for path in paths:
-        row, photo = rows.get(_stem(path), Camera()), photo_camera(path)
+        row, photo = rows.get(stem_of(path), Camera()), photo_camera(path)
         known = row if row.attitude else photo
         time_s = row.time_s if timed else photo.time_s
         heading = photo.heading_deg if row.heading_deg is None else row.heading_deg
@@ -46,11 +47,6 @@ def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
         bent = None if row.lens else photo.distortion
         cameras.append(Camera(known.attitude, lens, known.source, time_s, known.problem, height, heading, bent))
     return cameras
-
-
-def _stem(path: str) -> str:
-    """The file's name without folders, of any system, and extension."""
-    return os.path.splitext(re.split(r"[/\\]", path)[-1])[0]
 
 
 # --- CSV ---
@@ -78,7 +74,7 @@ def _read_table(path: str) -> dict[str, Camera]:
     for number, row in enumerate(reader, start=2):
         place = Sentence("labels.line", source=path, line=number)
         texts = {name: (row.get(name) or "").strip() for name in COLUMNS}
-        stem = _stem(texts["image"])
+        stem = stem_of(texts["image"])
         if not stem or stem in found:
             if stem:
                 raise ParameterError("storage.image_named_twice", place=place, image=stem)
