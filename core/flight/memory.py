@@ -54,28 +54,69 @@ def packed(past: Past) -> dict[str, np.ndarray]:
     return arrays
 
 
-def unpacked(arrays: Mapping[str, np.ndarray]) -> Past:
-    """An image of the window from ``packed``; raises KeyError or ValueError for what is none."""
-    edge_px, mean, spread, own_odds, weight = arrays["numbers"].tolist()
-    first, second, right, down, turn, log_scale, in_meters = arrays["link"].tolist()
-    source = list(LinkSource)[int(arrays["link_source"])]
-    known = as_rows(arrays["link_covariance"])
+LARGEST = 1e12
+"""No number of a state is larger: meters, their squares, logarithms, pixels."""
+
+
+def checked_array(
+    arrays: Mapping[str, np.ndarray], name: str, *shape: int | None, above: float = -LARGEST
+) -> np.ndarray:
+    """One of several arrays.
+
+    Args:
+        arrays: By name.
+        name: Of it.
+        *shape: That it has; None for any length of an axis.
+        above: What all its numbers lie above.
+
+    Raises:
+        KeyError: It is missing.
+        ValueError: It has another shape, or numbers that are none, too large or not above.
+    """
+    found = np.array(arrays[name])
+    fits = found.ndim == len(shape) and all(wanted in (None, n) for wanted, n in zip(shape, found.shape))
+    if not fits or found.dtype.kind not in "biuf" or not ((found > above) & (found <= LARGEST)).all():
+        raise ValueError(f"{name} is none")
+    return found
+
+
+def unpacked(arrays: Mapping[str, np.ndarray], channels: int) -> Past:
+    """An image of the window.
+
+    Args:
+        arrays: As of ``packed``.
+        channels: Of evidence.
+
+    Raises:
+        KeyError: An array is missing.
+        ParameterError: Its link is none.
+        ValueError: It is none.
+    """
+    edge_px, mean, spread, own_odds, weight = checked_array(arrays, "numbers", 5).tolist()
+    first, second, right, down, turn, log_scale, in_meters = checked_array(arrays, "link", 7).tolist()
+    source = list(LinkSource)[int(checked_array(arrays, "link_source", above=-1))]
+    known = as_rows(checked_array(arrays, "link_covariance", 4, 4))
     link = Link(int(first), int(second), (right, down), turn, log_scale, known, source, bool(in_meters))
     evidence = None
     if "evidence" in arrays:
-        pixel = arrays["pixel"].tolist()
-        evidence = EvidenceLevel(arrays["evidence"], arrays["known"], (pixel[0], pixel[1]))
-    sizes, heading = arrays["sizes"].tolist(), arrays["heading"].tolist()
-    place = arrays["position"].tolist() if "position" in arrays else None
+        levels = checked_array(arrays, "evidence", None, None, channels).astype(np.float32, copy=False)
+        labeled = checked_array(arrays, "known", *levels.shape[:2]).astype(np.float32, copy=False)
+        pixel = checked_array(arrays, "pixel", 2, above=0).tolist()
+        evidence = EvidenceLevel(levels, labeled, (pixel[0], pixel[1]))
+    sizes = checked_array(arrays, "sizes", None, above=0).tolist()
+    heading = checked_array(arrays, "heading", None).tolist()
+    own = checked_array(arrays, "own", None)
+    place = checked_array(arrays, "position", 3).tolist() if "position" in arrays else None
+    if len(sizes) not in (0, 2) or len(own) not in (0, 4) or not (edge_px > 0 and spread > 0):
+        raise ValueError("an image is none")
     prior = Prior(
         None if place is None else (place[0], place[1]),
         None if place is None else place[2],
         heading[0] if heading else None,
-        float(arrays["heading_range"][0]),
+        float(checked_array(arrays, "heading_range", 1)[0]),
         (sizes[0], sizes[1]) if sizes else None,
     )
-    own = arrays["own"] if len(arrays["own"]) else None
-    return Past(SeenImage(evidence, edge_px, (mean, spread), prior, own, own_odds), link, weight)
+    return Past(SeenImage(evidence, edge_px, (mean, spread), prior, own if len(own) else None, own_odds), link, weight)
 
 
 def mirrored(seen: SeenImage) -> SeenImage:

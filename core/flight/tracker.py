@@ -18,12 +18,12 @@ from ..localizer.localizer import Localizer, default_scales
 from ..sentences import Sentence
 from .evidence import SeenImage, best_of, seen_image
 from .measurement import Measurement, by_areas, by_landmarks, distance, of_own
-from .memory import NOWHERE, Past, mirrored, packed, unpacked
+from .memory import NOWHERE, Past, checked_array, mirrored, packed, unpacked
 from .model import FlightImage, FlightPose, PoseSource
-from .motion import Link, LinkSource, as_rows
+from .motion import MOST_LOG_SCALE, Link, LinkSource, as_rows
 from .pool import Pool, predicted, pruned, same_place, started, updated, with_past
 from .settings import FLIGHT, FlightSettings
-from .smoothing import Estimate, first_estimate, step_over, with_measurement
+from .smoothing import SIZE, Estimate, first_estimate, step_over, with_measurement
 from .states import place_of
 
 SAME_SHARE = 0.02
@@ -132,20 +132,23 @@ class FlightTracker:
         """
         tracker = cls(localizer, settings)
         try:
-            version, tracker._number, tracker.track, count = (int(value) for value in state["counts"])
+            counts = checked_array(state, "counts", 4, above=-2)
+            version, tracker._number, tracker.track, count = (int(value) for value in counts)
             if version != STATE_VERSION:
                 raise ParameterError("flight.state_version", version=version, known=STATE_VERSION)
-            tracker._risk, tracker._shared_m2 = (float(value) for value in state["numbers"])
-            tracker._pool, tracker._mirror = (
-                Pool(*(np.array(state[f"{name}_{field}"]) for field in ("states", "variances", "evidence")))
-                for name in ("pool", "mirror")
-            )
+            tracker._risk, tracker._shared_m2 = checked_array(state, "numbers", 2, above=-1e-9).tolist()
+            tracker._pool, tracker._mirror = (_saved_pool(state, name, settings) for name in ("pool", "mirror"))
             if "held_mean" in state:
-                tracker._held = Estimate(np.array(state["held_mean"]), np.array(state["held_covariance"]))
+                held = checked_array(state, "held_mean", SIZE), checked_array(state, "held_covariance", SIZE, SIZE)
+                _require_sizes(held[0][None])
+                tracker._held = Estimate(*held)
             if tracker._number >= 0:
+                if not 0 <= count < settings.window:
+                    raise ValueError("the window is another")
+                channels = localizer.pyramid.space.channels
                 remembered = [_part(state, f"past{number}_") for number in range(count + 1)]
-                *tracker._past, tracker._latest = [unpacked(arrays) for arrays in remembered]
-        except (KeyError, ValueError, IndexError) as error:
+                *tracker._past, tracker._latest = [unpacked(arrays, channels) for arrays in remembered]
+        except (KeyError, ValueError, IndexError, OverflowError) as error:
             raise ParameterError("flight.no_state") from error
         return tracker
 
@@ -313,6 +316,23 @@ class FlightTracker:
 def _part(state: Mapping[str, np.ndarray], prefix: str) -> dict[str, np.ndarray]:
     """The arrays whose names begin so, by the rest of their names."""
     return {name[len(prefix) :]: np.array(value) for name, value in state.items() if name.startswith(prefix)}
+
+
+def _require_sizes(states: np.ndarray) -> None:
+    """Raises ValueError for states (n, 4 or more) with a pixel size that no image has."""
+    if (np.abs(states[:, 3]) > MOST_LOG_SCALE).any():
+        raise ValueError("a pixel size is none")
+
+
+def _saved_pool(state: Mapping[str, np.ndarray], name: str, settings: FlightSettings) -> Pool:
+    """Hypotheses of a saved state; raises KeyError or ValueError for what are none."""
+    states = checked_array(state, f"{name}_states", None, 4)
+    _require_sizes(states)
+    count = len(states)
+    if count > settings.hypotheses:
+        raise ValueError("there are too many hypotheses")
+    variances = checked_array(state, f"{name}_variances", count, 3, above=-1e-9)
+    return Pool(states, variances, checked_array(state, f"{name}_evidence", count, settings.window))
 
 
 def measured_near(

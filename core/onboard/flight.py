@@ -6,23 +6,27 @@ by, and a header in JSON. It is written beside its place and moved there, so tha
 
 from __future__ import annotations
 
+import contextlib
 import json
 import logging
 import os
-import zipfile
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from ..errors import ParameterError
+from ..flight.memory import checked_array
 from ..flight.model import FlightImage
 from ..flight.motion import Link
 from ..flight.pixel_features import Features, label_features, photo_features
 from ..flight.pixel_motion import motion_between
 from ..flight.settings import FLIGHT, FlightSettings
 from ..flight.tracker import FlightTracker
+from ..values import checked, read_json
+from .arrays import UNREADABLE, number_arrays
 from .finder import Finding, time_of
+from .format import MAXIMUM_HEADER_BYTES
 from .log import say
 
 FORMAT, VERSION = "semref flight state", 1
@@ -36,13 +40,15 @@ Taken = tuple[int, str]
 
 @dataclass
 class _Memory:
-    """What a flight remembers beside its tracker.
+    """What a flight remembers.
 
     Attributes:
+        tracker: That follows it; None before the start.
         features: Of the latest image, for the link to the next one.
         after: The latest image; None before the first.
     """
 
+    tracker: FlightTracker | None = None
     features: Features | None = None
     after: Taken | None = None
 
@@ -54,13 +60,11 @@ class FlightFinding(Finding):
     Attributes:
         state_path: File that keeps the state; empty for none.
         settings: Of flights.
-        tracker: That follows the flight, in a list of one: it is another one after a restart.
         memory: See there.
     """
 
     state_path: str = ""
     settings: FlightSettings = FLIGHT
-    tracker: list[FlightTracker] = field(default_factory=list)
     memory: _Memory = field(default_factory=_Memory)
 
     def start(self) -> Taken | None:
@@ -71,13 +75,11 @@ class FlightFinding(Finding):
         """
         try:
             if self.state_path and os.path.exists(self.state_path):
-                self._resume()
-                say(logging.INFO, "flight_resumed", state=self.state_path, track=self.tracker[0].track)
+                tracker = self._resume()
+                say(logging.INFO, "flight_resumed", state=self.state_path, track=tracker.track)
                 return self.memory.after
         except (ParameterError, OSError) as error:
             say(logging.ERROR, "flight_state_not_used", state=self.state_path, reason=str(error))
-        self.tracker[:] = [FlightTracker(self.localizer, self.settings)]
-        self.memory.features = self.memory.after = None
         return None
 
     def localized(self, path: str) -> dict[str, Any]:
@@ -89,13 +91,19 @@ class FlightFinding(Finding):
         own = self.localizer.localize(labels_hw, self.method, prior, shares=seen.shares)
         link = self._link(labels_hw)
         image = FlightImage(os.path.basename(path), labels_hw, own, time_of(path).timestamp(), prior)
-        pose = self.tracker[0].add(image, link)
+        pose = self._tracker.add(image, link)
         found = self.told(pose.localization())
         source = str(pose.source) if pose.is_fix else None
         found.update(source=source, track=pose.track or None, outvoted=pose.is_outvoted)
         self.memory.after = os.stat(path).st_mtime_ns, os.path.basename(path)
         self._keep()
         return found
+
+    @property
+    def _tracker(self) -> FlightTracker:
+        if self.memory.tracker is None:
+            self.memory.tracker = FlightTracker(self.localizer, self.settings)
+        return self.memory.tracker
 
     def _link(self, labels_hw: np.ndarray) -> Link | None:
         """From the image before to this one, by what both show; None where that is not known."""
@@ -119,7 +127,7 @@ class FlightFinding(Finding):
         """Writes the state; a disk that can't take it is told, and the flight goes on."""
         if not self.state_path:
             return
-        arrays = {f"tracker_{name}": value for name, value in self.tracker[0].state().items()}
+        arrays = {f"tracker_{name}": value for name, value in self._tracker.state().items()}
         features = self.memory.features
         if features is not None:
             arrays.update(
@@ -145,53 +153,50 @@ class FlightFinding(Finding):
                 os.fsync(file.fileno())
             os.replace(beside, self.state_path)
         except OSError as error:
+            # A full disk must not be filled with half a state.
+            with contextlib.suppress(OSError):
+                os.remove(beside)
             say(logging.ERROR, "state_not_kept", state=self.state_path, reason=error.strerror or str(error))
 
-    def _resume(self) -> None:
+    def _resume(self) -> FlightTracker:
         """Reads the state. Raises ParameterError for a file that is none, or of another database."""
         arrays = _read_state(self.state_path)
         try:
-            header = json.loads(arrays["header"].tobytes().decode("utf-8"))
+            header = read_json(arrays["header"].tobytes().decode("utf-8"), MAXIMUM_HEADER_BYTES)
             is_ours = header["format"] == FORMAT and header["version"] == VERSION
-            after = header["after"]
-            self.memory.after = None if after is None else (int(after[0]), str(after[1]))
-            known_hash = header["content_hash"]
-        except (KeyError, TypeError, ValueError, IndexError) as error:
+            known_hash, after = header["content_hash"], header["after"]
+            if after is not None:
+                after = checked(after[0], int, "a time"), checked(after[1], str, "a name")
+        except (KeyError, TypeError, ValueError, IndexError, RecursionError) as error:
             raise ParameterError("onboard.no_flight_state", path=self.state_path) from error
         if not is_ours:
             raise ParameterError("onboard.no_flight_state", path=self.state_path)
         if known_hash != self.onboard.content_hash:
             raise ParameterError("onboard.state_of_other_database", path=self.state_path)
         state = {name[len("tracker_") :]: value for name, value in arrays.items() if name.startswith("tracker_")}
-        self.tracker[:] = [FlightTracker.from_state(self.localizer, state, self.settings)]
-        self.memory.features = _features(arrays)
+        memory, tracker = self.memory, FlightTracker.from_state(self.localizer, state, self.settings)
+        memory.tracker, memory.features, memory.after = tracker, _features(arrays), after
+        return tracker
 
 
 def _read_state(path: str) -> dict[str, np.ndarray]:
     """The arrays of a state file. Raises ParameterError."""
+    if not os.path.isfile(path) or os.path.getsize(path) > MOST_STATE_BYTES:
+        raise ParameterError("onboard.no_flight_state", path=path)
     try:
-        if not os.path.isfile(path) or os.path.getsize(path) > MOST_STATE_BYTES:
-            raise ParameterError("onboard.no_flight_state", path=path)
-        with zipfile.ZipFile(path) as archive:
-            if sum(member.file_size for member in archive.infolist()) > MOST_STATE_BYTES:
-                raise ParameterError("onboard.no_flight_state", path=path)
-        with np.load(path, allow_pickle=False) as found:
-            return {name: found[name] for name in found.files}
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+        return number_arrays(path, MOST_STATE_BYTES)
+    except UNREADABLE as error:
         raise ParameterError("onboard.no_flight_state", path=path) from error
 
 
 def _features(arrays: dict[str, np.ndarray]) -> Features | None:
-    if "features_picture" not in arrays:
-        return None
+    """Of the image before; None where they are none: then the next image is not linked by pixels, no more."""
     try:
-        return Features(
-            arrays["features_picture"],
-            arrays["features_points"],
-            arrays["features_descriptors"],
-            arrays.get("features_known"),
-            float(arrays["features_scale"]),
-        )
-    except (KeyError, TypeError, ValueError):
-        # Without them the next image is not linked by pixels, no more.
+        picture = checked_array(arrays, "features_picture", None, None).astype(np.uint8)
+        points = checked_array(arrays, "features_points", None, 2)
+        described = checked_array(arrays, "features_descriptors", len(points), 32).astype(np.uint8)
+        known = checked_array(arrays, "features_known", *picture.shape) if "features_known" in arrays else None
+        scale = float(checked_array(arrays, "features_scale", above=0))
+        return Features(picture, points, described, None if known is None else known > 0, scale)
+    except (KeyError, ValueError):
         return None

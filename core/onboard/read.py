@@ -6,17 +6,13 @@ zip's directory, shapes and types in the arrays' headers, before anything is unp
 
 from __future__ import annotations
 
-import io
 import math
 import os
-import struct
 import zipfile
-import zlib
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.lib import format as npy_format
 
 from ..database.checks import MAXIMUM_LANDMARKS, MAXIMUM_WINDOWS, require_sound
 from ..database.model import MapLandmarks, ReferenceDatabase, Windows
@@ -25,6 +21,7 @@ from ..errors import ClassTableError, DatabaseError
 from ..geometry.lon_lat import HIGHEST_DEGREE, LonLatPolynomial, term_count
 from ..labels.class_table import ClassTable, class_table_from_csv
 from ..values import checked, number, read_json
+from .arrays import LONGEST_NPY_HEADER, UNREADABLE, npy_header, require_honest
 from .format import (
     FORMAT,
     HASH,
@@ -42,13 +39,8 @@ from .signature import is_signed_with, read_key
 MAXIMUM_OVERVIEW_PIXELS = 1 << 30
 """Beyond this a file is refused: the whole of a country fits."""
 
-_DEFLATE_RATIO = 1032
-"""What deflate makes of one byte at most; a member that claims more is damaged or hostile."""
-
 _ALWAYS_ALLOWED_BYTES, _BYTES_A_FILE_BYTE = 1 << 26, 200
 """All members together may take so much memory, and so much more for each byte of the file."""
-
-_LONGEST_NPY_HEADER = 1024
 
 _LARGEST_LOG = 50.0
 """Logarithms of areas beyond it would leave the range that areas may have, or overflow."""
@@ -74,7 +66,7 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
     try:
         with zipfile.ZipFile(path) as archive:
             files = _unpacked(archive, path)
-    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError, struct.error) as error:
+    except UNREADABLE as error:
         if isinstance(error, OSError) and error.errno is not None:
             raise DatabaseError("onboard.unreadable", path=path, reason=error.strerror) from None
         raise _damaged(path, error) from None
@@ -124,14 +116,11 @@ def _unpacked(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
         raise zipfile.BadZipFile(f"it claims {total} bytes, more than a file of its size may hold")
     for filename, info in infos.items():
         name = filename[: -len(".npy")]
-        if info.flag_bits & 1 or info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-            raise zipfile.BadZipFile(f"{name} is encrypted or packed in an unknown way")
-        if info.file_size > _largest_bytes(name) or info.file_size > _DEFLATE_RATIO * info.compress_size + 64:
-            raise zipfile.BadZipFile(f"{name} claims {info.file_size} bytes, more than it can have")
+        require_honest(info, _largest_bytes(name))
         with archive.open(info) as file:
             # The header first: what it says must be the size that the directory states, before the rest is unpacked.
-            start = file.read(min(info.file_size, _LONGEST_NPY_HEADER))
-            shape, first = _npy_header(name, start)
+            start = file.read(min(info.file_size, LONGEST_NPY_HEADER))
+            shape, first = _kind_header(name, start)
             if first + math.prod(shape) * _item_bytes(name) != info.file_size:
                 raise zipfile.BadZipFile(f"{name} has not the size that its shape {shape} says")
             found[name] = start + file.read(info.file_size - len(start))
@@ -142,7 +131,7 @@ def _unpacked(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
 
 def _largest_bytes(name: str) -> int:
     if name in (HEADER, HASH, SIGNATURE):
-        return MAXIMUM_HEADER_BYTES + _LONGEST_NPY_HEADER
+        return MAXIMUM_HEADER_BYTES + LONGEST_NPY_HEADER
     if name == "overview_labels":
         return MAXIMUM_OVERVIEW_PIXELS
     count = MAXIMUM_WINDOWS if name.startswith("windows") else MAXIMUM_LANDMARKS
@@ -153,29 +142,23 @@ def _item_bytes(name: str) -> int:
     return int(KINDS[name][0][-1])
 
 
-def _npy_header(name: str, start: bytes) -> tuple[tuple[int, ...], int]:
+def _kind_header(name: str, start: bytes) -> tuple[tuple[int, ...], int]:
     """(shape, first byte of the data) of a .npy file.
 
     Raises:
         zipfile.BadZipFile: It is no array such as its name promises.
     """
-    file = io.BytesIO(start)
-    try:
-        version = npy_format.read_magic(file)
-        shape, is_fortran, dtype = npy_format.read_array_header_1_0(file)
-    # numpy evaluates the header as a Python literal: what it stumbles over there depends on its version.
-    except Exception:
-        raise zipfile.BadZipFile(f"{name} is no plain array of whole numbers") from None
+    shape, dtype, is_fortran, first = npy_header(name, start)
     kind, axes = KINDS[name]
-    if version != (1, 0) or is_fortran or dtype.hasobject:
+    if is_fortran:
         raise zipfile.BadZipFile(f"{name} is no plain array of whole numbers")
-    if dtype.str != kind or len(shape) != axes or min(shape) < 0:
+    if dtype.str != kind or len(shape) != axes:
         raise zipfile.BadZipFile(f"{name} has the type {dtype.str} and the shape {shape}")
-    return shape, file.tell()
+    return shape, first
 
 
 def _array(name: str, data: bytes) -> np.ndarray:
-    shape, first = _npy_header(name, data[:_LONGEST_NPY_HEADER])
+    shape, first = _kind_header(name, data[:LONGEST_NPY_HEADER])
     return np.frombuffer(data, np.dtype(KINDS[name][0]), offset=first).reshape(shape)
 
 

@@ -15,7 +15,7 @@ LEVEL = EvidenceLevel(np.arange(24, dtype=np.float32).reshape(3, 4, 2), np.ones(
 def test_an_image_of_the_window_comes_back_as_it_was():
     prior = Prior((1.0, 2.0), 30.0, 45.0, 10.0, (0.9, 1.1))
     whole = Past(SeenImage(LEVEL, 640.0, (0.01, 0.1), prior, np.arange(4.0), 3.5), LINK, 0.4)
-    again = unpacked(packed(whole))
+    again = unpacked(packed(whole), 2)
     assert (again.link, again.weight, again.seen.prior) == (LINK, 0.4, prior)
     assert (again.seen.edge_px, again.seen.chance, again.seen.own_odds) == (640.0, (0.01, 0.1), 3.5)
     assert (again.seen.evidence.evidence == LEVEL.evidence).all() and again.seen.evidence.pixel == LEVEL.pixel
@@ -23,7 +23,7 @@ def test_an_image_of_the_window_comes_back_as_it_was():
 
 
 def test_an_image_that_says_nothing_comes_back_too():
-    again = unpacked(packed(Past(SeenImage(None, 640.0, (0.0, 1.0), Prior()), LINK, 1.0)))
+    again = unpacked(packed(Past(SeenImage(None, 640.0, (0.0, 1.0), Prior()), LINK, 1.0)), 2)
     assert again.seen.evidence is None and again.seen.own_state is None
     assert again.seen.prior == Prior()
 

@@ -43,6 +43,32 @@ def test_a_broken_state_is_refused(localizer, broken):
         FlightTracker.from_state(localizer, state)
 
 
+@pytest.fixture(scope="module")
+def kept(flown, localizer):
+    """What a flight of a few images leaves."""
+    tracker = FlightTracker(localizer, FEW)
+    for number, image in enumerate(flown.images[:4]):
+        tracker.add(image, flown.links[number - 1] if number else None)
+    return tracker.state()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda array: array[..., None],
+        lambda array: np.full(array.shape, np.nan),
+        lambda array: np.full(array.shape, 1e308),
+        lambda array: np.full(array.shape, "x"),
+    ],
+)
+def test_no_array_of_a_state_is_taken_that_is_none(kept, localizer, change):
+    assert FlightTracker.from_state(localizer, kept, FEW).state().keys() == kept.keys()
+    for name, array in kept.items():
+        if array.size:
+            with pytest.raises(ParameterError):
+                FlightTracker.from_state(localizer, {**kept, name: change(array)}, FEW)
+
+
 def test_a_track_that_the_images_contradict_is_lost_and_found_again_under_another_number(labels, flown, localizer):
     """The flight jumps to another place in between; the link says that it went on."""
     other = fly(labels, seed=3, start=(501_400.0, 5_198_700.0))

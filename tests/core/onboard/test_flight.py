@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import io
 import json
+import math
 import os
+import pickle
+import zipfile
 
 import cv2
 import numpy as np
 import pytest
+from numpy.lib.format import write_array_header_1_0
 from onboard_area import MAP, SIZE, write_area
 
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, main
+from semref.core.onboard.flight import FORMAT
 
 STEP = 60
 COUNT = 7
@@ -136,6 +142,48 @@ def test_a_damaged_state_is_told_and_the_flight_begins_anew(watch, folder, tmp_p
     told = json.loads(capsys.readouterr().err.splitlines()[0])
     assert (told["level"], told["event"]) == ("error", "flight_state_not_used")
     assert state.read_bytes()[:2] == b"PK" and state.stat().st_size > 1000
+
+
+def zipped(path, method=zipfile.ZIP_STORED, **members):
+    with zipfile.ZipFile(path, "w", method) as archive:
+        for name, data in members.items():
+            archive.writestr(f"{name}.npy", data)
+
+
+def npy(shape, kind="|u1", data=b"x"):
+    file = io.BytesIO()
+    write_array_header_1_0(file, {"descr": kind, "fortran_order": False, "shape": shape})
+    return file.getvalue() + data
+
+
+def header(**values):
+    text = json.dumps({"format": FORMAT, "version": 1, "content_hash": "", "after": [1, "a"], **values}).encode()
+    return npy((len(text),), data=text)
+
+
+@pytest.mark.parametrize(
+    ("method", "data"),
+    [
+        (zipfile.ZIP_STORED, npy((10**12,))),
+        (zipfile.ZIP_DEFLATED, npy((10**9,), data=bytes(10**5))),
+        (zipfile.ZIP_LZMA, npy((1,))),
+        (zipfile.ZIP_STORED, npy((1,), "|O", pickle.dumps(1))),
+        (zipfile.ZIP_STORED, npy((2, -1))),
+        (zipfile.ZIP_STORED, npy((5,), data=b"[" * 5)),
+        (zipfile.ZIP_STORED, npy((50_000,), data=b"[" * 50_000)),
+        (zipfile.ZIP_STORED, header(after=[math.inf, "a"])),
+        (zipfile.ZIP_STORED, header(after=["a"])),
+        (zipfile.ZIP_STORED, npy((2,), data=b"[]")),
+    ],
+    ids=["1 TB", "deflated", "LZMA", "pickle", "negative", "no JSON", "deep JSON", "endless", "after", "list"],
+)
+def test_a_hostile_state_is_told_and_the_flight_begins_anew(watch, folder, tmp_path, method, data, capsys):
+    zipped(tmp_path / "flight.npz", method, header=data)
+    put(folder, range(1))
+    _, records = watch("--state", str(tmp_path / "flight.npz"))
+    assert len(records) == 1
+    told = json.loads(capsys.readouterr().err.splitlines()[0])
+    assert told["event"] == "flight_state_not_used" and "no state of a flight" in told["reason"]
 
 
 def test_a_state_of_another_database_is_not_used(watch, folder, tmp_path, capsys):

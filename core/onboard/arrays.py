@@ -1,0 +1,80 @@
+"""Arrays out of a zip that anybody may have written: numpy's ``.npz``, without pickles.
+
+Nothing is allocated that the file's size does not justify: sizes are checked in the zip's directory before anything is
+unpacked, shapes and types in the arrays' headers.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+import struct
+import zipfile
+import zlib
+
+import numpy as np
+from numpy.lib import format as npy_format
+
+UNREADABLE = (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError, struct.error)
+"""What reading a zip that is damaged or hostile may raise."""
+
+LONGEST_NPY_HEADER = 1024
+
+_DEFLATE_RATIO = 1032
+"""What deflate makes of one byte at most; a member that claims more is damaged or hostile."""
+
+
+def require_honest(info: zipfile.ZipInfo, most: int) -> None:
+    """Raises BadZipFile for a member that can't be what it claims, or claims more than ``most`` bytes."""
+    if info.flag_bits & 1 or info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        raise zipfile.BadZipFile(f"{info.filename} is encrypted or packed in an unknown way")
+    if info.file_size > most or info.file_size > _DEFLATE_RATIO * info.compress_size + 64:
+        raise zipfile.BadZipFile(f"{info.filename} claims {info.file_size} bytes, more than it can have")
+
+
+def npy_header(name: str, start: bytes) -> tuple[tuple[int, ...], np.dtype, bool, int]:
+    """(shape, type, whether it goes down columns first, first byte of the data) of a .npy file.
+
+    Args:
+        name: As told.
+        start: Its first ``LONGEST_NPY_HEADER`` bytes, or all of it.
+
+    Raises:
+        BadZipFile: It is no plain array.
+    """
+    file = io.BytesIO(start)
+    try:
+        version = npy_format.read_magic(file)
+        shape, is_fortran, dtype = npy_format.read_array_header_1_0(file)
+    # numpy evaluates the header as a Python literal: what it stumbles over there depends on its version.
+    except Exception:
+        raise zipfile.BadZipFile(f"{name} is no plain array") from None
+    if version != (1, 0) or dtype.hasobject or min(shape, default=0) < 0:
+        raise zipfile.BadZipFile(f"{name} is no plain array")
+    return shape, dtype, is_fortran, file.tell()
+
+
+def number_arrays(path: str, most: int) -> dict[str, np.ndarray]:
+    """The arrays of numbers in a ``.npz`` by name.
+
+    Args:
+        path: Of the file.
+        most: Bytes that all of them may have.
+
+    Raises:
+        OSError: The file can't be read.
+        Exception: One of ``UNREADABLE``; it is no such file.
+    """
+    found = {}
+    with zipfile.ZipFile(path) as archive:
+        left = most
+        for info in archive.infolist():
+            require_honest(info, left)
+            left -= info.file_size
+            name = info.filename[: -len(".npy")]
+            data = archive.read(info)
+            shape, dtype, is_fortran, first = npy_header(name, data[:LONGEST_NPY_HEADER])
+            if dtype.kind not in "biuf" or first + math.prod(shape) * dtype.itemsize != len(data):
+                raise zipfile.BadZipFile(f"{name} has not the size that its shape {shape} says")
+            found[name] = np.frombuffer(data, dtype, offset=first).reshape(shape, order="F" if is_fortran else "C")
+    return found
