@@ -24,11 +24,11 @@ class FlightSettings:
             [by hand; flights].
         nulls: Random places that tell what chance gives for an image [by hand, for the time].
         evidence_curve: What an image's agreement at an expected place is worth, ln of the likelihood ratio: offset,
-            slope a deviation of what chance gives, least, most [Liechtenstein, north; flights].
+            slope a deviation of what chance gives, least, most [by hand; flights].
         overlap_share: Least weight of an image that shows hardly new ground [reasoning].
         own_most: Log odds of an image's own best place count up to so much: the flight can outvote it [reasoning].
         risk_curve: ln of the odds that a track is right, from its lead over the strongest opponent: offset, slope
-            [Liechtenstein, north; flights].
+            [by hand; flights].
         lost_evidence: A track whose last images' evidence falls below is lost [by hand; flights].
         recent: Images that this counts [by hand; flights].
         apart: Tracks are different from this share of the image's edge on the ground on [as of map correlation].
@@ -36,14 +36,14 @@ class FlightSettings:
         search_every: … then one of so many before a track is held, and one of so many while one is
             [by hand, for the time].
         search_noise: Of a refined place of the first look: deviation in its pixels, degrees, ln pixel size
-            [Liechtenstein, north; flights].
+            [by hand; flights].
         assumed: Deviations of a link that is assumed: share of the distance, degrees, ln pixel size [reasoning].
         size_range: Ratio to either side that a pixel size is searched in around what is known [reasoning].
         map_length: Length over which errors of the map and of labels on it are shared along the track, meters
             [shared errors].
-        shared_share: Share of a measurement's variance that its neighbors have alike [Liechtenstein, north; flights].
+        shared_share: Share of a measurement's variance that its neighbors have alike [by hand; flights].
         measured_factor: What deviations of class areas' fits are multiplied with: a single image's are told with room
-            for one that is not known to be near its place [Liechtenstein, north; flights].
+            for one that is not known to be near its place [by hand; flights].
         loosest: Measurements whose deviation is more than this share of the image's edge on the ground tell nothing
             [reasoning].
         gate: Measurements farther from what the flight expects than so many deviations are outvoted [reasoning].
