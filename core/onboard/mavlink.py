@@ -236,7 +236,8 @@ def _placed(
 
 
 def _microseconds(moment: datetime) -> int:
-    return round(moment.timestamp() * 1e6)
+    # A file of before 1970 has no time that MAVLink could tell.
+    return max(0, round(moment.timestamp() * 1e6))
 
 
 def check_place(where: str) -> None:
@@ -249,6 +250,11 @@ def _split(where: str) -> tuple[str, str, int]:
     kind = next((kind for kind in (UDP, SERIAL) if where.startswith(kind)), "")
     first, _, last = where[len(kind) :].rpartition(":")
     if kind == UDP and last.isdecimal() and len(last) <= 5 and 0 < int(last) < 65_536:
+        try:
+            first.encode("idna")
+        except UnicodeError:
+            # What can't be the name of a host is no error of the system when it is sent to.
+            raise ParameterError("onboard.no_mavlink_place", where=where) from None
         return kind, first or LOOPBACK, int(last)
     if kind == SERIAL and first and last.isdecimal() and 0 < len(last) <= 8:
         return kind, first, int(last)

@@ -187,6 +187,12 @@ def test_a_serial_line_hears_it(mavutil, lon_lat):
     assert kinds == ["HEARTBEAT", "SET_GPS_GLOBAL_ORIGIN", "ODOMETRY"]
 
 
+@pytest.mark.parametrize("message", ["odometry", "vision", "external"])
+def test_an_image_of_before_1970_is_sent_as_well(autopilot, lon_lat, message):
+    kind = {"odometry": "ODOMETRY", "vision": "VISION_POSITION_ESTIMATE", "external": "COMMAND_INT"}[message]
+    assert sent(autopilot, lon_lat, kind, message, record(time="1969-12-31T23:00:00+00:00")) is not None
+
+
 # --- the command line ---
 
 
@@ -216,6 +222,8 @@ def test_watch_tells_an_autopilot_where_it_is(database, autopilot, tmp_path):
         (["--mavlink", "udp:0"], "no place for MAVLink"),
         (["--mavlink", "tcp:1.2.3.4:5"], "no place for MAVLink"),
         (["--mavlink", "serial:"], "no place for MAVLink"),
+        (["--mavlink", "udp:a..b:14550"], "no place for MAVLink"),
+        (["--mavlink", "udp:\udcff:14550"], "no place for MAVLink"),
         (["--mavlink", "udp:14550", "--mavlink-system", "256"], "--mavlink-system is 256"),
         (["--mavlink", "udp:14550", "--mavlink-origin", "91", "0"], "--mavlink-origin is 91 0"),
         (["--mavlink", "udp:14550", "--mavlink-origin", "nan", "0"], "--mavlink-origin is nan 0"),
