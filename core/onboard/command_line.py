@@ -111,8 +111,18 @@ def _check_values(options: argparse.Namespace) -> None:
     for where in (getattr(options, "fixes", None), getattr(options, "gga", None)):
         if is_udp(where):
             udp_port(str(where))
+    _check_apart(options)
     if getattr(options, "mavlink", None):
         _check_mavlink(options)
+
+
+def _check_apart(options: argparse.Namespace) -> None:
+    """Refuses to write into a file that is read; raises ParameterError."""
+    read = [getattr(options, name, None) for name in ("database", "model", "require_signature")]
+    for where in (getattr(options, name, None) for name in ("state", "fixes", "gga")):
+        for path in read:
+            if where and path and os.path.exists(where) and os.path.exists(path) and os.path.samefile(where, path):
+                raise ParameterError("onboard.unwritable", where=where, reason="it is read as well")
 
 
 def _check_mavlink(options: argparse.Namespace) -> None:

@@ -214,3 +214,13 @@ def test_a_copy_of_the_rooms_of_an_aircraft_is_all_that_is_needed(database, imag
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (ALL_FIXED, "")
     assert json.loads(done.stdout)["status"] == "fix"
+
+
+@pytest.mark.parametrize("option", ["--state", "--fixes", "--gga"])
+def test_nothing_is_written_into_the_database(database, tmp_path, capsys, option):
+    with open(database, "rb") as file:
+        before = file.read()
+    arguments = ["watch", str(tmp_path), "--once", "--flight", "--database", database, option, database]
+    assert main(arguments) == WRONG_USAGE and "it is read as well" in capsys.readouterr().err
+    with open(database, "rb") as file:
+        assert file.read() == before
