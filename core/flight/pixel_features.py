@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 
 from ..errors import ImageError
+from ..geometry.leveling import Leveling
 
 WORKING_EDGE = 800
 """Pixels of the longer edge that an image is brought to, at most."""
@@ -81,6 +82,25 @@ def photo_features(photo: np.ndarray, has_data_hw: np.ndarray | None = None, wid
         raise ImageError("flight.no_photo", shape=photo.shape, kind=photo.dtype)
     gray = cv2.cvtColor(photo, cv2.COLOR_RGB2GRAY) if photo.ndim == 3 else photo
     return _features(gray.astype(np.uint8, copy=False), has_data_hw, width)
+
+
+def features_of(
+    level_hw: np.ndarray, photo: tuple[np.ndarray, np.ndarray | None] | None, way: Leveling | None
+) -> Features:
+    """Features of a flight's image: of its photo where there is one, else of its labels.
+
+    Args:
+        level_hw: (H', W') uint8 labels, leveled.
+        photo: (H, W, 3) pixels and (H, W) bool where there is data (None everywhere), as taken; None without a photo.
+        way: How the image is leveled; None as it is.
+    """
+    if photo is None:
+        return label_features(level_hw)
+    pixels_hw3, has_data_hw = photo
+    if way is not None:
+        seen_hw = np.ones(pixels_hw3.shape[:2], np.uint8) if has_data_hw is None else has_data_hw.astype(np.uint8)
+        pixels_hw3, has_data_hw = way.level(pixels_hw3), way.level(seen_hw) > 0
+    return photo_features(pixels_hw3, has_data_hw, level_hw.shape[1])
 
 
 def label_features(labels_hw: np.ndarray, width: int | None = None) -> Features:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ParameterError, SemRefError
+from ..geometry.leveling import Leveling
 from ..labels.class_shares import SeenLabels
 from ..labels.class_table import ClassTable
 from ..labels.image_files import read_label_image, read_photo
@@ -106,13 +107,15 @@ class Finding:
         seen = self.read_labels(path)
         height, width = seen.labels_hw.shape
         prior = self.prior_of(path, (height, width))
-        method, bent = self.method, None
-        if method != Method.TOPOLOGY_VECTOR:
-            bent = photo_camera(path).unbending((height, width))
-        if bent is None:
+        method, way = self.method, self.way_of(path, (height, width))
+        if way is None:
             return self.told(self.localizer.localize(seen.labels_hw, method, prior, shares=seen.shares))
-        found = localize_leveled(self.localizer, seen.labels_hw, method, prior, bent, shares=seen.shares)
+        found = localize_leveled(self.localizer, seen.labels_hw, method, prior, way, shares=seen.shares)
         return self.told(found)
+
+    def way_of(self, path: str, shape_hw: tuple[int, int]) -> Leveling | None:
+        """How to straighten what the lens bends in an image; None where nothing is known to be bent."""
+        return None if self.method == Method.TOPOLOGY_VECTOR else photo_camera(path).unbending(shape_hw)
 
     def told(self, result: Localization) -> dict[str, Any]:
         """A result as a record, with longitude and latitude where they are known."""

@@ -19,10 +19,12 @@ from ..errors import ParameterError
 from ..flight.memory import checked_array
 from ..flight.model import FlightImage
 from ..flight.motion import Link
-from ..flight.pixel_features import Features, label_features, photo_features
+from ..flight.pixel_features import Features, features_of
 from ..flight.pixel_motion import motion_between
 from ..flight.settings import FLIGHT, FlightSettings
 from ..flight.tracker import FlightTracker
+from ..geometry.leveling import Leveling
+from ..localizer.leveled import as_taken, level_labels, of_leveled
 from ..values import checked, read_json
 from .arrays import UNREADABLE, number_arrays
 from .finder import Finding, time_of
@@ -85,14 +87,16 @@ class FlightFinding(Finding):
     def localized(self, path: str) -> dict[str, Any]:
         """A record's columns for the next image of the flight. Raises SemRefError."""
         seen = self.read_labels(path)
-        labels_hw = seen.labels_hw
-        height, width = labels_hw.shape
-        prior = self.prior_of(path, (height, width))
-        own = self.localizer.localize(labels_hw, self.method, prior, shares=seen.shares)
-        link = self._link(labels_hw)
-        image = FlightImage(os.path.basename(path), labels_hw, own, time_of(path).timestamp(), prior)
+        height, width = seen.labels_hw.shape
+        prior, way = self.prior_of(path, (height, width)), self.way_of(path, (height, width))
+        if way is not None:
+            seen, prior = level_labels(seen, way), of_leveled(prior, way)
+        own = self.localizer.localize(seen.labels_hw, self.method, prior, shares=seen.shares)
+        link = self._link(seen.labels_hw, way)
+        image = FlightImage(os.path.basename(path), seen.labels_hw, own, time_of(path).timestamp(), prior)
         pose = self._tracker.add(image, link)
-        found = self.told(pose.localization())
+        placed = pose.localization()
+        found = self.told(placed if way is None else as_taken(placed, way))
         source = str(pose.source) if pose.is_fix else None
         found.update(source=source, track=pose.track or None, outvoted=pose.is_outvoted)
         self.memory.after = os.stat(path).st_mtime_ns, os.path.basename(path)
@@ -105,14 +109,11 @@ class FlightFinding(Finding):
             self.memory.tracker = FlightTracker(self.localizer, self.settings)
         return self.memory.tracker
 
-    def _link(self, labels_hw: np.ndarray) -> Link | None:
+    def _link(self, level_hw: np.ndarray, way: Leveling | None) -> Link | None:
         """From the image before to this one, by what both show; None where that is not known."""
         photo = self.read_labels.photo
-        if photo is None:
-            features = label_features(labels_hw)
-        else:
-            height, width = photo.shape_hw
-            features = photo_features(*photo.read(0, 0, width, height), labels_hw.shape[1])
+        pixels = None if photo is None else photo.read(0, 0, photo.shape_hw[1], photo.shape_hw[0])
+        features = features_of(level_hw, pixels, way)
         before, self.memory.features = self.memory.features, features
         if before is None:
             return None

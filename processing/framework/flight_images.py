@@ -8,8 +8,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Callable
 
-import numpy as np
-
 from ...core.errors import ParameterError, SemRefError
 from ..translation import tr
 from ..wording.camera_messages import camera_remark
@@ -141,6 +139,7 @@ class FlightReader:
     def take(self, path: str, camera: Camera) -> None:
         """Reads an image, localizes it by itself and links it to the one before; one bad image stops no flight."""
         from ...core.flight.model import FlightImage
+        from ...core.flight.pixel_features import features_of
         from ...core.localizer.leveled import level_labels, of_leveled
 
         localizer = self._localizer
@@ -153,7 +152,7 @@ class FlightReader:
                 seen, prior = level_labels(seen, way), of_leveled(prior, way)
             own = localizer.localize(seen.labels_hw, self._method, prior, self._with_matches, seen.shares)
             flown = FlightImage(os.path.basename(path), seen.labels_hw, own, camera.time_s, prior)
-            features = self._features_of(path, seen.labels_hw, way)
+            features = features_of(seen.labels_hw, self._read_labels.photo(path), way)
         except SemRefError as error:
             self.taken.append(TakenImage(path, camera, error=worded(error)))
             return
@@ -161,19 +160,6 @@ class FlightReader:
         number = len(self.flown)
         self.taken.append(TakenImage(path, camera, shape_hw, flown, way, camera_remark(camera, shape_hw)))
         self._link(features, number)
-
-    def _features_of(self, path: str, level_hw: np.ndarray, way: Leveling | None) -> Features:
-        """What is recognized in the next image: of a photo its own pixels, else the boundaries of the labels."""
-        from ...core.flight.pixel_features import label_features, photo_features
-
-        photo = self._read_labels.photo(path)
-        if photo is None:
-            return label_features(level_hw)
-        pixels_hw3, has_data_hw = photo
-        if way is not None:
-            seen_hw = np.ones(pixels_hw3.shape[:2], np.uint8) if has_data_hw is None else has_data_hw.astype(np.uint8)
-            pixels_hw3, has_data_hw = way.level(pixels_hw3), way.level(seen_hw) > 0
-        return photo_features(pixels_hw3, has_data_hw, level_hw.shape[1])
 
     def _link(self, features: Features, number: int) -> None:
         from ...core.flight.pixel_motion import motion_between

@@ -15,6 +15,9 @@ import pytest
 from numpy.lib.format import write_array_header_1_0
 from onboard_area import MAP, SIZE, write_area
 
+from semref.core.geometry.camera import Camera, Lens
+from semref.core.geometry.lens_distortion import LensDistortion
+from semref.core.geometry.leveling import Attitude, leveling
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, main
 from semref.core.onboard.flight import FORMAT
 
@@ -83,6 +86,36 @@ def test_images_of_a_flight_have_the_track_and_what_they_rest_on(watch, folder):
         assert (record["status"], record["track"], record["outvoted"]) == ("fix", 1, False)
         assert record["source"] in ("own", "flight") and off(record, number) < 3
         assert record["sigma_east"] > 0 and record["longitude"] > 9
+
+
+LENS = LensDistortion((0.95, 0.95), (0.0, 0.0), (-0.27, 0.11, -0.03))
+"""Like that of a Phantom 4, in a square image."""
+
+
+def bent(number):
+    """What a camera with LENS sees where ``cut`` is straight."""
+    way = leveling(Attitude(0, 0), LENS.focal_xy[0] * SIZE, (SIZE, SIZE), LENS)
+    rows, columns = np.mgrid[0:SIZE, 0:SIZE]
+    straight = way.bent.straight(np.column_stack([columns.ravel(), rows.ravel()]) + 0.5).reshape(SIZE, SIZE, 2)
+    first = np.array([FIRST[1] + STEP * number, FIRST[0] + 8 * number])
+    return cv2.remap(MAP, (straight + first - 0.5).astype(np.float32), None, cv2.INTER_NEAREST)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("is_stated", [True, False])
+def test_a_lens_that_its_image_states_is_straightened_in_a_flight_too(watch, folder, monkeypatch, is_stated):
+    camera = Camera(lens=Lens("focal_length_px", 0.95 * SIZE), distortion=LENS if is_stated else None)
+    monkeypatch.setattr("semref.core.onboard.finder.photo_camera", lambda path: camera)
+    for number in range(4):
+        cv2.imwrite(str(folder / f"{number}.png"), bent(number))
+        os.utime(folder / f"{number}.png", ns=(number * 10**9, number * 10**9))
+    _, records = watch()
+    last = records[-1]
+    assert last["status"] == "fix"
+    scale_error = abs(last["pixel_size"] - 1)
+    assert (scale_error < 0.003) == is_stated
+    if is_stated:
+        assert off(last, 3) < 1
 
 
 @pytest.mark.slow
