@@ -2264,6 +2264,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Ein Polygon je Bild mit Position: der Boden, den es zeigt.</translation>
   </message>
   <message>
+   <source>Only of a flight is a state kept: add --flight, or leave --state out.</source>
+   <translation>Nur von einem Flug wird ein Zustand aufbewahrt: --flight ergänzen oder --state weglassen.</translation>
+  </message>
+  <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
    <translation>Nur eine Klasse ({name}) ist eingetragen, und Gelände ohne Klasse gilt als unbekannt: es gibt nichts zu unterscheiden. Eine weitere Klasse eintragen oder Gelände ohne Klasse als eigene Klasse gelten lassen.</translation>
   </message>

@@ -2264,6 +2264,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Un polígono por imagen con posición: el terreno que muestra.</translation>
   </message>
   <message>
+   <source>Only of a flight is a state kept: add --flight, or leave --state out.</source>
+   <translation>Solo se guarda el estado de un vuelo: añada --flight o quite --state.</translation>
+  </message>
+  <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
    <translation>Solo hay una clase etiquetada ({name}) y el terreno sin etiqueta cuenta como desconocido: no hay nada que distinguir. Etiquete otra clase o deje que el terreno sin etiqueta sea una clase propia.</translation>
   </message>

@@ -2264,6 +2264,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Un polygone par image avec position : le terrain qu’elle montre.</translation>
   </message>
   <message>
+   <source>Only of a flight is a state kept: add --flight, or leave --state out.</source>
+   <translation>Seul l’état d’un vol est conservé : ajoutez --flight ou enlevez --state.</translation>
+  </message>
+  <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
    <translation>Une seule classe ({name}) est étiquetée et le terrain sans étiquette compte comme inconnu : il n’y a rien à distinguer. Étiquetez une autre classe, ou laissez le terrain sans étiquette être une classe à part.</translation>
   </message>

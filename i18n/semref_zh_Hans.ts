@@ -2264,6 +2264,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>每幅有位置的影像一个多边形：它所显示的地面。</translation>
   </message>
   <message>
+   <source>Only of a flight is a state kept: add --flight, or leave --state out.</source>
+   <translation>只有航次才保存状态：请加上 --flight，或去掉 --state。</translation>
+  </message>
+  <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
    <translation>只标注了一个类别（{name}），而没有标签的地面视为未知：没有可区分的内容。请标注另一个类别，或让没有标签的地面自成一类。</translation>
   </message>

@@ -322,6 +322,8 @@ def _watch(options: argparse.Namespace) -> int:
     onboard = read_onboard(options.database, key_file=options.require_signature)
     find: Finding = _finding(options, onboard)
     after = None
+    if options.state and not options.flight:
+        raise ParameterError("onboard.state_without_flight")
     if options.flight:
         if not find.localizer.has_overview:
             raise DatabaseError("onboard.no_overview_for_flights", database=options.database)

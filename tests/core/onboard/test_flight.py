@@ -138,6 +138,12 @@ def test_a_restart_goes_on_where_the_flight_was(watch, folder, tmp_path):
     assert all(off(record, number) < 3 for number, record in zip((5, 6), after))
 
 
+def test_a_state_without_a_flight_is_refused(database, folder, tmp_path, capsys):
+    state = tmp_path / "flight.npz"
+    assert main(["watch", str(folder), "--database", database, "--once", "--state", str(state)]) == REFUSED
+    assert "--flight" in capsys.readouterr().err and not state.exists()
+
+
 @pytest.mark.slow
 def test_the_answers_after_a_restart_are_those_without_one(watch, folder, tmp_path):
     put(folder, range(COUNT))
