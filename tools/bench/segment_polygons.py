@@ -69,6 +69,8 @@ def turns(image: Path, model: Path, folder: Path, repetitions: int) -> tuple[dic
 
         from semref.storage.vector_files import feature_count
 
+        # Into a file that is there it would add, row by row.
+        plain.unlink(missing_ok=True)
         order = {"INPUT": str(labels), "BAND": 1, "FIELD": "DN", "EIGHT_CONNECTEDNESS": False, "OUTPUT": str(plain)}
         processing.run("gdal:polygonize", order)
         counts["gdal:polygonize"] = feature_count(str(plain), "")
