@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-import configparser
+import importlib.util
 import shutil
 import subprocess
 import sys
@@ -11,27 +11,39 @@ import tempfile
 import zipfile
 from pathlib import Path
 
+from metadata import placeholders, plugin_version, shipped_metadata
+
 ROOT = Path(__file__).resolve().parents[2]
-SHIPPED_FILES = ("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "__init__.py", "plugin.py")
+SHIPPED_FILES = ("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "CITATION.cff", "__init__.py", "plugin.py")
+HELP = "help"
 SHIPPED_FOLDERS = ("core", "storage", "training", "processing", "ui", "resources", "models")
-DATA_SUFFIXES = (".onnx",)  # the demonstration model: data, no program; all else that ships is text
+DATA_SUFFIXES = (".onnx", ".png", ".webp")  # the demonstration model, the guide's pictures; all else is text
+BINARY_SUFFIXES = (*DATA_SUFFIXES, ".qm")
 MAXIMUM_BYTES = 25 * 1024 * 1024  # limit of plugins.qgis.org
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)  # the zip format's first day: same content, same zip
 LRELEASE_NAMES = ("lrelease", "lrelease-qt5", "/usr/lib/qt5/bin/lrelease", "/usr/lib/qt6/bin/lrelease")
 
 
-def plugin_version(root: Path = ROOT) -> str:
-    metadata = configparser.ConfigParser(interpolation=None)
-    metadata.read(root / "metadata.txt", encoding="utf-8")
-    return metadata["general"]["version"]
-
-
 def shipped_paths(root: Path = ROOT) -> list[Path]:
     """Paths relative to `root` that go into the zip as they are, sorted."""
     paths = [Path(name) for name in SHIPPED_FILES if (root / name).is_file()]
-    for folder in SHIPPED_FOLDERS:
+    for folder in (*SHIPPED_FOLDERS, *([HELP] if has_guide(root) else [])):
         paths += [path.relative_to(root) for path in (root / folder).rglob("*") if path.is_file()]
     return sorted(path for path in paths if not is_leftover(path))
+
+
+def has_guide(root: Path) -> bool:
+    """Whether the guide's pages were made, and from what the docs are now; if not, this is said."""
+    tool = root / "tools" / "docs" / "build_site.py"
+    spec = importlib.util.spec_from_file_location("build_site", tool)
+    sys.path.append(str(tool.parent))
+    build_site = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(build_site)
+    sys.path.remove(str(tool.parent))
+    if build_site.is_up_to_date(root / HELP, root):
+        return True
+    print("The guide's pages are left out: run tools/docs/build_site.py, which makes them anew.", file=sys.stderr)
+    return False
 
 
 def is_leftover(path: Path) -> bool:
@@ -72,6 +84,7 @@ def read_shipped_file(path: Path) -> bytes:
 
 def write_package(target: Path, root: Path = ROOT) -> None:
     contents = {path: read_shipped_file(root / path) for path in shipped_paths(root)}
+    contents[Path("metadata.txt")] = shipped_metadata(root).encode("utf-8")
     contents.update(compiled_translations(root))
     target.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as package:
@@ -92,6 +105,9 @@ def main() -> None:
     target = parser.parse_args().output
     write_package(target)
     print(f"{target} ({target.stat().st_size / 1024:.0f} kB)")
+    left = placeholders((ROOT / "metadata.txt").read_text(encoding="utf-8"))
+    if left:
+        print(f"Not to be published yet: {', '.join(left)}; docs/publishing.md tells what to fill in.", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,128 @@
+"""The guide as pages in files: every link leads somewhere, the search has every page, and nothing asks the web."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tools" / "docs"))
+
+import build_site  # noqa: E402
+import site_pages  # noqa: E402
+
+
+class Page(HTMLParser):
+    """What a page has: ids, links, and what a browser fetches for it."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__()
+        self.ids, self.links, self.fetched = set(), [], []
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attrs):
+        found = dict(attrs)
+        self.ids.update(value for key, value in attrs if key in ("id", "name") and value)
+        if tag == "a" and found.get("href"):
+            self.links.append(found["href"])
+        if tag in ("img", "script", "iframe") and found.get("src"):
+            self.fetched.append(found["src"])
+        if tag == "link" and found.get("href"):
+            self.fetched.append(found["href"])
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory) -> Path:
+    environment = ROOT / ".venv-docs"
+    if not (environment / "state").is_file():
+        pytest.skip("the guide's pages were never made here: tools/docs/build_site.py")
+    target = tmp_path_factory.mktemp("site") / "help"
+    build_site.build(target, environment)
+    return target
+
+
+@pytest.fixture(scope="module")
+def pages(site) -> dict[Path, Page]:
+    return {path: Page(path) for path in sorted(site.rglob("*.html"))}
+
+
+def test_the_menu_names_pages_that_exist_each_once():
+    named = [page for entries in site_pages.MENU.values() for _, page in entries]
+    assert sorted(set(named)) == sorted(named)
+    assert set(named) - set(site_pages.page_places(ROOT).values()) == set()
+
+
+def test_the_menu_names_every_page_but_single_decisions():
+    named = {page for entries in site_pages.MENU.values() for _, page in entries}
+    pages = {page for page in site_pages.page_places(ROOT).values() if page.endswith(".md")}
+    assert {page for page in pages - named if not page.startswith("decisions/")} == set()
+
+
+def test_links_to_what_has_no_page_become_the_name_of_the_file(tmp_path):
+    page = tmp_path / "docs" / "architecture.md"
+    page.parent.mkdir()
+    page.write_text("[core](../core/errors.py) [top](../README.md#a) [web](https://x.y)\n", encoding="utf-8")
+    places = {page: "architecture.md", tmp_path / "docs" / "README.md": "README.md"}
+    text = site_pages.staged(page, tmp_path, places)
+    assert text.endswith("core (`core/errors.py`) [top](README.md#a) [web](https://x.y)\n")
+
+
+def test_what_belongs_to_an_entry_of_a_list_stays_in_it():
+    forge = "1. Do:\n\n   ```sh\n   x\n   ```\n2. Then\n\n- a\n  b\n\nNo entry\n   kept\n"
+    assert site_pages.indented(forge) == (
+        "1. Do:\n\n    ```sh\n    x\n    ```\n2. Then\n\n- a\n    b\n\nNo entry\n   kept\n"
+    )
+
+
+def test_what_a_browser_would_fetch_from_the_web_is_seen_and_links_are_not(tmp_path):
+    page = tmp_path / "page.html"
+    page.write_text('<a href="https://a.b">x</a><img src="c.png"><link rel=x href=//d.e/f><script src="https://g">')
+    assert build_site.asked_of_the_web(page) == ["<link rel=x href=//d.e/f", 'src="https://g']
+
+
+@pytest.mark.slow
+def test_every_link_and_heading_of_the_built_pages_is_there(site, pages):
+    broken = []
+    for path, page in pages.items():
+        for link in (*page.links, *page.fetched):
+            if re.match(r"(https?|mailto):", link):
+                continue
+            target, _, anchor = link.partition("#")
+            linked = (path.parent / unquote(target)).resolve() if target else path
+            heading_is_there = not anchor or linked not in pages or unquote(anchor) in pages[linked].ids
+            if not linked.exists() or not heading_is_there:
+                broken.append(f"{path.relative_to(site)}: {link}")
+    assert broken == []
+
+
+@pytest.mark.slow
+def test_no_page_asks_the_web_for_anything(pages):
+    assert [path.name for path, page in pages.items() if any("//" in fetched for fetched in page.fetched)] == []
+
+
+@pytest.mark.slow
+def test_the_search_has_every_page_and_works_without_a_server(site, pages):
+    text = (site / "search" / "search_index.js").read_text(encoding="utf-8")
+    found = {entry["location"].partition("#")[0] for entry in json.loads(text.partition("=")[2])["docs"]}
+    made = {path.relative_to(site).as_posix() for path in pages if path.parent.name != "algorithms"}
+    assert made - found == set()
+    assert "iframe-worker" in (site / "user_guide.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+def test_every_algorithm_has_a_page_that_leads_to_its_section(site, pages):
+    sections = {name for name in pages[site / "guide" / "toolbox.html"].ids if name.startswith("semref")}
+    assert {f"semref{path.stem}" for path in (site / "algorithms").iterdir()} == sections
+
+
+@pytest.mark.slow
+def test_the_built_pages_are_known_to_be_up_to_date_until_the_docs_change(site, monkeypatch):
+    assert build_site.is_up_to_date(site)
+    monkeypatch.setattr(build_site, "source_state", lambda root: "another")
+    assert not build_site.is_up_to_date(site)

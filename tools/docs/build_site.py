@@ -1,0 +1,112 @@
+"""Makes the guide as pages to read in a browser without a network, from the Markdown in docs/:
+
+    .venv/bin/python tools/docs/build_site.py          # into help/, from where Help opens it and packaging takes it
+
+What it needs (tools/docs/requirements.txt) it puts into an environment of its own, .venv-docs, once; that needs the
+network, building does not.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from site_pages import ROOT, add_algorithm_pages, stage
+
+REQUIREMENTS = Path(__file__).with_name("requirements.txt")
+STATE = ".source"
+"""In the site's folder: what it was made from. Hidden, so it does not ship."""
+
+NOT_NEEDED = ("assets/javascripts/lunr", "404.html", "sitemap.xml", "sitemap.xml.gz", "search/search_index.json")
+_FROM_THE_WEB = re.compile(r"""(?:src|<link[^>]+href)=["']?(?:https?:)?//[^"'\s>]+""")
+
+
+def source_state(root: Path = ROOT) -> str:
+    """A hash of all that the site is made from."""
+    files = [path for path in sorted((root / "docs").rglob("*")) if path.is_file()]
+    files += [*sorted(root.glob("*.md")), *sorted((root / "tools" / "docs" / "site").iterdir())]
+    files += sorted((root / "tools" / "docs").glob("*site*.py"))
+    found = hashlib.sha256()
+    for path in files:
+        found.update(f"{path.relative_to(root).as_posix()} {hashlib.sha256(path.read_bytes()).hexdigest()}\n".encode())
+    return found.hexdigest()
+
+
+def is_up_to_date(site: Path, root: Path = ROOT) -> bool:
+    """Whether the site was made from what the docs are now."""
+    state = site / STATE
+    return state.is_file() and state.read_text(encoding="ascii") == source_state(root)
+
+
+def ready_environment(folder: Path) -> Path:
+    """The Python of the environment, which is made or brought up to date first."""
+    python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+    state, wanted = folder / "state", hashlib.sha256(REQUIREMENTS.read_bytes()).hexdigest()
+    if not state.is_file() or state.read_text(encoding="ascii") != wanted:
+        print(f"Making {folder}", flush=True)
+        shutil.rmtree(folder, ignore_errors=True)
+        subprocess.run([sys.executable, "-m", "venv", str(folder)], check=True)
+        install = [str(python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-input"]
+        subprocess.run([*install, "--requirement", str(REQUIREMENTS)], check=True, stdin=subprocess.DEVNULL)
+        state.write_text(wanted, encoding="ascii")
+    return python
+
+
+def build(target: Path, environment: Path, root: Path = ROOT) -> None:
+    """Makes the site beside its place and moves it there; ends the program where a link or an anchor is broken."""
+    python = ready_environment(environment)
+    with tempfile.TemporaryDirectory(prefix="semref-site-") as temporary:
+        work = Path(temporary)
+        stage(root, work)
+        command = [str(python), "-m", "mkdocs", "build", "--quiet", "--config-file", str(work / "mkdocs.yml")]
+        # Same sources, same pages.
+        variables = {**os.environ, "SOURCE_DATE_EPOCH": "315532800", "NO_MKDOCS_2_WARNING": "1"}
+        if subprocess.run([*command, "--site-dir", str(work / "site")], env=variables, check=False).returncode:
+            sys.exit("The guide was not made; what is wrong with it stands above.")
+        strip(work / "site")
+        add_algorithm_pages(root, work / "site")
+        (work / "site" / STATE).write_text(source_state(root), encoding="ascii")
+        shutil.rmtree(target, ignore_errors=True)
+        shutil.copytree(work / "site", target)
+
+
+def strip(site: Path) -> None:
+    """Takes away what pages in files don't need; ends the program where a page would ask the web for something."""
+    for name in NOT_NEEDED:
+        path = site / name
+        if path.is_dir():
+            shutil.rmtree(path)
+        else:
+            path.unlink(missing_ok=True)
+    for path in site.rglob("*.map"):
+        path.unlink()
+    asks = {path.name: found for path in site.rglob("*.html") if (found := asked_of_the_web(path))}
+    if asks:
+        sys.exit(f"Pages ask the web: {asks}")
+
+
+def asked_of_the_web(page: Path) -> list[str]:
+    """What a browser would fetch from elsewhere for this page; links that one may click are none."""
+    return _FROM_THE_WEB.findall(page.read_text(encoding="utf-8"))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--output", type=Path, default=ROOT / "help")
+    parser.add_argument("--environment", type=Path, default=ROOT / ".venv-docs")
+    arguments = parser.parse_args()
+    build(arguments.output, arguments.environment.absolute())
+    pages = list(arguments.output.rglob("*.html"))
+    size = sum(path.stat().st_size for path in arguments.output.rglob("*") if path.is_file())
+    print(f"{arguments.output}: {len(pages)} pages, {size / 1024**2:.1f} MB")
+
+
+if __name__ == "__main__":
+    main()
