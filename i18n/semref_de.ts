@@ -92,6 +92,10 @@
    <translation>Eine Landmarke hat keine Fläche; die Datenbank neu erstellen.</translation>
   </message>
   <message>
+   <source>A layer with tags as columns, or an extract; of an extract its areas are taken.</source>
+   <translation>Ein Layer mit Tags als Spalten oder ein Auszug; aus einem Auszug werden die Flächen genommen.</translation>
+  </message>
+  <message>
    <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
    <translation>Ein Linienlayer oder der Pfad einer GPX-, KML-, .plan- oder .waypoints-Datei. Jede Linie ist eine eigene Route.</translation>
   </message>
@@ -476,6 +480,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>CSV-Dateien (*.csv)</translation>
   </message>
   <message>
+   <source>CSV with the columns key, value, class, priority; * stands for any value, an empty class leaves polygons out. If left out, the rules that come with SemRef.</source>
+   <translation>CSV mit den Spalten key, value, class, priority; * steht für jeden Wert, eine leere Klasse lässt Polygone weg. Ohne Angabe gelten die Regeln, die SemRef mitbringt.</translation>
+  </message>
+  <message>
    <source>CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. Every class value of the layer must be in it.</source>
    <translation>CSV mit den Spalten value, name, color, role und optional draw_order, hsv_min, hsv_max. Jeder Klassenwert des Layers muss darin stehen.</translation>
   </message>
@@ -592,6 +600,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Klassenfeld</translation>
   </message>
   <message>
+   <source>Class of all others</source>
+   <translation>Klasse aller anderen</translation>
+  </message>
+  <message>
    <source>Class table</source>
    <translation>Klassentabelle</translation>
   </message>
@@ -630,6 +642,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
    <translation>Klassen, deren Flächen Landmarken sind: Namen oder Werte, getrennt durch „;“, zum Beispiel building;bare_land;water. Ohne Angabe die Klassen mit der Rolle „reference“ in der Klassentabelle der Karte.</translation>
+  </message>
+  <message>
+   <source>Classify OpenStreetMap</source>
+   <translation>OpenStreetMap klassifizieren</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -1180,6 +1196,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Für Bilder, deren Zeiten bekannt sind: Eine Position, die von denen davor und danach aus nicht rechtzeitig erreichbar ist, wird mit dem Grund als Sprung markiert. Sie bleibt eine Position und wird gezählt.</translation>
   </message>
   <message>
+   <source>For polygons that no rule fits, such as building outlines without tags; left out if empty.</source>
+   <translation>Für Polygone, auf die keine Regel passt, etwa Gebäudeumrisse ohne Tags; leer: sie werden weggelassen.</translation>
+  </message>
+  <message>
    <source>Format</source>
    <translation>Format</translation>
   </message>
@@ -1632,6 +1652,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Geneigte Dächer (%)</translation>
   </message>
   <message>
+   <source>Left out, without a class or an area: {count}</source>
+   <translation>Weggelassen, ohne Klasse oder Fläche: {count}</translation>
+  </message>
+  <message>
    <source>Lens distortion (%)</source>
    <translation>Verzeichnung des Objektivs (%)</translation>
   </message>
@@ -2056,6 +2080,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Kein Polygon von MASK liegt auf dem Bild; einen anderen Layer wählen oder MASK weglassen.</translation>
   </message>
   <message>
+   <source>No polygon of “{source}” has a tag that the rules know; its columns are {columns}. Choose a layer with OpenStreetMap's tags, other RULES, or an OTHER_CLASS.</source>
+   <translation>Kein Polygon von „{source}“ hat einen Tag, den die Regeln kennen; seine Spalten sind {columns}. Wählen Sie einen Layer mit OpenStreetMap-Tags, andere RULES oder eine OTHER_CLASS.</translation>
+  </message>
+  <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Kein Fenster der Datenbank hat die {least} Landmarken, die ein Topologievektor braucht; sie mit größeren Fenstern, kleinerer Mindestfläche oder mehr Referenzklassen erstellen.</translation>
   </message>
@@ -2150,6 +2178,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Number of photos</source>
    <translation>Anzahl der Fotos</translation>
+  </message>
+  <message>
+   <source>Number of polygons with a class</source>
+   <translation>Anzahl der Polygone mit Klasse</translation>
   </message>
   <message>
    <source>Number of tiles</source>
@@ -2298,6 +2330,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Open the sample project…</source>
    <translation>Beispielprojekt öffnen…</translation>
+  </message>
+  <message>
+   <source>OpenStreetMap polygons</source>
+   <translation>OpenStreetMap-Polygone</translation>
   </message>
   <message>
    <source>Opens “Update reference database” with the places that are done</source>
@@ -2702,6 +2738,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Route {number}</source>
    <translation>Route {number}</translation>
+  </message>
+  <message>
+   <source>Rules</source>
+   <translation>Regeln</translation>
   </message>
   <message>
    <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
@@ -3508,6 +3548,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Polygone lassen sich nicht bilden: {reason}.</translation>
   </message>
   <message>
+   <source>The polygons that have a class, with the fields class, priority, tag, osm_id and name.</source>
+   <translation>Die Polygone mit Klasse, mit den Feldern class, priority, tag, osm_id und name.</translation>
+  </message>
+  <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
   </message>
@@ -3606,6 +3650,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>Die Schrittweite ({stride} px) ist größer als das Fenster ({size} px), sodass Gelände zwischen den Fenstern fehlen würde; die Schrittweite höchstens so groß wie das Fenster wählen.</translation>
+  </message>
+  <message>
+   <source>The table of rules {path} can't be read: {reason}.</source>
+   <translation>Die Regeltabelle {path} kann nicht gelesen werden: {reason}.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -3846,6 +3894,14 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>Macht aus einem Bild, das Klassen als Farben zeigt, eine Klassenkarte: mit den HSV-Bereichen der Klassentabelle wie veröffentlicht oder mit der nächstliegenden Klassenfarbe.
 
 Pixel, die kein Bereich abdeckt, bleiben ohne Klasse (0). Bei der nächstliegenden Farbe bleibt Schwarz ohne Klasse, außer eine Klasse ist schwarz.</translation>
+  </message>
+  <message>
+   <source>Turns polygons with OpenStreetMap’s tags into land cover: building, water, bare land, forest, cultivated land, grass and built-up land, with a priority that says what lies on top. The result is an annotation layer for “Rasterize annotation”, or for “Annotation to reference database”, which makes a database of it in one step.
+
+Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles and anything with a column a tag or a column of tags. Which tag means which class stands in a table of rules that you may replace by your own.</source>
+   <translation>Macht aus Polygonen mit OpenStreetMap-Tags eine Landbedeckung: Gebäude, Wasser, offener Boden, Wald, Kulturland, Grasland und bebautes Land, mit einer Priorität, die sagt, was oben liegt. Das Ergebnis ist eine Annotation für „Annotation rastern“ oder für „Von der Annotation zur Referenzdatenbank“, das daraus in einem Schritt eine Datenbank macht.
+
+Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik und alles, was je Tag eine Spalte oder eine Spalte mit Tags hat. Welcher Tag welche Klasse bedeutet, steht in einer Regeltabelle, die Sie durch eine eigene ersetzen können.</translation>
   </message>
   <message>
    <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
@@ -4988,6 +5044,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{kept} von {landmarks} Landmarken und {windows} von {all_windows} Fenstern liegen im Gebiet.</translation>
   </message>
   <message>
+   <source>{key} has more than {most} characters; give a shorter name.</source>
+   <translation>{key} hat mehr als {most} Zeichen; geben Sie einen kürzeren Namen an.</translation>
+  </message>
+  <message>
    <source>{key} has no polygon; leave it out to find the changes by comparing.</source>
    <translation>{key} hat kein Polygon; weglassen, um die Änderungen durch Vergleichen zu finden.</translation>
   </message>
@@ -5126,6 +5186,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.</source>
    <translation>{name}: laut Modell {east:+.2f} m östlich und {north:+.2f} m nördlich ihres Ortes gezeigt.</translation>
+  </message>
+  <message>
+   <source>{name}: {count} polygons</source>
+   <translation>{name}: {count} Polygone</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
@@ -5792,6 +5856,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{source} ist ein Modell vom Typ {kind} (Metadatenschlüssel model_type); einen Segmentor wählen.</translation>
   </message>
   <message>
+   <source>{source} is no table of rules: it needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
+   <translation>{source} ist keine Regeltabelle: Sie braucht eine Kopfzeile key,value,class,priority, dann 1 bis {most} Zeilen mit höchstens {longest} Zeichen.</translation>
+  </message>
+  <message>
    <source>{source} lacks the column {missing}; its header is “{header}”.</source>
    <translation>{source} fehlt die Spalte {missing}; die Kopfzeile ist „{header}“.</translation>
   </message>
@@ -5848,12 +5916,24 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{where} lässt sich nicht schreiben: {reason}; einen anderen Ort wählen.</translation>
   </message>
   <message>
+   <source>{where}: a rule needs a key and a value; * stands for any value.</source>
+   <translation>{where}: Eine Regel braucht key und value; * steht für jeden Wert.</translation>
+  </message>
+  <message>
+   <source>{where}: the class has a name of more than {most} characters; give a shorter one.</source>
+   <translation>{where}: Der Name der Klasse hat mehr als {most} Zeichen; geben Sie einen kürzeren an.</translation>
+  </message>
+  <message>
    <source>{where}: {fault}</source>
    <translation>{where}: {fault}</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a number for draw_order.</source>
    <translation>{where}: „{text}“ ist keine Zahl für draw_order.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a whole number for priority.</source>
+   <translation>{where}: „{text}“ ist keine ganze Zahl für priority.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a whole number for value.</source>
@@ -5914,6 +5994,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
    <translation>„{output}“ ist dieselbe Datei wie „{input}“, {path}, die verloren ginge; einen anderen Ort für „{output}“ wählen.</translation>
+  </message>
+  <message>
+   <source>“{source}” can't be read to its end: {reason}. Copy or download it again.</source>
+   <translation>„{source}“ kann nicht bis zum Ende gelesen werden: {reason}. Kopieren oder laden Sie es erneut.</translation>
   </message>
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>

@@ -92,6 +92,10 @@
    <translation>Un hito no tiene área; vuelva a crear la base de datos.</translation>
   </message>
   <message>
+   <source>A layer with tags as columns, or an extract; of an extract its areas are taken.</source>
+   <translation>Una capa con etiquetas como columnas o un extracto; de un extracto se toman sus áreas.</translation>
+  </message>
+  <message>
    <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
    <translation>Una capa de líneas, o la ruta de un archivo GPX, KML, .plan o .waypoints. Cada línea es una ruta propia.</translation>
   </message>
@@ -476,6 +480,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Archivos CSV (*.csv)</translation>
   </message>
   <message>
+   <source>CSV with the columns key, value, class, priority; * stands for any value, an empty class leaves polygons out. If left out, the rules that come with SemRef.</source>
+   <translation>CSV con las columnas key, value, class, priority; * significa cualquier valor, una clase vacía omite los polígonos. Si se omite, las reglas que trae SemRef.</translation>
+  </message>
+  <message>
    <source>CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. Every class value of the layer must be in it.</source>
    <translation>CSV con las columnas value, name, color, role y, opcionalmente, draw_order, hsv_min, hsv_max. Todos los valores de clase de la capa deben estar en él.</translation>
   </message>
@@ -592,6 +600,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Campo de clase</translation>
   </message>
   <message>
+   <source>Class of all others</source>
+   <translation>Clase de todos los demás</translation>
+  </message>
+  <message>
    <source>Class table</source>
    <translation>Tabla de clases</translation>
   </message>
@@ -630,6 +642,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
    <translation>Clases cuyas regiones son hitos: nombres o valores separados por «;», por ejemplo building;bare_land;water. Si se omite, las clases con el rol «reference» en la tabla de clases del mapa.</translation>
+  </message>
+  <message>
+   <source>Classify OpenStreetMap</source>
+   <translation>Clasificar OpenStreetMap</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -1180,6 +1196,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Para imágenes cuyas horas se conocen: una posición que no se puede alcanzar a tiempo desde las anteriores y posteriores se marca como salto, con el motivo. Sigue siendo una posición y se cuenta.</translation>
   </message>
   <message>
+   <source>For polygons that no rule fits, such as building outlines without tags; left out if empty.</source>
+   <translation>Para polígonos a los que no se ajusta ninguna regla, como contornos de edificios sin etiquetas; si está vacío, se omiten.</translation>
+  </message>
+  <message>
    <source>Format</source>
    <translation>Formato</translation>
   </message>
@@ -1632,6 +1652,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Tejados inclinados (%)</translation>
   </message>
   <message>
+   <source>Left out, without a class or an area: {count}</source>
+   <translation>Omitidos, sin clase o sin área: {count}</translation>
+  </message>
+  <message>
    <source>Lens distortion (%)</source>
    <translation>Distorsión de la lente (%)</translation>
   </message>
@@ -2056,6 +2080,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Ningún polígono de MASK está sobre la imagen; elija otra capa u omita MASK.</translation>
   </message>
   <message>
+   <source>No polygon of “{source}” has a tag that the rules know; its columns are {columns}. Choose a layer with OpenStreetMap's tags, other RULES, or an OTHER_CLASS.</source>
+   <translation>Ningún polígono de «{source}» tiene una etiqueta que conozcan las reglas; sus columnas son {columns}. Elija una capa con etiquetas de OpenStreetMap, otras RULES o una OTHER_CLASS.</translation>
+  </message>
+  <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Ninguna ventana de la base de datos tiene los {least} hitos que necesita un vector topológico; créela con ventanas mayores, un área mínima menor o más clases de referencia.</translation>
   </message>
@@ -2150,6 +2178,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Number of photos</source>
    <translation>Número de fotos</translation>
+  </message>
+  <message>
+   <source>Number of polygons with a class</source>
+   <translation>Número de polígonos con clase</translation>
   </message>
   <message>
    <source>Number of tiles</source>
@@ -2298,6 +2330,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Open the sample project…</source>
    <translation>Abrir el proyecto de ejemplo…</translation>
+  </message>
+  <message>
+   <source>OpenStreetMap polygons</source>
+   <translation>Polígonos de OpenStreetMap</translation>
   </message>
   <message>
    <source>Opens “Update reference database” with the places that are done</source>
@@ -2702,6 +2738,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Route {number}</source>
    <translation>Ruta {number}</translation>
+  </message>
+  <message>
+   <source>Rules</source>
+   <translation>Reglas</translation>
   </message>
   <message>
    <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
@@ -3508,6 +3548,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No se pueden formar los polígonos: {reason}.</translation>
   </message>
   <message>
+   <source>The polygons that have a class, with the fields class, priority, tag, osm_id and name.</source>
+   <translation>Los polígonos que tienen clase, con los campos class, priority, tag, osm_id y name.</translation>
+  </message>
+  <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Las posiciones son ahora una capa temporal del proyecto; expórtela para conservarlas.</translation>
   </message>
@@ -3606,6 +3650,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>El paso ({stride} px) es mayor que la ventana ({size} px), así que faltaría terreno entre las ventanas; elija un paso no mayor que el tamaño de ventana.</translation>
+  </message>
+  <message>
+   <source>The table of rules {path} can't be read: {reason}.</source>
+   <translation>No se puede leer la tabla de reglas {path}: {reason}.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -3846,6 +3894,14 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>Convierte una imagen que muestra las clases como colores en un mapa de etiquetas, según los rangos HSV de la tabla de clases, como se publicó, o según el color de clase más cercano.
 
 Los píxeles que ningún rango cubre quedan sin etiqueta (0). Con el color más cercano, el negro queda sin etiqueta, salvo que una clase sea negra.</translation>
+  </message>
+  <message>
+   <source>Turns polygons with OpenStreetMap’s tags into land cover: building, water, bare land, forest, cultivated land, grass and built-up land, with a priority that says what lies on top. The result is an annotation layer for “Rasterize annotation”, or for “Annotation to reference database”, which makes a database of it in one step.
+
+Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles and anything with a column a tag or a column of tags. Which tag means which class stands in a table of rules that you may replace by your own.</source>
+   <translation>Convierte polígonos con etiquetas de OpenStreetMap en cobertura del suelo: edificio, agua, suelo desnudo, bosque, cultivo, hierba y suelo urbanizado, con una prioridad que dice qué queda encima. El resultado es una capa de anotación para «Rasterizar anotación» o para «De la anotación a la base de datos de referencia», que hace de ella una base de datos en un solo paso.
+
+Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabrik y todo lo que tenga una columna por etiqueta o una columna de etiquetas. Qué etiqueta significa qué clase está en una tabla de reglas que puede sustituir por la suya.</translation>
   </message>
   <message>
    <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
@@ -4988,6 +5044,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{kept} de {landmarks} hitos y {windows} de {all_windows} ventanas están en la zona.</translation>
   </message>
   <message>
+   <source>{key} has more than {most} characters; give a shorter name.</source>
+   <translation>{key} tiene más de {most} caracteres; indique un nombre más corto.</translation>
+  </message>
+  <message>
    <source>{key} has no polygon; leave it out to find the changes by comparing.</source>
    <translation>{key} no tiene ningún polígono; omítalo para encontrar los cambios por comparación.</translation>
   </message>
@@ -5126,6 +5186,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.</source>
    <translation>{name}: según el modelo, se muestra {east:+.2f} m al este y {north:+.2f} m al norte de su sitio.</translation>
+  </message>
+  <message>
+   <source>{name}: {count} polygons</source>
+   <translation>{name}: {count} polígonos</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
@@ -5792,6 +5856,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{source} es un modelo de tipo {kind} (clave de metadatos model_type); elija un Segmentor.</translation>
   </message>
   <message>
+   <source>{source} is no table of rules: it needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
+   <translation>{source} no es una tabla de reglas: necesita una cabecera key,value,class,priority y después de 1 a {most} líneas de {longest} caracteres como máximo.</translation>
+  </message>
+  <message>
    <source>{source} lacks the column {missing}; its header is “{header}”.</source>
    <translation>A {source} le falta la columna {missing}; su cabecera es «{header}».</translation>
   </message>
@@ -5848,12 +5916,24 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>No se puede escribir {where}: {reason}; elija otro lugar.</translation>
   </message>
   <message>
+   <source>{where}: a rule needs a key and a value; * stands for any value.</source>
+   <translation>{where}: una regla necesita key y value; * significa cualquier valor.</translation>
+  </message>
+  <message>
+   <source>{where}: the class has a name of more than {most} characters; give a shorter one.</source>
+   <translation>{where}: el nombre de la clase tiene más de {most} caracteres; indique uno más corto.</translation>
+  </message>
+  <message>
    <source>{where}: {fault}</source>
    <translation>{where}: {fault}</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a number for draw_order.</source>
    <translation>{where}: «{text}» no es un número para draw_order.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a whole number for priority.</source>
+   <translation>{where}: «{text}» no es un número entero para priority.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a whole number for value.</source>
@@ -5914,6 +5994,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
    <translation>«{output}» es el mismo archivo que «{input}», {path}, que se perdería; elija otro lugar para «{output}».</translation>
+  </message>
+  <message>
+   <source>“{source}” can't be read to its end: {reason}. Copy or download it again.</source>
+   <translation>No se puede leer «{source}» hasta el final: {reason}. Cópielo o descárguelo de nuevo.</translation>
   </message>
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>

@@ -92,6 +92,10 @@
    <translation>Un repère visuel n’a pas de surface ; recréez la base de données.</translation>
   </message>
   <message>
+   <source>A layer with tags as columns, or an extract; of an extract its areas are taken.</source>
+   <translation>Une couche dont les colonnes sont des attributs, ou un extrait ; d’un extrait on prend les surfaces.</translation>
+  </message>
+  <message>
    <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
    <translation>Une couche de lignes, ou le chemin d’un fichier GPX, KML, .plan ou .waypoints. Chaque ligne est une route à part.</translation>
   </message>
@@ -476,6 +480,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Fichiers CSV (*.csv)</translation>
   </message>
   <message>
+   <source>CSV with the columns key, value, class, priority; * stands for any value, an empty class leaves polygons out. If left out, the rules that come with SemRef.</source>
+   <translation>CSV avec les colonnes key, value, class, priority ; * vaut pour toute valeur, une classe vide écarte les polygones. À défaut, les règles fournies avec SemRef.</translation>
+  </message>
+  <message>
    <source>CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. Every class value of the layer must be in it.</source>
    <translation>CSV avec les colonnes value, name, color, role et, facultativement, draw_order, hsv_min, hsv_max. Toutes les valeurs de classe de la couche doivent y figurer.</translation>
   </message>
@@ -592,6 +600,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Champ de classe</translation>
   </message>
   <message>
+   <source>Class of all others</source>
+   <translation>Classe de tous les autres</translation>
+  </message>
+  <message>
    <source>Class table</source>
    <translation>Table des classes</translation>
   </message>
@@ -630,6 +642,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
    <translation>Classes dont les surfaces sont des repères visuels : noms ou valeurs séparés par « ; », par exemple building;bare_land;water. En cas d’omission, les classes de rôle « reference » dans la table des classes de la carte.</translation>
+  </message>
+  <message>
+   <source>Classify OpenStreetMap</source>
+   <translation>Classer OpenStreetMap</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -1180,6 +1196,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Pour les images dont l’heure est connue : une position qui ne peut être atteinte à temps depuis celles d’avant et d’après est marquée comme saut, avec la raison. Elle reste une position et est comptée.</translation>
   </message>
   <message>
+   <source>For polygons that no rule fits, such as building outlines without tags; left out if empty.</source>
+   <translation>Pour les polygones qu’aucune règle ne concerne, comme des contours de bâtiments sans attributs ; vide : ils sont écartés.</translation>
+  </message>
+  <message>
    <source>Format</source>
    <translation>Format</translation>
   </message>
@@ -1632,6 +1652,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Toits penchés (%)</translation>
   </message>
   <message>
+   <source>Left out, without a class or an area: {count}</source>
+   <translation>Écartés, sans classe ou sans surface : {count}</translation>
+  </message>
+  <message>
    <source>Lens distortion (%)</source>
    <translation>Distorsion de l’objectif (%)</translation>
   </message>
@@ -2056,6 +2080,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Aucun polygone de MASK n’est sur l’image ; choisissez une autre couche ou omettez MASK.</translation>
   </message>
   <message>
+   <source>No polygon of “{source}” has a tag that the rules know; its columns are {columns}. Choose a layer with OpenStreetMap's tags, other RULES, or an OTHER_CLASS.</source>
+   <translation>Aucun polygone de « {source} » n’a d’attribut que les règles connaissent ; ses colonnes sont {columns}. Choisissez une couche avec les attributs d’OpenStreetMap, d’autres RULES ou une OTHER_CLASS.</translation>
+  </message>
+  <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Aucune fenêtre de la base de données n’a les {least} repères visuels que demande un vecteur topologique ; créez-la avec des fenêtres plus grandes, une surface minimale plus petite ou davantage de classes de référence.</translation>
   </message>
@@ -2150,6 +2178,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Number of photos</source>
    <translation>Nombre de photos</translation>
+  </message>
+  <message>
+   <source>Number of polygons with a class</source>
+   <translation>Nombre de polygones ayant une classe</translation>
   </message>
   <message>
    <source>Number of tiles</source>
@@ -2298,6 +2330,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Open the sample project…</source>
    <translation>Ouvrir le projet d’exemple…</translation>
+  </message>
+  <message>
+   <source>OpenStreetMap polygons</source>
+   <translation>Polygones OpenStreetMap</translation>
   </message>
   <message>
    <source>Opens “Update reference database” with the places that are done</source>
@@ -2702,6 +2738,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Route {number}</source>
    <translation>Route {number}</translation>
+  </message>
+  <message>
+   <source>Rules</source>
+   <translation>Règles</translation>
   </message>
   <message>
    <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
@@ -3508,6 +3548,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les polygones ne peuvent pas être formés : {reason}.</translation>
   </message>
   <message>
+   <source>The polygons that have a class, with the fields class, priority, tag, osm_id and name.</source>
+   <translation>Les polygones qui ont une classe, avec les champs class, priority, tag, osm_id et name.</translation>
+  </message>
+  <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>Les positions sont maintenant une couche temporaire du projet ; exportez-la pour les conserver.</translation>
   </message>
@@ -3606,6 +3650,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>Le pas ({stride} px) est plus grand que la fenêtre ({size} px), si bien que du terrain manquerait entre les fenêtres ; choisissez un pas au plus égal à la taille de fenêtre.</translation>
+  </message>
+  <message>
+   <source>The table of rules {path} can't be read: {reason}.</source>
+   <translation>La table de règles {path} ne peut pas être lue : {reason}.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -3846,6 +3894,14 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>Transforme une image qui montre les classes par des couleurs en carte d’étiquettes, d’après les plages HSV de la table des classes, comme publié, ou d’après la couleur de classe la plus proche.
 
 Les pixels qu’aucune plage ne couvre sont non étiquetés (0). Avec la couleur la plus proche, le noir est non étiqueté, sauf si une classe est noire.</translation>
+  </message>
+  <message>
+   <source>Turns polygons with OpenStreetMap’s tags into land cover: building, water, bare land, forest, cultivated land, grass and built-up land, with a priority that says what lies on top. The result is an annotation layer for “Rasterize annotation”, or for “Annotation to reference database”, which makes a database of it in one step.
+
+Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles and anything with a column a tag or a column of tags. Which tag means which class stands in a table of rules that you may replace by your own.</source>
+   <translation>Transforme des polygones portant les attributs d’OpenStreetMap en occupation du sol : bâtiment, eau, sol nu, forêt, cultures, herbe et sol bâti, avec une priorité qui dit ce qui est au-dessus. Le résultat est une couche d’annotation pour « Rastériser l’annotation » ou pour « De l’annotation à la base de données de référence », qui en fait une base en une étape.
+
+Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles de Geofabrik et tout ce qui a une colonne par attribut ou une colonne d’attributs. La classe de chaque attribut figure dans une table de règles que vous pouvez remplacer par la vôtre.</translation>
   </message>
   <message>
    <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
@@ -4988,6 +5044,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{kept} repères visuels sur {landmarks} et {windows} fenêtres sur {all_windows} se trouvent dans la zone.</translation>
   </message>
   <message>
+   <source>{key} has more than {most} characters; give a shorter name.</source>
+   <translation>{key} a plus de {most} caractères ; donnez un nom plus court.</translation>
+  </message>
+  <message>
    <source>{key} has no polygon; leave it out to find the changes by comparing.</source>
    <translation>{key} n’a aucun polygone ; omettez-le pour trouver les changements par comparaison.</translation>
   </message>
@@ -5126,6 +5186,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.</source>
    <translation>{name} : selon le modèle, montrée {east:+.2f} m à l’est et {north:+.2f} m au nord de son lieu.</translation>
+  </message>
+  <message>
+   <source>{name}: {count} polygons</source>
+   <translation>{name} : {count} polygones</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
@@ -5792,6 +5856,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{source} est un modèle de type {kind} (clé de métadonnées model_type) ; choisissez un Segmentor.</translation>
   </message>
   <message>
+   <source>{source} is no table of rules: it needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
+   <translation>{source} n’est pas une table de règles : il lui faut un en-tête key,value,class,priority, puis 1 à {most} lignes d’au plus {longest} caractères.</translation>
+  </message>
+  <message>
    <source>{source} lacks the column {missing}; its header is “{header}”.</source>
    <translation>Il manque à {source} la colonne {missing} ; son en-tête est « {header} ».</translation>
   </message>
@@ -5848,12 +5916,24 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{where} ne peut pas être écrit : {reason} ; choisissez un autre emplacement.</translation>
   </message>
   <message>
+   <source>{where}: a rule needs a key and a value; * stands for any value.</source>
+   <translation>{where} : une règle a besoin de key et de value ; * vaut pour toute valeur.</translation>
+  </message>
+  <message>
+   <source>{where}: the class has a name of more than {most} characters; give a shorter one.</source>
+   <translation>{where} : le nom de la classe a plus de {most} caractères ; donnez-en un plus court.</translation>
+  </message>
+  <message>
    <source>{where}: {fault}</source>
    <translation>{where} : {fault}</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a number for draw_order.</source>
    <translation>{where} : « {text} » n’est pas un nombre pour draw_order.</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a whole number for priority.</source>
+   <translation>{where} : « {text} » n’est pas un nombre entier pour priority.</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a whole number for value.</source>
@@ -5914,6 +5994,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
    <translation>« {output} » est le même fichier que « {input} », {path}, qui serait perdu ; choisissez un autre emplacement pour « {output} ».</translation>
+  </message>
+  <message>
+   <source>“{source}” can't be read to its end: {reason}. Copy or download it again.</source>
+   <translation>« {source} » ne peut pas être lu jusqu’à la fin : {reason}. Copiez-le ou téléchargez-le à nouveau.</translation>
   </message>
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>

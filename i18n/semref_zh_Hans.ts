@@ -92,6 +92,10 @@
    <translation>有一个地标没有面积；请重新构建数据库。</translation>
   </message>
   <message>
+   <source>A layer with tags as columns, or an extract; of an extract its areas are taken.</source>
+   <translation>以标签为列的图层，或提取文件；提取文件中取其面要素。</translation>
+  </message>
+  <message>
    <source>A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its own.</source>
    <translation>线图层，或 GPX、KML、.plan、.waypoints 文件的路径。每条线为一条独立航线。</translation>
   </message>
@@ -476,6 +480,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>CSV 文件 (*.csv)</translation>
   </message>
   <message>
+   <source>CSV with the columns key, value, class, priority; * stands for any value, an empty class leaves polygons out. If left out, the rules that come with SemRef.</source>
+   <translation>含 key、value、class、priority 列的 CSV；* 表示任意值，类别为空则舍去多边形。不填则用 SemRef 自带的规则。</translation>
+  </message>
+  <message>
    <source>CSV with the columns value, name, color, role and optionally draw_order, hsv_min, hsv_max. Every class value of the layer must be in it.</source>
    <translation>CSV 文件，包含 value、name、color、role 列，可另含 draw_order、hsv_min、hsv_max 列。图层的每个类别值都必须列出。</translation>
   </message>
@@ -592,6 +600,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>类别字段</translation>
   </message>
   <message>
+   <source>Class of all others</source>
+   <translation>其余全部的类别</translation>
+  </message>
+  <message>
    <source>Class table</source>
    <translation>类别表</translation>
   </message>
@@ -630,6 +642,10 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Classes whose regions are landmarks: names or values separated by “;”, for example building;bare_land;water. If left out, the classes with the role “reference” in the map’s class table.</source>
    <translation>其区域作为地标的类别：以“;”分隔的名称或值，例如 building;bare_land;water。若留空，则为标签图的类别表中角色为“reference”的类别。</translation>
+  </message>
+  <message>
+   <source>Classify OpenStreetMap</source>
+   <translation>OpenStreetMap 分类</translation>
   </message>
   <message>
    <source>Click on the map to inspect the window there</source>
@@ -1180,6 +1196,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>对于已知时间的影像：若从前后位置无法及时到达某位置，则将其标为跳变并说明原因。它仍是一个位置并计入总数。</translation>
   </message>
   <message>
+   <source>For polygons that no rule fits, such as building outlines without tags; left out if empty.</source>
+   <translation>用于没有规则适用的多边形，例如没有标签的建筑轮廓；留空则舍去。</translation>
+  </message>
+  <message>
    <source>Format</source>
    <translation>格式</translation>
   </message>
@@ -1632,6 +1652,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>屋顶倾斜（%）</translation>
   </message>
   <message>
+   <source>Left out, without a class or an area: {count}</source>
+   <translation>已舍去（没有类别或面积）：{count}</translation>
+  </message>
+  <message>
    <source>Lens distortion (%)</source>
    <translation>镜头畸变（%）</translation>
   </message>
@@ -2056,6 +2080,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>MASK 中没有多边形位于图像上；请选择其他图层，或不填 MASK。</translation>
   </message>
   <message>
+   <source>No polygon of “{source}” has a tag that the rules know; its columns are {columns}. Choose a layer with OpenStreetMap's tags, other RULES, or an OTHER_CLASS.</source>
+   <translation>“{source}”中没有多边形带有规则认识的标签；其列为 {columns}。请选择带 OpenStreetMap 标签的图层、其他 RULES，或给出 OTHER_CLASS。</translation>
+  </message>
+  <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>数据库中没有窗口具有拓扑向量所需的 {least} 个地标；请用更大的窗口、更小的最小面积或更多参考类别构建。</translation>
   </message>
@@ -2150,6 +2178,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Number of photos</source>
    <translation>照片数</translation>
+  </message>
+  <message>
+   <source>Number of polygons with a class</source>
+   <translation>有类别的多边形数</translation>
   </message>
   <message>
    <source>Number of tiles</source>
@@ -2298,6 +2330,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Open the sample project…</source>
    <translation>打开示例工程…</translation>
+  </message>
+  <message>
+   <source>OpenStreetMap polygons</source>
+   <translation>OpenStreetMap 多边形</translation>
   </message>
   <message>
    <source>Opens “Update reference database” with the places that are done</source>
@@ -2702,6 +2738,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Route {number}</source>
    <translation>航线 {number}</translation>
+  </message>
+  <message>
+   <source>Rules</source>
+   <translation>规则</translation>
   </message>
   <message>
    <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
@@ -3508,6 +3548,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>无法生成多边形：{reason}。</translation>
   </message>
   <message>
+   <source>The polygons that have a class, with the fields class, priority, tag, osm_id and name.</source>
+   <translation>有类别的多边形，字段为 class、priority、tag、osm_id 和 name。</translation>
+  </message>
+  <message>
    <source>The positions are a temporary layer of the project now; export it to keep them.</source>
    <translation>位置现在是工程中的临时图层；如需保留请导出。</translation>
   </message>
@@ -3606,6 +3650,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>步长（{stride} px）大于窗口（{size} px），窗口之间的地面会被遗漏；步长请不要超过窗口大小。</translation>
+  </message>
+  <message>
+   <source>The table of rules {path} can't be read: {reason}.</source>
+   <translation>无法读取规则表 {path}：{reason}。</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -3846,6 +3894,14 @@ Pixels that no range covers are unlabeled (0). With nearest color, black is unla
    <translation>将以颜色表示类别的影像转换为标签图，按类别表的 HSV 范围（如论文所述）或按最近的类别颜色。
 
 不在任何范围内的像元无标签（0）。使用最近颜色时，除非某个类别为黑色，否则黑色无标签。</translation>
+  </message>
+  <message>
+   <source>Turns polygons with OpenStreetMap’s tags into land cover: building, water, bare land, forest, cultivated land, grass and built-up land, with a priority that says what lies on top. The result is an annotation layer for “Rasterize annotation”, or for “Annotation to reference database”, which makes a database of it in one step.
+
+Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles and anything with a column a tag or a column of tags. Which tag means which class stands in a table of rules that you may replace by your own.</source>
+   <translation>把带有 OpenStreetMap 标签的多边形变成土地覆盖：建筑、水体、裸地、森林、耕地、草地和建成区，并给出决定上下顺序的优先级。结果是一个标注图层，可用于“栅格化标注”，也可用于一步生成数据库的“从标注到参考数据库”。
+
+可用的输入：提取文件（.osm、.osm.pbf）、QuickOSM 图层、Geofabrik 的 shapefile，以及任何每个标签一列或有一列标签的图层。哪个标签对应哪个类别由一张规则表决定，您可以换成自己的。</translation>
   </message>
   <message>
    <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
@@ -4988,6 +5044,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{landmarks} 个地标中的 {kept} 个、{all_windows} 个窗口中的 {windows} 个位于该区域内。</translation>
   </message>
   <message>
+   <source>{key} has more than {most} characters; give a shorter name.</source>
+   <translation>{key} 超过 {most} 个字符；请给一个较短的名称。</translation>
+  </message>
+  <message>
    <source>{key} has no polygon; leave it out to find the changes by comparing.</source>
    <translation>{key} 没有多边形；如留空，则通过比较查找更改。</translation>
   </message>
@@ -5126,6 +5186,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{name}: shown {east:+.2f} m east and {north:+.2f} m north of where it is, as the model says.</source>
    <translation>{name}：据模型所述，显示在其真实位置以东 {east:+.2f} 米、以北 {north:+.2f} 米。</translation>
+  </message>
+  <message>
+   <source>{name}: {count} polygons</source>
+   <translation>{name}：{count} 个多边形</translation>
   </message>
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
@@ -5792,6 +5856,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{source} 是 {kind} 类型的模型（元数据键 model_type）；请选择 Segmentor。</translation>
   </message>
   <message>
+   <source>{source} is no table of rules: it needs a header key,value,class,priority, then 1 to {most} lines of at most {longest} characters.</source>
+   <translation>{source} 不是规则表：需要表头 key,value,class,priority，然后是 1 到 {most} 行，每行最多 {longest} 个字符。</translation>
+  </message>
+  <message>
    <source>{source} lacks the column {missing}; its header is “{header}”.</source>
    <translation>{source} 缺少列 {missing}；其表头为“{header}”。</translation>
   </message>
@@ -5848,12 +5916,24 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>无法写入 {where}：{reason}；请选择其他位置。</translation>
   </message>
   <message>
+   <source>{where}: a rule needs a key and a value; * stands for any value.</source>
+   <translation>{where}：规则需要 key 和 value；* 表示任意值。</translation>
+  </message>
+  <message>
+   <source>{where}: the class has a name of more than {most} characters; give a shorter one.</source>
+   <translation>{where}：类别名称超过 {most} 个字符；请给一个较短的名称。</translation>
+  </message>
+  <message>
    <source>{where}: {fault}</source>
    <translation>{where}：{fault}</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a number for draw_order.</source>
    <translation>{where}：“{text}”不是 draw_order 的数字。</translation>
+  </message>
+  <message>
+   <source>{where}: “{text}” is not a whole number for priority.</source>
+   <translation>{where}：“{text}”不是 priority 的整数。</translation>
   </message>
   <message>
    <source>{where}: “{text}” is not a whole number for value.</source>
@@ -5914,6 +5994,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
    <translation>“{output}”与“{input}”是同一个文件 {path}，该文件将会丢失；请为“{output}”选择其他位置。</translation>
+  </message>
+  <message>
+   <source>“{source}” can't be read to its end: {reason}. Copy or download it again.</source>
+   <translation>无法将“{source}”读到末尾：{reason}。请重新复制或下载。</translation>
   </message>
   <message>
    <source>“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or leave those features out.</source>

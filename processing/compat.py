@@ -6,6 +6,7 @@ from qgis.core import (
     QgsField,
     QgsMapSettings,
     QgsProcessing,
+    QgsProcessingFeatureSource,
     QgsUnitTypes,
     QgsWkbTypes,
 )
@@ -70,6 +71,13 @@ else:
     SOURCE_POINT = QgsProcessing.TypeVectorPoint
     SOURCE_LINE = QgsProcessing.TypeVectorLine
     SOURCE_FILE = QgsProcessing.TypeFile
+
+AS_THEY_ARE = (
+    Qgis.ProcessingFeatureSourceFlag.SkipGeometryValidityChecks
+    if hasattr(Qgis, "ProcessingFeatureSourceFlag")
+    else QgsProcessingFeatureSource.FlagSkipGeometryValidityChecks
+)
+"""Features with whatever geometry they have: QGIS else ends at the first that is invalid."""
 
 MAP_TILE = Qgis.MapSettingsFlag.RenderMapTile if hasattr(Qgis, "MapSettingsFlag") else QgsMapSettings.RenderMapTile
 """Pieces drawn one by one fit together."""

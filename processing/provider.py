@@ -9,6 +9,7 @@ from .algorithms.assess_database import AssessDatabase
 from .algorithms.assess_route import AssessRoute
 from .algorithms.build_database import BuildDatabase
 from .algorithms.check_annotation import CheckAnnotation
+from .algorithms.classify_openstreetmap import ClassifyOpenStreetMap
 from .algorithms.compare_labels import CompareLabels
 from .algorithms.decode_color_labels import DecodeColorLabels
 from .algorithms.describe_image import DescribeImage
@@ -28,6 +29,7 @@ from .framework.base import ICON_PATH
 from .framework.shipped_models import shipped_models
 
 ALGORITHMS = (
+    ClassifyOpenStreetMap,
     CheckAnnotation,
     RepairAnnotation,
     RasterizeAnnotation,

@@ -21,6 +21,7 @@ from ..core.labels.class_table import (
 from ..core.labels.color_labels import decode_colors
 from ..core.labels.counts import count_labels
 from ..core.labels.image_files import MAXIMUM_IMAGE_PIXELS, require_kind_of_name
+from ..core.labels.openstreetmap import Rules, rules_from_csv
 from ..core.labels.sources import ArrayLabels, LabelSource
 from .gdal_errors import gdal_failure, gdal_failures
 from .label_map_file import CLASS_BIAS_ITEM, CLASS_TABLE_ITEM
@@ -371,13 +372,21 @@ def image_files(paths: list[str]) -> list[str]:
 
 def read_class_table(path: str) -> ClassTable:
     """A class-table CSV in UTF-8 (or, failing that, Latin-1); raises ClassTableError."""
+    return class_table_from_csv(_table_text(path, "storage.class_table_unreadable"), path)
+
+
+def read_rules(path: str) -> Rules:
+    """Rules from OpenStreetMap's tags to classes, a CSV as class tables are; raises ClassTableError, ParameterError."""
+    return rules_from_csv(_table_text(path, "storage.rules_unreadable"), path)
+
+
+def _table_text(path: str, refusal: str) -> str:
     try:
         with open(path, "rb") as file:
             data = file.read()
     except OSError as error:
-        raise ClassTableError("storage.class_table_unreadable", path=path, reason=error.strerror) from None
+        raise ClassTableError(refusal, path=path, reason=error.strerror) from None
     try:
-        text = data.decode("utf-8")
+        return data.decode("utf-8")
     except UnicodeDecodeError:
-        text = data.decode("latin-1")
-    return class_table_from_csv(text, path)
+        return data.decode("latin-1")

@@ -74,6 +74,7 @@ SENTENCES = {
     ),
     "storage.no_palette": "{path} has {bands} band(s) and no palette; a color image has three bands.",
     "storage.class_table_unreadable": "The class table {path} can't be read: {reason}.",
+    "storage.rules_unreadable": "The table of rules {path} can't be read: {reason}.",
     "storage.cameras_of_other_images": (
         "{path} names none of the images, for example {image}; its column image holds their file names."
     ),

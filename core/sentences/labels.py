@@ -69,6 +69,15 @@ SENTENCES = {
     "labels.no_color_ranges": (
         "No class has hsv_min and hsv_max; add them to the class table or decode by nearest color."
     ),
+    "labels.rules_unreadable": (
+        "{source} is no table of rules: it needs a header key,value,class,priority, then 1 to {most} lines of at most "
+        "{longest} characters."
+    ),
+    "labels.name_too_long": "{key} has more than {most} characters; give a shorter name.",
+    "labels.rules_lack_column": "{source} lacks the column {missing}; its header is “{header}”.",
+    "labels.rule_without_tag": "{where}: a rule needs a key and a value; * stands for any value.",
+    "labels.rule_class_too_long": "{where}: the class has a name of more than {most} characters; give a shorter one.",
+    "labels.rule_priority": "{where}: “{text}” is not a whole number for priority.",
     "labels.and_more": "{shown} and {count} more",
     "labels.line": "{source}, line {line}",
 }

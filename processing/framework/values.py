@@ -196,9 +196,16 @@ class Values:
             return self._read("VectorLayer", key)
         return self._algorithm.parameterAsVectorLayer({key: value.source}, key, self.context)
 
-    def source(self, key: str) -> QgsProcessingFeatureSource | None:
-        """The features that are wanted of a layer; None if it was left out. Raises ParameterError."""
+    def source(self, key: str, layer_of_file: str = "") -> QgsProcessingFeatureSource | None:
+        """The features that are wanted of a layer; None if it was left out. Raises ParameterError.
+
+        ``layer_of_file``: which layer is meant where the bare path of a file is given that has it.
+        """
         source = self._read("Source", key)
+        path = self.raw(key)
+        if layer_of_file and isinstance(path, str) and os.path.isfile(path):
+            layer = {key: f"{path}|layername={layer_of_file}"}
+            source = self._algorithm.parameterAsSource(layer, key, self.context) or source
         if source is None and self.has(key):
             raise ParameterError(legible(self._algorithm.invalidSourceError(self._parameters, key)))
         return source

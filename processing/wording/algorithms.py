@@ -45,6 +45,11 @@ SENTENCES = {
         "{folder} holds a canceled training with another {settings}; give the same again, choose another OUTPUT, or "
         "turn RESUME off to begin anew."
     ),
+    "algorithms.no_openstreetmap_class": (
+        "No polygon of “{source}” has a tag that the rules know; its columns are {columns}. Choose a layer with "
+        "OpenStreetMap's tags, other RULES, or an OTHER_CLASS."
+    ),
+    "algorithms.openstreetmap_unreadable": "“{source}” can't be read to its end: {reason}. Copy or download it again.",
     "algorithms.nothing_to_repair": "“{source}” has no polygon with area and class; there is nothing to repair.",
     "algorithms.no_class_table": "Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.",
     "algorithms.no_model_to_copy": "MODEL_OUTPUT is a copy of the model; give the network as MODEL.",

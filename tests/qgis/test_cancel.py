@@ -83,6 +83,12 @@ def jobs(run_algorithm, tmp_path_factory):
             "OUTPUT",
             "out.tif",
         ),
+        "classify": (
+            "semref:classifyopenstreetmap",
+            {"INPUT": str(folder / "overlapping.shp"), "OTHER_CLASS": "building"},
+            "OUTPUT",
+            "out.gpkg",
+        ),
         "check": (
             "semref:checkannotation",
             {"INPUT": str(folder / "overlapping.shp"), "CLASS_FIELD": "class", "PIXEL_SIZE": 1},

@@ -16,6 +16,7 @@ GROUPS = {
 }
 NAMES = (
     "rasterizeannotation",
+    "classifyopenstreetmap",
     "checkannotation",
     "repairannotation",
     "decodecolorlabels",

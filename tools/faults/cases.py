@@ -31,6 +31,7 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
     noise = {"DATABASE": area, **_NOISE}
     return {
         "rasterizeannotation": {**layer, "PIXEL_SIZE": 1},
+        "classifyopenstreetmap": {"INPUT": str(at / "annotation.gpkg"), "OTHER_CLASS": "field"},
         "checkannotation": {**layer, "PIXEL_SIZE": 1},
         "repairannotation": layer,
         "decodecolorlabels": {"INPUT": color, "CLASS_TABLE": table, "METHOD": 1},

@@ -75,6 +75,7 @@ def base_parameters(files: dict[str, str], out: Path) -> dict[str, dict[str, Any
     annotated = {"INPUT": files["layer"], "CLASS_FIELD": "class"}
     return {
         "rasterizeannotation": {**annotated, "PIXEL_SIZE": 1, "OUTPUT": raster},
+        "classifyopenstreetmap": {"INPUT": files["layer"], "OTHER_CLASS": "building", "OUTPUT": layer},
         "checkannotation": {**annotated, "PIXEL_SIZE": 1, "ISSUES": layer, "REPORT": report},
         "repairannotation": {**annotated, "OUTPUT": layer, "CHANGES": str(out / "y.gpkg")},
         "builddatabase": {

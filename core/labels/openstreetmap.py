@@ -1,0 +1,147 @@
+"""From OpenStreetMap's tags to land-cover classes, by a table of rules (docs/file-formats.md#openstreetmap-rules)."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from ..errors import ParameterError
+from ..sentences import Sentence
+from ..values import LONGEST_NAME
+from .class_table import LONGEST_LINE
+
+ANY = "*"
+"""As a rule's value: whatever the tag's value is."""
+
+THEME_KEYS = ("fclass", "type")
+"""Columns of shapefiles, today's and older ones, that have a tag's value and leave its key out."""
+
+TAG_COLUMNS = ("other_tags", "all_tags", "tags")
+"""Columns that hold further tags, as GDAL's hstore or as JSON."""
+
+MOST_RULES = 10_000
+_COLUMNS = ("key", "value", "class", "priority")
+_HSTORE = re.compile(r'"((?:[^"\\]|\\.)*)"\s*=>\s*(?:"((?:[^"\\]|\\.)*)"|NULL)', re.DOTALL)
+_ESCAPED = re.compile(r"\\(.)", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What a tag means.
+
+    Attributes:
+        key: Of the tag.
+        value: Of the tag, or ANY.
+        class_name: The land-cover class; empty for polygons that are to be left out.
+        priority: Of several rules that fit the highest counts; polygons of higher priority are drawn on top.
+    """
+
+    key: str
+    value: str
+    class_name: str
+    priority: int
+
+    @property
+    def tag(self) -> str:
+        """``key=value``."""
+        return f"{self.key}={self.value}"
+
+
+class Rules:
+    """Rules that are looked up by tag."""
+
+    def __init__(self, rules: Iterable[Rule]) -> None:
+        """Of two rules for one tag the first counts."""
+        self._rules: dict[tuple[str, str], Rule] = {}
+        self._by_theme: dict[str, Rule] = {}
+        for rule in rules:
+            self._rules.setdefault((rule.key, rule.value), rule)
+            theme = rule.key if rule.value == ANY else rule.value
+            self._by_theme.setdefault(theme, rule)
+
+    def __len__(self) -> int:
+        """How many tags have a rule."""
+        return len(self._rules)
+
+    @property
+    def classes(self) -> tuple[str, ...]:
+        """Names of the classes, those drawn on top first."""
+        named = [rule for rule in self._rules.values() if rule.class_name]
+        return tuple(dict.fromkeys(rule.class_name for rule in sorted(named, key=lambda rule: -rule.priority)))
+
+    def of(self, tags: Mapping[str, str]) -> Rule | None:
+        """The rule of the highest priority that fits one of the tags; None where none does.
+
+        A rule for a tag's very value counts instead of one for any value of its key.
+        """
+        fitting = [self._of_tag(key, value) for key, value in tags.items()]
+        return max((rule for rule in fitting if rule), key=lambda rule: rule.priority, default=None)
+
+    def _of_tag(self, key: str, value: str) -> Rule | None:
+        if key in THEME_KEYS:
+            return self._by_theme.get(value)
+        return self._rules.get((key, value)) or self._rules.get((key, ANY))
+
+
+def rules_from_csv(text: str, source: str) -> Rules:
+    """Reads ``key,value,class,priority``; ``;`` or tab as separator will do too.
+
+    Args:
+        text: The CSV text, with its header.
+        source: The file, for messages.
+
+    Raises:
+        ParameterError: The table is malformed; tells ``source`` and the line.
+    """
+    lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
+    if not 1 < len(lines) <= MOST_RULES + 1 or max(map(len, lines)) > LONGEST_LINE:
+        raise ParameterError("labels.rules_unreadable", source=source, most=MOST_RULES, longest=LONGEST_LINE)
+    reader = csv.DictReader(lines, delimiter=max(",;\t", key=lines[0].count), skipinitialspace=True)
+    reader.fieldnames = [(name or "").strip().lower() for name in reader.fieldnames or []]
+    missing = [name for name in _COLUMNS if name not in reader.fieldnames]
+    if missing:
+        raise ParameterError("labels.rules_lack_column", source=source, missing=missing, header=lines[0].strip())
+    return Rules(_rule(row, Sentence("labels.line", source=source, line=n)) for n, row in enumerate(reader, start=2))
+
+
+def tags_of(columns: Mapping[str, object]) -> dict[str, str]:
+    """The tags of a feature.
+
+    Args:
+        columns: Value by column: a column a tag, as GDAL and QuickOSM give them, and columns of TAG_COLUMNS.
+
+    Returns:
+        Value by key, empty ones left out; a column of its own counts before one of many tags.
+    """
+    tags: dict[str, str] = {}
+    for name in TAG_COLUMNS:
+        tags.update(_packed(columns.get(name)))
+    own = {key: str(value).strip() for key, value in columns.items() if key not in TAG_COLUMNS and value is not None}
+    return {**tags, **{key: value for key, value in own.items() if value}}
+
+
+def _packed(text: object) -> dict[str, str]:
+    """Tags in one text: hstore ``"key"=>"value"`` or a JSON object; none for anything else."""
+    if not isinstance(text, str):
+        return {}
+    if text.lstrip().startswith("{"):
+        try:
+            found = json.loads(text)
+        except (ValueError, RecursionError):
+            return {}
+        return {key: str(value) for key, value in found.items() if isinstance(value, (str, int, float))}
+    return {_ESCAPED.sub(r"\1", key): _ESCAPED.sub(r"\1", value) for key, value in _HSTORE.findall(text) if value}
+
+
+def _rule(row: Mapping[str, object], where: Sentence) -> Rule:
+    key, value, name, priority = (str(row.get(column) or "").strip() for column in _COLUMNS)
+    if not key or not value:
+        raise ParameterError("labels.rule_without_tag", where=where)
+    if len(name) > LONGEST_NAME:
+        raise ParameterError("labels.rule_class_too_long", where=where, most=LONGEST_NAME)
+    if not re.fullmatch(r"-?[0-9]{1,6}", priority):
+        raise ParameterError("labels.rule_priority", where=where, text=priority)
+    return Rule(key, value, name, int(priority))

@@ -1,0 +1,172 @@
+"""semref:classifyopenstreetmap – polygons with OpenStreetMap's tags to land cover with classes and priorities."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from qgis.core import QgsFeatureRequest
+
+from ...core.errors import ParameterError
+from ...core.values import LONGEST_NAME
+from ..compat import AS_THEY_ARE, MULTI_POLYGON, POLYGON_GEOMETRY, SOURCE_POLYGON, is_null
+from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..framework.declarations import File, NumberResult, PolygonOutput, Text, VectorSource
+from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsGeometry, QgsProcessingFeedback
+
+    from ...core.labels.openstreetmap import Rule, Rules
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
+
+RULES_PATH = Path(__file__).resolve().parents[2] / "resources" / "openstreetmap" / "rules.csv"
+POLYGONS_OF_OSM = "multipolygons"
+"""Layer of GDAL's reader of OpenStreetMap extracts that has the areas."""
+
+FIELDS = (("class", "text"), ("priority", "integer"), ("tag", "text"), ("osm_id", "text"), ("name", "text"))
+ID_COLUMNS = ("osm_id", "osm_way_id", "id", "full_id")
+CHECK_EVERY = 1000
+"""Features between two looks for a cancel."""
+
+
+class ClassifyOpenStreetMap(SemRefAlgorithm):
+    ID = "classifyopenstreetmap"
+    GROUP = ANNOTATION
+    TAGS = ("osm", "openstreetmap", "tags", "pbf", "quickosm", "geofabrik", "overture", "land cover", "classes")
+    PACKAGES = ()
+
+    INPUT = "INPUT"
+    RULES = "RULES"
+    OTHER_CLASS = "OTHER_CLASS"
+    OUTPUT = "OUTPUT"
+    FEATURE_COUNT = "FEATURE_COUNT"
+
+    def title(self) -> str:
+        return tr("Classify OpenStreetMap")
+
+    def summary(self) -> str:
+        return tr(
+            "Turns polygons with OpenStreetMap’s tags into land cover: building, water, bare land, forest, cultivated "
+            "land, grass and built-up land, with a priority that says what lies on top. The result is an annotation "
+            "layer for “Rasterize annotation”, or for “Annotation to reference database”, which makes a database "
+            "of it in one step.\n\n"
+            "Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles and anything with a column a "
+            "tag or a column of tags. Which tag means which class stands in a table of rules that you may replace by "
+            "your own."
+        )
+
+    def parameters(self) -> tuple[Declared, ...]:
+        return (
+            VectorSource(
+                self.INPUT,
+                tr("OpenStreetMap polygons"),
+                tr("A layer with tags as columns, or an extract; of an extract its areas are taken."),
+                kinds=(SOURCE_POLYGON,),
+            ),
+            File(
+                self.RULES,
+                tr("Rules"),
+                tr(
+                    "CSV with the columns key, value, class, priority; * stands for any value, an empty class leaves "
+                    "polygons out. If left out, the rules that come with SemRef."
+                ),
+                optional=True,
+                advanced=True,
+                filter=tr("CSV files (*.csv)"),
+            ),
+            Text(
+                self.OTHER_CLASS,
+                tr("Class of all others"),
+                tr("For polygons that no rule fits, such as building outlines without tags; left out if empty."),
+                optional=True,
+                advanced=True,
+            ),
+            PolygonOutput(
+                self.OUTPUT,
+                tr("Land cover"),
+                tr("The polygons that have a class, with the fields class, priority, tag, osm_id and name."),
+            ),
+            NumberResult(self.FEATURE_COUNT, tr("Number of polygons with a class")),
+        )
+
+    def read_layers(self, values: Values) -> None:
+        self._source = values.source(self.INPUT, POLYGONS_OF_OSM)
+
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
+        from ...storage.rasters import read_rules
+
+        rules = read_rules(values.file(self.RULES) or str(RULES_PATH))
+        other = values.text(self.OTHER_CLASS).strip()
+        if len(other) > LONGEST_NAME:
+            raise ParameterError("labels.name_too_long", key=self.OTHER_CLASS, most=LONGEST_NAME)
+        counts: Counter[str] = Counter()
+        left_out = 0
+        with outputs.layer(self.OUTPUT, FIELDS, MULTI_POLYGON, self._source.sourceCrs()) as sink:
+            for geometry, columns in self._features(feedback):
+                row = row_of(columns, rules, other)
+                if geometry is None or row is None:
+                    left_out += 1
+                    continue
+                counts[row["class"]] += 1
+                sink.add(geometry, row)
+        if not counts:
+            columns = self._source.fields().names()
+            raise ParameterError("algorithms.no_openstreetmap_class", source=self._source.sourceName(), columns=columns)
+        for name, count in counts.most_common():
+            feedback.pushInfo(tr("{name}: {count} polygons").format(name=name, count=count))
+        feedback.pushInfo(tr("Left out, without a class or an area: {count}").format(count=left_out))
+        return {self.FEATURE_COUNT: sum(counts.values())}
+
+    def _features(self, feedback: QgsProcessingFeedback) -> Iterator[tuple[QgsGeometry | None, dict[str, object]]]:
+        """The polygons of each feature and its value by column.
+
+        Raises ParameterError where a file ends early: QGIS would take what it read for all that there is.
+        """
+        from ...storage.gdal_errors import gdal_failures
+
+        names, total = self._source.fields().names(), max(self._source.featureCount(), 1)
+        with gdal_failures() as failures:
+            for number, feature in enumerate(self._source.getFeatures(QgsFeatureRequest(), AS_THEY_ARE)):
+                if number % CHECK_EVERY == 0:
+                    check_canceled(feedback)
+                    feedback.setProgress(min(100 * number / total, 100))
+                yield polygons_of(feature.geometry()), dict(zip(names, feature.attributes()))
+        if failures:
+            source, reason = self._source.sourceName(), failures[0]
+            raise ParameterError("algorithms.openstreetmap_unreadable", source=source, reason=reason)
+
+
+def row_of(columns: dict[str, object], rules: Rules, other: str) -> dict[str, object] | None:
+    """The attributes of a polygon's land cover, by FIELDS; None for one that is left out.
+
+    ``columns``: value by column as QGIS has them; ``other``: the class where no rule fits, empty for none.
+    """
+    from ...core.labels.openstreetmap import tags_of
+
+    known = {name: value for name, value in columns.items() if not is_null(value)}
+    rule: Rule | None = rules.of(tags_of(known))
+    name = other if rule is None else rule.class_name
+    if not name:
+        return None
+    return {
+        "class": name,
+        "priority": 0 if rule is None else rule.priority,
+        "tag": "" if rule is None else rule.tag,
+        "osm_id": next((str(known[column]) for column in ID_COLUMNS if column in known), None),
+        "name": known.get("name"),
+    }
+
+
+def polygons_of(geometry: QgsGeometry) -> QgsGeometry | None:
+    """The polygons of a geometry as a multipolygon without heights; None where it has none."""
+    if geometry.isNull() or geometry.isEmpty() or geometry.type() != POLYGON_GEOMETRY:
+        return None
+    geometry.convertToStraightSegment()
+    geometry.convertToMultiType()
+    geometry.get().dropZValue()
+    geometry.get().dropMValue()
+    return geometry

@@ -1,0 +1,159 @@
+"""semref:classifyopenstreetmap: an extract, columns of tags or outlines alone become land cover."""
+
+from __future__ import annotations
+
+import base64
+
+import pytest
+from qgis.core import (
+    QgsCoordinateTransformContext,
+    QgsFeature,
+    QgsGeometry,
+    QgsProcessingException,
+    QgsVectorFileWriter,
+    QgsVectorLayer,
+)
+
+CLASSIFY = "semref:classifyopenstreetmap"
+
+NODES = {1: (9.5, 47.1), 2: (9.501, 47.1), 3: (9.501, 47.101), 4: (9.5, 47.101), 5: (9.5002, 47.1004)}
+EXTRACT = (
+    '<?xml version="1.0"?><osm version="0.6">'
+    + "".join(f'<node id="{n}" lon="{x}" lat="{y}" version="1"/>' for n, (x, y) in NODES.items())
+    + "".join(
+        f'<way id="{way}" version="1">'
+        + "".join(f'<nd ref="{n}"/>' for n in (*nodes, nodes[0]))
+        + "".join(f'<tag k="{key}" v="{value}"/>' for key, value in tags.items())
+        + "</way>"
+        for way, nodes, tags in (
+            (11, (1, 2, 3, 4), {"landuse": "forest", "name": "Wood &amp; &lt;b&gt;more"}),
+            (12, (1, 2, 5), {"building": "house"}),
+            (13, (1, 3, 5), {"area:highway": "footway", "area": "yes"}),
+            (14, (1, 4, 5), {"boundary": "administrative", "area": "yes"}),
+        )
+    )
+    + "</osm>"
+)
+
+PBF = base64.b64decode(
+    "AAAADQoJT1NNSGVhZGVyGDsQLxo3eJxT4vMvzg1OzkjNTdQNM9AzU+JySc0rTvXLT0ktbmIUyMlMyi/OzSzN1TfSMzLWMwQAX2cO"
+    "kwAAAAsKB09TTURhdGEYThBaGkp4nONi4WLgYhAKEgrgYmUCAS1lLlZGEBBiZQABKQilBKG0WJlAlBNPQ//0g8wMC+YwMtyP9eJt"
+    "uH4mCsSeP4dxgXwQRCkAg1ANhQAAAAwKB09TTURhdGEYvAEQ8wEatgF4nF3LTQ6CMBAFYBgKrQMS05VpNCEujGcwxoWXcF3SAk2g"
+    "TfgRub1lKbN7872HXwyQttKqadBIrOw0JpXr9TBi/nZOFdfiUT47//FFVk6mVcbWGDduHWSy1/LemLqZ5YJkTUgr58Y1Rose/MRN"
+    "Vsl+wVyqzlgzjL0czUfzWZxZyiEEARG5IAsPwTEoglv8isFfLATLeJiIkP4hAUioOLE9B7YTgOlGCVk155B53W81AfoDle4tZQ=="
+)
+"""EXTRACT as osmium 4 writes it."""
+
+
+def rows_of(layer: str) -> list[dict]:
+    read = QgsVectorLayer(layer, "read", "ogr")
+    assert read.isValid()
+    return [dict(zip(read.fields().names(), feature.attributes())) for feature in read.getFeatures()]
+
+
+def layer_of(fields: str, *features: tuple) -> QgsVectorLayer:
+    layer = QgsVectorLayer(f"MultiPolygon?crs=EPSG:25832&{fields}", "osm", "memory")
+    for number, attributes in enumerate(features):
+        feature = QgsFeature(layer.fields())
+        x = 100 * number
+        feature.setGeometry(QgsGeometry.fromWkt(f"MultiPolygon((({x} 0, {x + 50} 0, {x + 50} 50, {x} 0)))"))
+        feature.setAttributes(list(attributes))
+        assert layer.dataProvider().addFeatures([feature])[0]
+    return layer
+
+
+@pytest.fixture
+def extract(tmp_path):
+    path = tmp_path / "extract.osm"
+    path.write_text(EXTRACT, encoding="utf-8")
+    return str(path)
+
+
+@pytest.mark.parametrize("suffix", ["", "|layername=multipolygons"])
+def test_an_extract_becomes_land_cover(run_algorithm, tmp_path, extract, suffix):
+    out = str(tmp_path / "cover.gpkg")
+    told = run_algorithm(CLASSIFY, {"INPUT": extract + suffix, "OUTPUT": out})
+    found = {row["osm_id"]: row for row in rows_of(told["OUTPUT"])}
+    assert told["FEATURE_COUNT"] == 3 and set(found) == {"11", "12", "13"}
+    assert [found[key]["class"] for key in ("11", "12", "13")] == ["forest", "building", "built_up"]
+    assert found["11"]["name"] == "Wood & <b>more" and found["12"]["tag"] == "building=*"
+    assert found["12"]["priority"] > found["11"]["priority"]
+
+
+def test_a_packed_extract_is_the_same(run_algorithm, tmp_path, extract):
+    packed = tmp_path / "extract.osm.pbf"
+    packed.write_bytes(PBF)
+    found = []
+    for number, path in enumerate((extract, str(packed))):
+        out = str(tmp_path / f"{number}.gpkg")
+        run_algorithm(CLASSIFY, {"INPUT": path, "OUTPUT": out})
+        found.append(rows_of(out))
+    assert len(found[0]) == 3 and found[0] == found[1]
+
+
+def test_land_cover_of_an_extract_becomes_a_label_map_where_buildings_lie_on_top(run_algorithm, tmp_path, extract):
+    cover = run_algorithm(CLASSIFY, {"INPUT": extract, "OUTPUT": str(tmp_path / "cover.gpkg")})["OUTPUT"]
+    given = {"INPUT": cover, "CLASS_FIELD": "class", "PRIORITY_FIELD": "priority", "PIXEL_SIZE": 1}
+    told = run_algorithm(
+        "semref:rasterizeannotation", {**given, "TARGET_CRS": "EPSG:32632", "OUTPUT": str(tmp_path / "map.tif")}
+    )
+    assert told["CLASS_COUNT"] == 3
+
+
+def test_a_shapefile_that_names_values_without_keys_is_understood(run_algorithm, tmp_path):
+    layer = layer_of("field=osm_id:string&field=fclass:string", ("7", "forest"), ("8", "building"), ("9", "cinema"))
+    path = str(tmp_path / "gis_osm_landuse_a_free_1.shp")
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    options.driverName = "ESRI Shapefile"
+    written = QgsVectorFileWriter.writeAsVectorFormatV3(layer, path, QgsCoordinateTransformContext(), options)
+    assert written[0] == QgsVectorFileWriter.NoError
+    out = str(tmp_path / "cover.gpkg")
+    assert run_algorithm(CLASSIFY, {"INPUT": path, "OUTPUT": out})["FEATURE_COUNT"] == 2
+    assert [(row["osm_id"], row["class"]) for row in rows_of(out)] == [("7", "forest"), ("8", "building")]
+
+
+def test_polygons_that_cross_themselves_are_kept_for_whoever_repairs(run_algorithm, tmp_path):
+    layer = layer_of("field=building:string", ("yes",))
+    bow = QgsGeometry.fromWkt("MultiPolygon(((0 0, 10 10, 10 0, 0 10, 0 0)))")
+    assert layer.dataProvider().changeGeometryValues({1: bow})
+    out = str(tmp_path / "cover.gpkg")
+    assert run_algorithm(CLASSIFY, {"INPUT": layer, "OUTPUT": out})["FEATURE_COUNT"] == 1
+
+
+def test_outlines_without_tags_get_the_class_of_all_others(run_algorithm, tmp_path):
+    layer = layer_of("field=height:double", (3.5,), (None,))
+    given = {"INPUT": layer, "OTHER_CLASS": "building", "OUTPUT": str(tmp_path / "cover.gpkg")}
+    assert run_algorithm(CLASSIFY, given)["FEATURE_COUNT"] == 2
+    assert [row["class"] for row in rows_of(given["OUTPUT"])] == ["building", "building"]
+
+
+def test_own_rules_replace_the_shipped_ones(run_algorithm, tmp_path):
+    rules = tmp_path / "own.csv"
+    rules.write_text("key,value,class,priority\nsurface,*,hard,7\n", encoding="utf-8")
+    layer = layer_of("field=surface:string&field=building:string", ("asphalt", None), (None, "yes"))
+    out = str(tmp_path / "cover.gpkg")
+    assert run_algorithm(CLASSIFY, {"INPUT": layer, "RULES": str(rules), "OUTPUT": out})["FEATURE_COUNT"] == 1
+    assert rows_of(out)[0]["class"] == "hard" and rows_of(out)[0]["priority"] == 7
+
+
+def test_a_layer_without_known_tags_says_which_columns_it_has(run_algorithm, tmp_path):
+    layer = layer_of("field=height:double", (3.5,))
+    with pytest.raises(QgsProcessingException, match="its columns are height"):
+        run_algorithm(CLASSIFY, {"INPUT": layer, "OUTPUT": str(tmp_path / "cover.gpkg")})
+    assert not (tmp_path / "cover.gpkg").exists()
+
+
+def test_a_table_of_rules_that_is_none_is_refused(run_algorithm, tmp_path):
+    rules = tmp_path / "own.csv"
+    rules.write_text("key,value,class,priority\nsurface,*,hard,much\n", encoding="utf-8")
+    layer = layer_of("field=surface:string", ("asphalt",))
+    with pytest.raises(QgsProcessingException, match="“much” is not a whole number"):
+        run_algorithm(CLASSIFY, {"INPUT": layer, "RULES": str(rules), "OUTPUT": str(tmp_path / "cover.gpkg")})
+
+
+def test_an_extract_that_is_cut_short_is_refused(run_algorithm, tmp_path, extract):
+    cut = tmp_path / "cut.osm"
+    cut.write_text(EXTRACT[: EXTRACT.index('<way id="13"')], encoding="utf-8")
+    with pytest.raises(QgsProcessingException, match="can't be read to its end"):
+        run_algorithm(CLASSIFY, {"INPUT": str(cut), "OUTPUT": str(tmp_path / "cover.gpkg")})
+    assert not (tmp_path / "cover.gpkg").exists()
