@@ -75,7 +75,7 @@ LINES = (
     Line("onboard file, bytes a window", "≤ 40", "onboard file", "without", "a window", "onboard"),
     Line("onboard file, bytes a landmark", "≤ 6", "onboard file", "without", "a landmark", "onboard"),
     Line("update, share of a rebuild", "≤ 5 %", "update", "changed areas", "share"),
-    Line("segmenting, times bare onnxruntime", "≥ 0.9", "segment", "multiplications", "ratio"),
+    Line("segmenting, times bare onnxruntime", "≥ 0.9", "segment", "multiplications", "of onnxruntime"),
     Line("longest stall of the dock, ms", "≤ 100", "dock stalls", "", "(ms)", "dock", largest=True),
 )
 
