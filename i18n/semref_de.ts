@@ -724,6 +724,10 @@ Der Bericht sagt auch, wie weit von ihrem Ort die Landmarken jeder Klasse gezeig
    <translation>Befehl kopieren</translation>
   </message>
   <message>
+   <source>Copy diagnostics</source>
+   <translation>Diagnose kopieren</translation>
+  </message>
+  <message>
    <source>Copy position</source>
    <translation>Position kopieren</translation>
   </message>
@@ -786,6 +790,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Device</source>
    <translation>Gerät</translation>
+  </message>
+  <message>
+   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
+   <translation>Die Diagnose liegt in der Zwischenablage: Versionen, Pakete, Geräte und die letzten Meldungen, ohne Ihre Pfade und Namen. Lesen Sie sie durch und fügen Sie sie in eine neue Meldung ein.</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -3974,6 +3982,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
   <message>
    <source>What</source>
    <translation>Was</translation>
+  </message>
+  <message>
+   <source>What a report of a fault needs, onto the clipboard</source>
+   <translation>Was eine Fehlermeldung braucht, in die Zwischenablage</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>

@@ -724,6 +724,10 @@ El informe dice también a qué distancia de su sitio se muestran los hitos de c
    <translation>Copiar comando</translation>
   </message>
   <message>
+   <source>Copy diagnostics</source>
+   <translation>Copiar diagnóstico</translation>
+  </message>
+  <message>
    <source>Copy position</source>
    <translation>Copiar posición</translation>
   </message>
@@ -786,6 +790,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Device</source>
    <translation>Dispositivo</translation>
+  </message>
+  <message>
+   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
+   <translation>El diagnóstico está en el portapapeles: versiones, paquetes, dispositivos y los últimos mensajes, sin sus rutas ni nombres. Léalo y péguelo en una nueva incidencia.</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -3974,6 +3982,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>What</source>
    <translation>Qué</translation>
+  </message>
+  <message>
+   <source>What a report of a fault needs, onto the clipboard</source>
+   <translation>Lo que necesita un informe de error, al portapapeles</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>

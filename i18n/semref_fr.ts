@@ -724,6 +724,10 @@ Le rapport dit aussi de combien les repères visuels de chaque classe sont montr
    <translation>Copier la commande</translation>
   </message>
   <message>
+   <source>Copy diagnostics</source>
+   <translation>Copier le diagnostic</translation>
+  </message>
+  <message>
    <source>Copy position</source>
    <translation>Copier la position</translation>
   </message>
@@ -786,6 +790,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Device</source>
    <translation>Appareil</translation>
+  </message>
+  <message>
+   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
+   <translation>Le diagnostic est dans le presse-papiers : versions, paquets, périphériques et derniers messages, sans vos chemins ni vos noms. Relisez-le, puis collez-le dans un nouveau ticket.</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -3974,6 +3982,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>What</source>
    <translation>Quoi</translation>
+  </message>
+  <message>
+   <source>What a report of a fault needs, onto the clipboard</source>
+   <translation>Ce dont un rapport d’erreur a besoin, dans le presse-papiers</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>

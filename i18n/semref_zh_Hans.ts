@@ -724,6 +724,10 @@ The report also tells how far from where they are the landmarks of each class ar
    <translation>复制命令</translation>
   </message>
   <message>
+   <source>Copy diagnostics</source>
+   <translation>复制诊断信息</translation>
+  </message>
+  <message>
    <source>Copy position</source>
    <translation>复制位置</translation>
   </message>
@@ -786,6 +790,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Device</source>
    <translation>设备</translation>
+  </message>
+  <message>
+   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
+   <translation>诊断信息已复制到剪贴板：版本、软件包、设备和最近的消息，不含您的路径和名称。请检查一遍，然后粘贴到新的问题报告中。</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -3974,6 +3982,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
   <message>
    <source>What</source>
    <translation>项目</translation>
+  </message>
+  <message>
+   <source>What a report of a fault needs, onto the clipboard</source>
+   <translation>将错误报告所需的信息复制到剪贴板</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>

@@ -1,4 +1,4 @@
-"""The ways in: button and menu entries – dock, sample project, user guide –, locator bar and options page."""
+"""The ways in: button and menu entries – dock, sample project, guide, diagnostics –, locator bar, options page."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from ..processing.packages.components import OPENCV, SHAPELY, how_to_install, mi
 from ..processing.translation import tr
 from ..processing.version import guide_url
 from ..processing.wording.sentences import worded
+from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .dock.preload import Preload
 from .options import OptionsFactory
@@ -59,9 +60,15 @@ class DockEntry:
         self._help.setObjectName("SemRefHelpAction")
         self._help.triggered.connect(_open_user_guide)
         iface.addPluginToMenu(MENU, self._help)
+        self._diagnostics = Diagnostics(window)
+        copy_icon = QgsApplication.getThemeIcon("/mActionEditCopy.svg")
+        self._diagnostics_action = QAction(copy_icon, tr("Copy diagnostics"), window)
+        self._diagnostics_action.setObjectName("SemRefDiagnosticsAction")
+        self._diagnostics_action.triggered.connect(self._copy_diagnostics)
+        iface.addPluginToMenu(MENU, self._diagnostics_action)
         # Not the page's: it goes on when the options are closed.
         self._installer, self._training_installer = ComponentInstaller(window), ComponentInstaller(window)
-        self._options = OptionsFactory(self._installer, self._training_installer)
+        self._options = OptionsFactory(self._installer, self._training_installer, self._diagnostics)
         iface.registerOptionsWidgetFactory(self._options)
         self._dock.helpAsked.connect(_open_user_guide)
         self._dock.installAsked.connect(self._show_options)
@@ -79,6 +86,9 @@ class DockEntry:
             return
         self._sample_project().ask()
 
+    def _copy_diagnostics(self) -> None:
+        Messages(self._iface.messageBar()).success(self._diagnostics.copy())
+
     def _sample_project(self):
         if self._sample is None:
             # Not at the top: the plugin has to load where these packages are missing.
@@ -95,6 +105,10 @@ class DockEntry:
             installer.deleteLater()
         self._iface.unregisterOptionsWidgetFactory(self._options)
         self._options.deleteLater()
+        self._iface.removePluginMenu(MENU, self._diagnostics_action)
+        self._diagnostics_action.deleteLater()
+        self._diagnostics.shut_down()
+        self._diagnostics.deleteLater()
         self._iface.removePluginMenu(MENU, self._help)
         self._help.deleteLater()
         self._iface.removePluginMenu(MENU, self._sample_action)
@@ -113,7 +127,7 @@ class DockEntry:
         self._iface.removeToolBarIcon(self._action)
         self._action.deleteLater()
         self._dock = self._action = self._locator = self._help = self._options = self._installer = None
-        self._training_installer = self._preload = None
+        self._training_installer = self._preload = self._diagnostics = self._diagnostics_action = None
 
     def _show_options(self) -> None:
         self._iface.showOptionsDialog(self._iface.mainWindow(), PAGE)

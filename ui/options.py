@@ -7,6 +7,7 @@ from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QIcon
 
 from ..processing.framework.base import ICON_PATH
+from .diagnostics import Diagnostics
 from .packages.component_installer import ComponentInstaller
 from .packages.components_page import ComponentsPage
 
@@ -16,11 +17,15 @@ class OptionsFactory(QgsOptionsWidgetFactory):
 
     changed = pyqtSignal()
 
-    def __init__(self, installer: ComponentInstaller, training_installer: ComponentInstaller) -> None:
+    def __init__(
+        self, installer: ComponentInstaller, training_installer: ComponentInstaller, diagnostics: Diagnostics
+    ) -> None:
         super().__init__("SemRef", QIcon(str(ICON_PATH)))
+        self._diagnostics = diagnostics
         self._installer, self._training_installer = installer, training_installer
 
     def createWidget(self, parent=None) -> ComponentsPage:
         page = ComponentsPage(self._installer, self._training_installer, parent)
         page.removed.connect(self.changed)
+        page.diagnosticsAsked.connect(lambda: page.state.setText(self._diagnostics.copy()))
         return page

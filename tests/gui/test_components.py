@@ -182,3 +182,30 @@ def test_a_package_that_brings_a_device_is_installed_from_the_index_or_a_folder(
     assert asked == [("onnxruntime-gpu", ""), ("onnxruntime-openvino", str(tmp_path))]
     page._installer.installed.emit()
     assert "once QGIS has been restarted" in page.state.text()
+
+
+# --- diagnostics ---
+
+
+def test_diagnostics_are_copied_from_the_menu_with_the_last_messages_of_semref(plugin, iface):
+    from qgis.core import Qgis, QgsApplication, QgsMessageLog
+
+    QgsMessageLog.logMessage("/home/jane/secret.gpkg is damaged.", "SemRef", Qgis.MessageLevel.Warning)
+    QgsMessageLog.logMessage("Something of another plugin", "Other", Qgis.MessageLevel.Warning)
+    action = next(action for action in iface.menu_actions if action.objectName() == "SemRefDiagnosticsAction")
+    action.trigger()
+    text = QgsApplication.clipboard().text()
+    assert text.startswith("SemRef ") and "OpenCV: missing" in text
+    assert "SemRef: <path.gpkg> is damaged." in text
+    assert "another plugin" not in text and "jane" not in text
+    assert "on the clipboard" in iface.bar.currentItem().text()
+
+
+def test_diagnostics_are_copied_from_the_options_page(page):
+    from qgis.core import QgsApplication
+
+    QgsApplication.clipboard().setText("")
+    page.diagnostics.click()
+    assert QgsApplication.clipboard().text().startswith("SemRef ")
+    assert "on the clipboard" in page.state.text()
+    keep_picture(page, "components_page_diagnostics")

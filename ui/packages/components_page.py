@@ -59,6 +59,7 @@ class ComponentsPage(QgsOptionsPageWidget):
     """``installer`` outlives the page: what it does when the options are opened again is shown again."""
 
     removed = pyqtSignal()
+    diagnosticsAsked = pyqtSignal()
 
     def __init__(
         self, installer: ComponentInstaller, training_installer: ComponentInstaller | None = None, parent=None
@@ -75,6 +76,8 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.copy = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy command"))
         self.remove = QPushButton(tr("Remove what SemRef installed"))
         self.models = QPushButton(tr("Show models…"))
+        self.diagnostics = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy diagnostics"))
+        self.diagnostics.setToolTip(tr("What a report of a fault needs, onto the clipboard"))
         self.cancel = QPushButton(tr("Cancel"))
         self.progress = QProgressBar()
         self.state = QLabel()
@@ -113,6 +116,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         buttons.addWidget(self.install_wheels, 0, 1)
         buttons.addWidget(self.copy, 1, 0)
         buttons.addWidget(self.remove, 1, 1)
+        buttons.addWidget(self.diagnostics, 2, 0)
         buttons.setColumnStretch(2, 1)
         group = QGroupBox(tr("Components"))
         layout = QVBoxLayout(group)
@@ -149,6 +153,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.remove.clicked.connect(self._remove)
         self.cancel.clicked.connect(self._installer.cancel)
         self.models.clicked.connect(self._show_models)
+        self.diagnostics.clicked.connect(self.diagnosticsAsked)
         self.devices.installAsked.connect(self._install_variant)
         self._installer.began.connect(self.state.setText)
         self._installer.said.connect(self._add_to_log)
