@@ -212,6 +212,10 @@
    <translation>Fotos oder Labelbilder hinzufügen oder Dateien, Ordner und Layer hierher ziehen.</translation>
   </message>
   <message>
+   <source>Adds the database’s layers to the project and chooses it in the dock.</source>
+   <translation>Fügt die Layer der Datenbank dem Projekt hinzu und wählt sie im Bedienfeld aus.</translation>
+  </message>
+  <message>
    <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
    <translation>Fügt dem Projekt das Bild als halbdurchsichtigen Layer hinzu, platziert nach seinem gefundenen Standort</translation>
   </message>
@@ -592,6 +596,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Ordner Ihrer Modelle wählen</translation>
   </message>
   <message>
+   <source>Chosen in the dock</source>
+   <translation>Im Bedienfeld gewählt</translation>
+  </message>
+  <message>
    <source>Class</source>
    <translation>Klasse</translation>
   </message>
@@ -762,6 +770,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>Schneidet ein Bild und seine Klassenkarte in Kacheln, mit denen ein Segmentierungsnetz trainiert wird, dazu Klassentabelle, Statistik und Verzeichnis.
 
 Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöcke werden für die Validierung zurückgelegt, und kein Pixel ist in beiden. Kacheln ohne Klassen entfallen. Klassen in einem anderen Gitter werden durch nächste Nachbarn auf das des Bildes gebracht.</translation>
+  </message>
+  <message>
+   <source>Databases at hand</source>
+   <translation>Vorhandene Datenbanken</translation>
   </message>
   <message>
    <source>Databases whose layers are in the project</source>
@@ -1444,6 +1456,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Bilder, die {footprint:g} Karteneinheiten zeigen, werden ohne bekannte Pixelgröße nicht gesucht: zu weit von der Fenstergröße {window:g} entfernt.</translation>
   </message>
   <message>
+   <source>In the project</source>
+   <translation>Im Projekt</translation>
+  </message>
+  <message>
    <source>In the project…</source>
    <translation>Im Projekt…</translation>
   </message>
@@ -1960,8 +1976,16 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Modell, für Fotos</translation>
   </message>
   <message>
+   <source>Models at hand</source>
+   <translation>Vorhandene Modelle</translation>
+  </message>
+  <message>
    <source>Models at hand, and what they are good for…</source>
    <translation>Vorhandene Modelle, und wofür sie gut sind…</translation>
+  </message>
+  <message>
+   <source>Models folder</source>
+   <translation>Modellordner</translation>
   </message>
   <message>
    <source>Models for photos</source>
@@ -2044,6 +2068,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Keine Klasse von {path} hat in beiden Karten genug Landmarken, um ihren Versatz zu nennen; ein größeres Gebiet angeben oder MODEL_OUTPUT leer lassen.</translation>
   </message>
   <message>
+   <source>No database yet</source>
+   <translation>Noch keine Datenbank</translation>
+  </message>
+  <message>
    <source>No ground was set aside, so nothing tells how good the network is.</source>
    <translation>Es wurde kein Gelände zurückgehalten, daher sagt nichts, wie gut das Netz ist.</translation>
   </message>
@@ -2062,6 +2090,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>No match</source>
    <translation>Kein Treffer</translation>
+  </message>
+  <message>
+   <source>No model yet</source>
+   <translation>Noch kein Modell</translation>
   </message>
   <message>
    <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
@@ -2334,6 +2366,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Opacity of the labels</source>
    <translation>Deckkraft der Klassen</translation>
+  </message>
+  <message>
+   <source>Open the database after running</source>
+   <translation>Datenbank nach der Ausführung öffnen</translation>
   </message>
   <message>
    <source>Open the sample project…</source>
@@ -3950,6 +3986,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
   <message>
    <source>Use this model</source>
    <translation>Dieses Modell verwenden</translation>
+  </message>
+  <message>
+   <source>Used last</source>
+   <translation>Zuletzt verwendet</translation>
   </message>
   <message>
    <source>User guide</source>

@@ -212,6 +212,10 @@
    <translation>Añada fotos o imágenes de etiquetas, o suelte aquí archivos, carpetas y capas.</translation>
   </message>
   <message>
+   <source>Adds the database’s layers to the project and chooses it in the dock.</source>
+   <translation>Añade las capas de la base de datos al proyecto y la elige en el panel.</translation>
+  </message>
+  <message>
    <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
    <translation>Añade la imagen al proyecto como capa semitransparente, colocada según la posición encontrada</translation>
   </message>
@@ -592,6 +596,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Elija la carpeta de sus modelos</translation>
   </message>
   <message>
+   <source>Chosen in the dock</source>
+   <translation>Elegida en el panel</translation>
+  </message>
+  <message>
    <source>Class</source>
    <translation>Clase</translation>
   </message>
@@ -762,6 +770,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>Corta una imagen y su mapa de etiquetas en teselas con las que se entrena una red de segmentación, con tabla de clases, estadísticas y un manifiesto.
 
 Las teselas de entrenamiento y de validación se separan por lugar: bloques enteros de terreno se reservan para la validación, y ningún píxel está en ambas. Las teselas sin etiquetas se dejan fuera. Las etiquetas en otra cuadrícula se llevan a la de la imagen por vecino más próximo.</translation>
+  </message>
+  <message>
+   <source>Databases at hand</source>
+   <translation>Bases de datos disponibles</translation>
   </message>
   <message>
    <source>Databases whose layers are in the project</source>
@@ -1444,6 +1456,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Las imágenes que muestran {footprint:g} unidades del mapa no se buscan sin un tamaño de píxel conocido: demasiado lejos del tamaño de ventana {window:g}.</translation>
   </message>
   <message>
+   <source>In the project</source>
+   <translation>En el proyecto</translation>
+  </message>
+  <message>
    <source>In the project…</source>
    <translation>En el proyecto…</translation>
   </message>
@@ -1960,8 +1976,16 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Modelo, para fotos</translation>
   </message>
   <message>
+   <source>Models at hand</source>
+   <translation>Modelos disponibles</translation>
+  </message>
+  <message>
    <source>Models at hand, and what they are good for…</source>
    <translation>Modelos disponibles y para qué sirven…</translation>
+  </message>
+  <message>
+   <source>Models folder</source>
+   <translation>Carpeta de modelos</translation>
   </message>
   <message>
    <source>Models for photos</source>
@@ -2044,6 +2068,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Ninguna clase de {path} tiene suficientes hitos en ambos mapas para conocer su sesgo; indique un área mayor o deje MODEL_OUTPUT vacío.</translation>
   </message>
   <message>
+   <source>No database yet</source>
+   <translation>Aún no hay ninguna base de datos</translation>
+  </message>
+  <message>
    <source>No ground was set aside, so nothing tells how good the network is.</source>
    <translation>No se reservó terreno, así que nada dice lo buena que es la red.</translation>
   </message>
@@ -2062,6 +2090,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>No match</source>
    <translation>Sin coincidencia</translation>
+  </message>
+  <message>
+   <source>No model yet</source>
+   <translation>Aún no hay ningún modelo</translation>
   </message>
   <message>
    <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
@@ -2334,6 +2366,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Opacity of the labels</source>
    <translation>Opacidad de las etiquetas</translation>
+  </message>
+  <message>
+   <source>Open the database after running</source>
+   <translation>Abrir la base de datos al terminar</translation>
   </message>
   <message>
    <source>Open the sample project…</source>
@@ -3950,6 +3986,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>Use this model</source>
    <translation>Usar este modelo</translation>
+  </message>
+  <message>
+   <source>Used last</source>
+   <translation>Usados recientemente</translation>
   </message>
   <message>
    <source>User guide</source>

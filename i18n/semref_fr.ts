@@ -212,6 +212,10 @@
    <translation>Ajoutez des photos ou des images d’étiquettes, ou déposez ici des fichiers, des dossiers et des couches.</translation>
   </message>
   <message>
+   <source>Adds the database’s layers to the project and chooses it in the dock.</source>
+   <translation>Ajoute les couches de la base de données au projet et la choisit dans le panneau.</translation>
+  </message>
+  <message>
    <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
    <translation>Ajoute l’image au projet comme couche semi-transparente, placée selon la position trouvée</translation>
   </message>
@@ -592,6 +596,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Choisir le dossier de vos modèles</translation>
   </message>
   <message>
+   <source>Chosen in the dock</source>
+   <translation>Choisi dans le panneau</translation>
+  </message>
+  <message>
    <source>Class</source>
    <translation>Classe</translation>
   </message>
@@ -762,6 +770,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>Découpe une image et sa carte d’étiquettes en tuiles sur lesquelles on entraîne un réseau de segmentation, avec une table des classes, des statistiques et un manifeste.
 
 Les tuiles d’entraînement et de validation sont séparées par lieu : des blocs de terrain entiers sont réservés à la validation, et aucun pixel n’est dans les deux. Les tuiles sans étiquettes sont laissées de côté. Les étiquettes d’une autre grille sont ramenées sur celle de l’image, par plus proche voisin.</translation>
+  </message>
+  <message>
+   <source>Databases at hand</source>
+   <translation>Bases de données disponibles</translation>
   </message>
   <message>
    <source>Databases whose layers are in the project</source>
@@ -1444,6 +1456,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Les images montrant {footprint:g} unités de carte ne sont pas cherchées sans taille de pixel connue : trop loin de la taille de fenêtre {window:g}.</translation>
   </message>
   <message>
+   <source>In the project</source>
+   <translation>Dans le projet</translation>
+  </message>
+  <message>
    <source>In the project…</source>
    <translation>Dans le projet…</translation>
   </message>
@@ -1960,8 +1976,16 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Modèle, pour les photos</translation>
   </message>
   <message>
+   <source>Models at hand</source>
+   <translation>Modèles disponibles</translation>
+  </message>
+  <message>
    <source>Models at hand, and what they are good for…</source>
    <translation>Modèles disponibles, et ce à quoi ils servent…</translation>
+  </message>
+  <message>
+   <source>Models folder</source>
+   <translation>Dossier des modèles</translation>
   </message>
   <message>
    <source>Models for photos</source>
@@ -2044,6 +2068,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Aucune classe de {path} n’a assez de repères visuels dans les deux cartes pour connaître son biais ; donnez une zone plus grande ou laissez MODEL_OUTPUT vide.</translation>
   </message>
   <message>
+   <source>No database yet</source>
+   <translation>Pas encore de base de données</translation>
+  </message>
+  <message>
    <source>No ground was set aside, so nothing tells how good the network is.</source>
    <translation>Aucun terrain n’a été mis de côté ; rien ne dit donc ce que vaut le réseau.</translation>
   </message>
@@ -2062,6 +2090,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>No match</source>
    <translation>Aucune correspondance</translation>
+  </message>
+  <message>
+   <source>No model yet</source>
+   <translation>Pas encore de modèle</translation>
   </message>
   <message>
    <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
@@ -2334,6 +2366,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Opacity of the labels</source>
    <translation>Opacité des étiquettes</translation>
+  </message>
+  <message>
+   <source>Open the database after running</source>
+   <translation>Ouvrir la base de données à la fin</translation>
   </message>
   <message>
    <source>Open the sample project…</source>
@@ -3950,6 +3986,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>Use this model</source>
    <translation>Utiliser ce modèle</translation>
+  </message>
+  <message>
+   <source>Used last</source>
+   <translation>Utilisés récemment</translation>
   </message>
   <message>
    <source>User guide</source>

@@ -212,6 +212,10 @@
    <translation>添加照片或标签影像，或将文件、文件夹和图层拖放到此处。</translation>
   </message>
   <message>
+   <source>Adds the database’s layers to the project and chooses it in the dock.</source>
+   <translation>将数据库的图层加入工程，并在面板中选用该数据库。</translation>
+  </message>
+  <message>
    <source>Adds the image to the project as a half-transparent layer, placed by its fix</source>
    <translation>将影像作为半透明图层添加到工程中，按其定位结果放置</translation>
   </message>
@@ -592,6 +596,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>选择您的模型文件夹</translation>
   </message>
   <message>
+   <source>Chosen in the dock</source>
+   <translation>面板中选用</translation>
+  </message>
+  <message>
    <source>Class</source>
    <translation>类别</translation>
   </message>
@@ -762,6 +770,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>将影像及其标签图切割成用于训练分割网络的图块，并附带类别表、统计信息和清单。
 
 训练图块和验证图块按地点划分：整块的地面留作验证，任何像元都不会同时出现在两者中。没有标签的图块会被舍弃。格网不同的标签会按最近邻重采样到影像的格网上。</translation>
+  </message>
+  <message>
+   <source>Databases at hand</source>
+   <translation>现有数据库</translation>
   </message>
   <message>
    <source>Databases whose layers are in the project</source>
@@ -1444,6 +1456,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>覆盖 {footprint:g} 地图单位的影像在像素大小未知时不会被搜索：与窗口大小 {window:g} 相差太大。</translation>
   </message>
   <message>
+   <source>In the project</source>
+   <translation>工程中</translation>
+  </message>
+  <message>
    <source>In the project…</source>
    <translation>工程中的数据库…</translation>
   </message>
@@ -1960,8 +1976,16 @@ The model that ships with SemRef can read these photos.</source>
    <translation>用于照片的模型</translation>
   </message>
   <message>
+   <source>Models at hand</source>
+   <translation>现有模型</translation>
+  </message>
+  <message>
    <source>Models at hand, and what they are good for…</source>
    <translation>现有模型及其用途…</translation>
+  </message>
+  <message>
+   <source>Models folder</source>
+   <translation>模型文件夹</translation>
   </message>
   <message>
    <source>Models for photos</source>
@@ -2044,6 +2068,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>{path} 没有任何类别在两张地图中有足够的地标来得出其偏移；请给出更大的区域，或将 MODEL_OUTPUT 留空。</translation>
   </message>
   <message>
+   <source>No database yet</source>
+   <translation>尚无数据库</translation>
+  </message>
+  <message>
    <source>No ground was set aside, so nothing tells how good the network is.</source>
    <translation>没有预留地面，因此无法说明网络的好坏。</translation>
   </message>
@@ -2062,6 +2090,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>No match</source>
    <translation>无匹配</translation>
+  </message>
+  <message>
+   <source>No model yet</source>
+   <translation>尚无模型</translation>
   </message>
   <message>
    <source>No pixel of the image is labeled; check that image and labels show the same ground.</source>
@@ -2334,6 +2366,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Opacity of the labels</source>
    <translation>标签的不透明度</translation>
+  </message>
+  <message>
+   <source>Open the database after running</source>
+   <translation>运行后打开数据库</translation>
   </message>
   <message>
    <source>Open the sample project…</source>
@@ -3950,6 +3986,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
   <message>
    <source>Use this model</source>
    <translation>使用此模型</translation>
+  </message>
+  <message>
+   <source>Used last</source>
+   <translation>最近使用</translation>
   </message>
   <message>
    <source>User guide</source>

@@ -16,6 +16,7 @@ from ..processing.wording.sentences import worded
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .dock.preload import Preload
+from .fields.dialog_widgets import offer_widgets, withdraw_widgets
 from .options import OptionsFactory
 from .packages.component_installer import ComponentInstaller
 from .packages.components_page import PAGE
@@ -33,6 +34,7 @@ class DockEntry:
 
     def __init__(self, iface: QgisInterface) -> None:
         self._iface = iface
+        offer_widgets()
         window = iface.mainWindow()
         self._action = QAction(QIcon(str(ICON_PATH)), "SemRef", window)
         self._action.setObjectName("SemRefDockAction")
@@ -126,6 +128,7 @@ class DockEntry:
         self._iface.removePluginMenu(MENU, self._action)
         self._iface.removeToolBarIcon(self._action)
         self._action.deleteLater()
+        withdraw_widgets()
         self._dock = self._action = self._locator = self._help = self._options = self._installer = None
         self._training_installer = self._preload = self._diagnostics = self._diagnostics_action = None
 

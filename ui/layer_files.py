@@ -7,8 +7,9 @@ import os
 from qgis.core import QgsMapLayer, QgsMimeDataUtils, QgsProject, QgsProviderRegistry, QgsRasterLayer
 from qgis.PyQt.QtCore import QMimeData
 
+from ..processing.exchange.database_layers import database_file
+
 _DATABASE_SUFFIX = ".gpkg"
-_DATABASE_LAYERS = ("references", "windows")
 
 
 def layer_file(layer: QgsMapLayer) -> str:
@@ -42,14 +43,6 @@ def project_databases(project: QgsProject) -> dict[str, str]:
             in_group = group is not None and group.parent() is not None
             found[path] = group.name() if in_group else os.path.splitext(os.path.basename(path))[0]
     return found
-
-
-def database_file(layer: QgsMapLayer) -> str:
-    """The reference database that a layer is of, by the names of its tables; empty for any other layer."""
-    parts = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
-    path = layer_file(layer)
-    of_one = path.endswith(_DATABASE_SUFFIX) and parts.get("layerName") in (*_DATABASE_LAYERS, "overview")
-    return path if of_one else ""
 
 
 def dropped_files(data: QMimeData) -> tuple[list[str], list[str]]:

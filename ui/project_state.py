@@ -9,7 +9,7 @@ from qgis.core import QgsProject, QgsSettings
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 SCOPE = "SemRef"
-DATABASE_SETTING = "semref/dock/database"
+DATABASE_SETTING, MODEL_SETTING = "semref/dock/database", "semref/dock/model"
 
 Prior = tuple[float, float, float, float, str]
 """x, y of the middle, x, y of the edge, and the authid of their CRS."""

@@ -9,6 +9,7 @@ from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsReferencedRectangle, 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QProgressBar, QPushButton
 
+from ..processing.exchange.database_layers import add_database_to_map
 from ..processing.exchange.styles import annotation_renderer
 from ..processing.framework.shipped_models import MODELS
 from ..processing.translation import tr
@@ -23,7 +24,6 @@ from ..storage.sample_files import (
     PIXEL_SIZE_M,
     PRIORITY_FIELD,
 )
-from .canvas.database_layers import add_database_to_map
 from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun
 from .widgets.messages import TAG, Messages

@@ -92,6 +92,7 @@ class BuildDatabase(SemRefAlgorithm):
                 minimum=0.0,
                 maximum=10000.0,
             ),
+            offers.open_output(),
             NumberResult(self.WINDOW_COUNT, tr("Number of windows")),
             NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
@@ -169,6 +170,7 @@ class BuildDatabase(SemRefAlgorithm):
             styles = database_styles(database.class_table)
             writer = DatabaseWriter(path, database, *degrees, builder.overview, styles)
             follow(writer.steps(), feedback, 85, 100)
+        outputs.open_database(self.DATABASE)
         self._say_result(database, feedback)
         return {self.WINDOW_COUNT: len(database.windows), self.REFERENCE_COUNT: len(database.references)}
 

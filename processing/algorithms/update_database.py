@@ -9,8 +9,9 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsC
 
 from ...core.errors import ClassTableError, LabelMapError, ParameterError
 from ..compat import SOURCE_POLYGON, wkt_for_gdal
+from ..framework import offers
 from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
-from ..framework.declarations import File, FileOutput, RasterLayer, VectorSource
+from ..framework.declarations import DATABASE_WIDGET, File, FileOutput, RasterLayer, VectorSource
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
@@ -56,6 +57,7 @@ class UpdateDatabase(SemRefAlgorithm):
                 tr("Reference database"),
                 tr("GeoPackage made by “Build reference database” or by this algorithm."),
                 extension="gpkg",
+                widget=DATABASE_WIDGET,
             ),
             RasterLayer(
                 self.LABELS,
@@ -80,6 +82,7 @@ class UpdateDatabase(SemRefAlgorithm):
                 tr("It may be the database itself, which is then replaced when the update is complete."),
                 filter=tr("GeoPackage (*.gpkg)"),
             ),
+            offers.open_output(),
         )
 
     def read_layers(self, values: Values) -> None:
@@ -106,6 +109,7 @@ class UpdateDatabase(SemRefAlgorithm):
             follow(DatabaseEditor(path, stored, updater.changes).steps(), feedback, 80, 100)
         # Else the update would undo what others have written since, where it replaces the database.
         outputs.require(stored.require_as_read)
+        outputs.open_database(self.OUTPUT)
         self._say_result(stored.database, updater.changes, feedback)
 
     def _check_crs(self, database: ReferenceDatabase) -> None:

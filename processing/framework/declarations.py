@@ -32,6 +32,12 @@ from qgis.core import (
 
 from ..compat import SOURCE_FILE, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
 
+WIDGETS: dict[str, str] = {}
+"""Classes of widgets by kind, as “package.module.Class”: filled where there are windows, empty elsewhere."""
+
+DATABASE_WIDGET, MODEL_WIDGET, OPEN_WIDGET = "database", "model", "open"
+"""Kinds of widgets: a file box that offers the databases, or the models, that are at hand; a box ticked in a dialog."""
+
 
 @dataclass(frozen=True)
 class Parameter:
@@ -44,6 +50,7 @@ class Parameter:
         optional: Whether it may be left out.
         advanced: Whether the dialog folds it away.
         default: The value when nothing is given.
+        widget: A kind of ``WIDGETS``; QGIS's own widget where it is empty, or where there is no such widget.
     """
 
     KIND: ClassVar[type[QgsProcessingParameterDefinition]]
@@ -54,6 +61,7 @@ class Parameter:
     optional: bool = False
     advanced: bool = False
     default: Any = None
+    widget: str = ""
 
     def definition(self) -> QgsProcessingParameterDefinition:
         """QGIS's own parameter; the caller, ``addParameter``, takes it."""
@@ -61,6 +69,8 @@ class Parameter:
         made.setHelp(self.help)
         if self.advanced:
             made.setFlags(made.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
+        if self.widget in WIDGETS:
+            made.setMetadata({"widget_wrapper": {"class": WIDGETS[self.widget]}})
         return made
 
     def made(self) -> QgsProcessingParameterDefinition:

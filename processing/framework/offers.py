@@ -4,7 +4,21 @@ from __future__ import annotations
 
 from ..compat import SOURCE_POLYGON
 from ..translation import tr
-from .declarations import FieldOf, File, FileOutput, MapExtent, Number, Parameter, RasterLayer, Text, VectorSource
+from .declarations import (
+    DATABASE_WIDGET,
+    MODEL_WIDGET,
+    OPEN_WIDGET,
+    FieldOf,
+    File,
+    FileOutput,
+    MapExtent,
+    Number,
+    Parameter,
+    RasterLayer,
+    Switch,
+    Text,
+    VectorSource,
+)
 
 DATABASE, MODEL, LABELS, IMAGES = "DATABASE", "MODEL", "LABELS", "IMAGES"
 INPUT, CLASS_FIELD, PRIORITY_FIELD, CLASS_TABLE = "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE"
@@ -15,12 +29,14 @@ SUN_DIRECTION = "SUN_DIRECTION"
 MISSED, INVENTED, MISNAMED, RAGGED = "MISSED", "INVENTED", "MISNAMED", "RAGGED"
 BACKGROUND, DISPLACED, SHIFTED, LEANING = "BACKGROUND", "DISPLACED", "SHIFTED", "LEANING"
 LENS, TILT = "LENS", "TILT"
+OPEN_OUTPUT = "OPEN_OUTPUT"
 
 
 def database(text: str = "", optional: bool = False) -> File:
     """A reference database; ``text``: its help where another one is needed."""
     text = text or tr("A GeoPackage made by “Build reference database”.")
-    return File(DATABASE, tr("Reference database"), text, optional, filter=tr("GeoPackage (*.gpkg)"))
+    gpkg = tr("GeoPackage (*.gpkg)")
+    return File(DATABASE, tr("Reference database"), text, optional, filter=gpkg, widget=DATABASE_WIDGET)
 
 
 def label_map(text: str) -> RasterLayer:
@@ -35,7 +51,15 @@ def class_table(text: str, optional: bool = True, advanced: bool = False) -> Fil
 
 def model(text: str, optional: bool = False) -> File:
     """A segmentation network."""
-    return File(MODEL, tr("Model"), text, optional, filter=tr("ONNX models (*.onnx)"))
+    return File(MODEL, tr("Model"), text, optional, filter=tr("ONNX models (*.onnx)"), widget=MODEL_WIDGET)
+
+
+def open_output() -> Switch:
+    """Whether a database is opened in QGIS when it is written; dialogs suggest it, scripts and batches don't."""
+    title = tr("Open the database after running")
+    text = tr("Adds the database’s layers to the project and chooses it in the dock.")
+    # Optional: the model designer finds an error where one that must be given is left to its default.
+    return Switch(OPEN_OUTPUT, title, text, True, True, False, OPEN_WIDGET)
 
 
 def extent() -> MapExtent:

@@ -22,7 +22,9 @@ from ...core.errors import ParameterError
 from ...storage.files import Batch
 from ...storage.vector_files import copy_database, feature_count, lacks_spatial_index, require_no_other_layers
 from ..compat import make_field
+from ..exchange.database_layers import open_when_done
 from ..exchange.output_style import Look, style_in_file, style_when_loaded
+from . import offers
 
 if TYPE_CHECKING:
     from ...core.labels.class_table import ClassTable
@@ -52,6 +54,7 @@ class Outputs:
         self._layers: list[_Layer] = []
         self._copies: dict[str, str] = {}
         self._checks: list[Callable[[], None]] = []
+        self._opened: list[str] = []
         self.results: dict[str, Any] = {}
 
     def __enter__(self) -> Outputs:
@@ -65,6 +68,8 @@ class Outputs:
         self._batch.commit(*self._checks)
         for layer in self._layers:
             layer.announce(self._values.context)
+        for key in self._opened:
+            open_when_done(self.results[key], key, self._values.context)
 
     def require(self, check: Callable[[], None]) -> None:
         """Has ``check`` called before anything moves, while no other run moves its outputs there; it may raise."""
@@ -98,6 +103,11 @@ class Outputs:
         if not os.path.isfile(temporary):
             raise ParameterError("framework.not_written", name=target)
         self.results[key] = target
+
+    def open_database(self, key: str) -> None:
+        """Has QGIS open the reference database of an output, where whoever started the algorithm wants that."""
+        if self._values.switch(offers.OPEN_OUTPUT):
+            self._opened.append(key)
 
     def wants(self, key: str) -> bool:
         """Whether an optional output is wanted."""

@@ -10,7 +10,12 @@ from qgis.PyQt.QtGui import QIcon
 
 from ..translation import tr
 from ..version import algorithm_help_url
+from . import offers
 from .base import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title
+from .declarations import DATABASE_WIDGET, MODEL_WIDGET, WIDGETS
+
+_WIDGETS = {offers.DATABASE: DATABASE_WIDGET, offers.MODEL: MODEL_WIDGET}
+"""Widgets of the models' parameters, by name."""
 
 MODELS = Path(__file__).resolve().parents[2] / "models"
 
@@ -112,6 +117,8 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         model, texts = self.toVariant(), model_texts(self.name())
         for name, definition in model["parameterDefinitions"].items():
             definition["description"] = texts.names.get(name) or tr(definition["description"])
+            if _WIDGETS.get(name) in WIDGETS:
+                definition["metadata"] = {"widget_wrapper": {"class": WIDGETS[_WIDGETS[name]]}}
         for child in model["children"].values():
             for output in child["outputs"].values():
                 output["component_description"] = tr(output["component_description"])

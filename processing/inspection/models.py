@@ -34,9 +34,14 @@ def listed_models(folder: Path) -> list[ModelCard]:
     """The cards of the models in a folder and in those just below it, by name, then of the one that ships."""
     from ...core.segmentation.model_card import read_card
 
+    return [read_card(str(path)) for path in model_files(folder)]
+
+
+def model_files(folder: Path) -> list[Path]:
+    """The models in a folder and in those just below it, by name, then the one that ships."""
     # Not Path.is_dir, which raises where the folder may not be looked at.
     own = sorted({*folder.glob("*.onnx"), *folder.glob("*/*.onnx")}) if os.path.isdir(folder) else []
     found = (*own[:MOST_LISTED], *sorted(SHIPPED.glob("*.onnx")))
     # Each file once: a folder may be a link to the one that it lies in. The shortest path is it.
     by_file = {os.path.realpath(path): path for path in sorted(found, key=lambda path: len(path.parts), reverse=True)}
-    return [read_card(str(path)) for path in found if by_file[os.path.realpath(path)] is path]
+    return [path for path in found if by_file[os.path.realpath(path)] is path]

@@ -59,7 +59,7 @@ class ModelMaker:
         for key, origin in inputs.items():
             if isinstance(origin, str) and origin not in self._names:
                 raise ValueError(f"{child_id}: the model has no parameter {origin}")
-            kinds = {str: source.fromModelParameter, int: source.fromStaticValue}
+            kinds = {str: source.fromModelParameter, int: source.fromStaticValue, bool: source.fromStaticValue}
             make = kinds.get(type(origin), lambda pair: source.fromChildOutput(*pair))
             child.addParameterSources(key, [make(origin)])
         results = {}
@@ -116,7 +116,7 @@ def annotation_to_database():
     maker.step("rasterize", "semref:rasterizeannotation", rasterized, {"OUTPUT": "Label map"})
     built = same("REFERENCE_CLASSES", "WINDOW_SIZE", "STRIDE", "MINIMUM_AREA")
     # The model designer finds an error where a parameter that must be given is left to its default.
-    built.update(LABELS=("rasterize", "OUTPUT"), REFERENCES_PER_VECTOR=10)
+    built.update(LABELS=("rasterize", "OUTPUT"), REFERENCES_PER_VECTOR=10, OPEN_OUTPUT=True)
     maker.step("build", "semref:builddatabase", built, {"DATABASE": "Reference database"})
     return maker.model
 
@@ -171,7 +171,7 @@ def correction_to_database():
     grid = {"PIXEL_SIZE": ("pixels", "PIXEL_WIDTH"), "EXTENT": "LABELS", "TARGET_CRS": "LABELS"}
     rasterized = {**same("INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE"), **grid}
     maker.step("rasterize", "semref:rasterizeannotation", rasterized, {"OUTPUT": "Corrected label map"})
-    updated = {**same("DATABASE", "CHANGED"), "LABELS": ("rasterize", "OUTPUT")}
+    updated = {**same("DATABASE", "CHANGED"), "LABELS": ("rasterize", "OUTPUT"), "OPEN_OUTPUT": True}
     maker.step("update", "semref:updatedatabase", updated, {"OUTPUT": "Updated database"})
     return maker.model
 

@@ -8,9 +8,9 @@ from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.errors import DatabaseError
+from ...processing.exchange.database_layers import add_database_to_map
 from ...processing.translation import tr
 from ...processing.wording.sentences import worded
-from ..canvas.database_layers import add_database_to_map
 from ..packages.missing_notice import MissingNotice
 from ..running.background import DatabaseShelf, Reader
 from ..tabs.correct.tab import CorrectTab

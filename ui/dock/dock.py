@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from qgis.core import QgsSettings
 from qgis.gui import QgsDockWidget, QgsMapCanvas, QgsMessageBar
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QShowEvent
 from qgis.PyQt.QtWidgets import QWidget
 
 from ...core.localization import Method
-from ..project_state import DockState, ProjectState, remembered_database
+from ...processing.exchange.database_layers import OPENED
+from ..project_state import DATABASE_SETTING, DockState, ProjectState, remembered_database
 from ..running.background import DatabaseShelf
 from ..widgets.messages import Messages
 
@@ -41,6 +44,7 @@ class SemRefDock(QgsDockWidget):
         self._state = ProjectState(self._state_now, self)
         self._state.opened.connect(self._restore)
         self._state.cleared.connect(self._forget)
+        OPENED.database.connect(self.choose_database)
         self.visibilityChanged.connect(self._follow_visibility)
 
     def let_open(self) -> None:
@@ -70,6 +74,7 @@ class SemRefDock(QgsDockWidget):
         """Cancels what runs and clears the canvas."""
         self.visibilityChanged.disconnect(self._follow_visibility)
         self._state.shut_down()
+        OPENED.database.disconnect(self.choose_database)
         self._opens = False
         if self._content is not None:
             self._content.shut_down()
@@ -104,6 +109,14 @@ class SemRefDock(QgsDockWidget):
         )
         self.setUserVisible(True)
         self.content.tabs.setCurrentIndex(LOCALIZE)
+
+    def choose_database(self, path: str) -> None:
+        """Works with this database from now on; also with one that was replaced under the same name."""
+        QgsSettings().setValue(DATABASE_SETTING, path)
+        if self._content is not None:
+            self._content.database.choose(path)
+        elif self._wanted_state is not None:
+            self._wanted_state = replace(self._wanted_state, database=path)
 
     def refresh_notice(self) -> None:
         """Looks again which packages are missing."""

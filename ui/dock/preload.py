@@ -10,11 +10,11 @@ _PAUSE_MS = 50
 _ROOT = __package__.rpartition(".")[0]
 _MODULES = (
     "findings",
-    "canvas.database_layers",
     "canvas.highlight",
     "canvas.prior_tool",
     "canvas.match_marks",
     "packages.missing_notice",
+    "fields.known",
     "widgets.database_box",
     "tabs.correct.tab",
     "tabs.inspect.vector_plot",

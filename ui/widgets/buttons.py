@@ -8,15 +8,16 @@ from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import QShortcut, QSizePolicy, QToolButton, QWidget
 
 
-def tool_button(icon: str, text: str, checkable: bool = False) -> QToolButton:
+def tool_button(icon: str, text: str, checkable: bool = False, made: QToolButton | None = None) -> QToolButton:
     """A button that is a picture only.
 
     Args:
         icon: Of QGIS's theme, such as ``/mActionAdd.svg``.
         text: What it does, told to the mouse and to screen readers.
         checkable: Whether it stays pressed.
+        made: The button itself where it is one of a class of its own.
     """
-    button = QToolButton()
+    button = QToolButton() if made is None else made
     button.setIcon(QgsApplication.getThemeIcon(icon))
     button.setToolTip(text)
     button.setAccessibleName(text)

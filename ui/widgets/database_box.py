@@ -9,6 +9,7 @@ from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 from qgis.PyQt.QtWidgets import QComboBox, QVBoxLayout, QWidget
 
 from ...processing.translation import tr
+from ..fields.known import DATABASE, note_used
 from ..layer_files import dropped_files, project_databases
 from ..project_state import DATABASE_SETTING, remembered_database
 from .buttons import tool_button
@@ -66,6 +67,13 @@ class DatabaseBox(QgsCollapsibleGroupBox):
         """Of the chosen database; empty without one."""
         return self.file.filePath().strip()
 
+    def choose(self, path: str) -> None:
+        """Chooses a database; says ``changed`` also where it is the chosen one, whose content may be another."""
+        if path == self.path():
+            self.changed.emit()
+        else:
+            self.file.setFilePath(path)
+
     def _list_soon(self, *_layers) -> None:
         self._soon.start(0)
 
@@ -91,6 +99,7 @@ class DatabaseBox(QgsCollapsibleGroupBox):
         if self.chosen:
             # A project that is cleared takes its database along, but not what the next session begins with.
             QgsSettings().setValue(DATABASE_SETTING, self.chosen)
+            note_used(DATABASE, self.chosen)
         self.add_to_map.setEnabled(bool(self.path()))
         self._show_in_project()
         self.changed.emit()

@@ -23,15 +23,16 @@ from ....core.localization import Method
 from ....processing.inspection.flight import looks_like_flight
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
+from ...fields.known import MODEL, note_used
 from ...layer_files import drawn_layers, layer_file, raster_layers
 from ...models.model_list import ModelsDialog
+from ...project_state import MODEL_SETTING
 from ...running.background import Reader
 from ...widgets.buttons import tool_button
 from ...widgets.layouts import narrow, row_of
 from .image_list import ImageList
 
 _METHOD_SETTING = "semref/dock/method"
-_MODEL_SETTING = "semref/dock/model"
 _FOLDER_SETTING = "semref/dock/image_folder"
 
 TRAIN_MODEL = "semref:trainmodel"
@@ -73,7 +74,7 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.model.setDialogTitle(tr("Choose a segmentation model"))
         self.model.lineEdit().setPlaceholderText(tr("Model, for photos"))
         self.model.setToolTip(tr("The network that makes labels of photos; leave empty for label images"))
-        self.model.setFilePath(QgsSettings().value(_MODEL_SETTING, "", type=str))
+        self.model.setFilePath(QgsSettings().value(MODEL_SETTING, "", type=str))
         self.models = tool_button("/mActionOpenTable.svg", tr("Models at hand, and what they are good for…"))
         self.choosing: QWidget | None = None
         self.train = tool_button("/processingAlgorithm.svg", tr("Train a model on an orthophoto and polygons…"))
@@ -147,7 +148,8 @@ class ImageBox(QgsCollapsibleGroupBox):
             self.model.setFilePath(results["OUTPUT"])
 
     def _remember_model(self) -> None:
-        QgsSettings().setValue(_MODEL_SETTING, self.model_path())
+        QgsSettings().setValue(MODEL_SETTING, self.model_path())
+        note_used(MODEL, self.model_path())
         self.changed.emit()
 
     def _enable_remove(self) -> None:

@@ -1,0 +1,150 @@
+"""A reference database on the map: its layers with their own styles, as one group."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from qgis.core import (
+    QgsLayerTreeGroup,
+    QgsMapLayer,
+    QgsProcessingContext,
+    QgsProcessingLayerPostProcessorInterface,
+    QgsProcessingUtils,
+    QgsProject,
+    QgsProviderRegistry,
+    QgsRasterLayer,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ...core.errors import DatabaseError
+from ..translation import tr
+
+REFERENCES, WINDOWS, OVERVIEW = "references", "windows", "overview"
+"""The tables that are layers, from top to bottom."""
+
+_SUFFIX = ".gpkg"
+_KEPT: list[_Opener] = []
+_MOST_KEPT = 20
+"""QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
+
+
+class Opened(QObject):
+    """``database``: the path of one that a user had an algorithm open."""
+
+    database = pyqtSignal(str)
+
+
+OPENED = Opened()
+"""Whoever shows databases follows it."""
+
+
+def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLayer | None = None) -> QgsLayerTreeGroup:
+    """Adds references, windows and overview, from top to bottom, and gives their group.
+
+    Args:
+        path: Of the database.
+        project: Where to.
+        references: The layer of that table where the project has it already.
+
+    Raises:
+        DatabaseError: Nothing was added.
+    """
+    if not Path(path).is_file():
+        raise DatabaseError("storage.no_database", path=path)
+    added = [
+        QgsVectorLayer(_table_source(path, WINDOWS), tr("Windows"), "ogr"),
+        QgsRasterLayer(_overview_source(path), tr("Overview"), "gdal"),
+    ]
+    if references is None:
+        added.insert(0, QgsVectorLayer(_table_source(path, REFERENCES), tr("Landmarks"), "ogr"))
+    if not all(layer.isValid() for layer in added):
+        raise DatabaseError("exchange.no_database_layers", path=path)
+    # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
+    from .styles import apply_overview_style
+
+    apply_overview_style(added[-1], path)
+    project.addMapLayers(added, False)
+    root = project.layerTreeRoot()
+    group = root.insertGroup(0, Path(path).stem)
+    for layer in added:
+        group.addLayer(layer)
+    if references is not None:
+        references.setName(tr("Landmarks"))
+        references.loadDefaultStyle()
+        before = root.findLayer(references.id())
+        group.insertLayer(0, references)
+        if before is not None:
+            before.parent().removeChildNode(before)
+    return group
+
+
+def database_file(layer: QgsMapLayer) -> str:
+    """The reference database that a layer is of, by the names of its tables; empty for any other layer."""
+    path, table = _file_and_table(layer)
+    return path if path.endswith(_SUFFIX) and table in (REFERENCES, WINDOWS, OVERVIEW) else ""
+
+
+def database_layers(path: str, project: QgsProject) -> list[QgsMapLayer]:
+    """Those of a database that the project has."""
+    wanted = os.path.realpath(path)
+    found = [(layer, database_file(layer)) for layer in project.mapLayers().values()]
+    return [layer for layer, file in found if file and os.path.realpath(file) == wanted]
+
+
+def reload_database(path: str, project: QgsProject) -> None:
+    """Shows what a database holds now that it was replaced."""
+    for layer in database_layers(path, project):
+        layer.dataProvider().reloadData()
+        layer.reload()
+        layer.triggerRepaint()
+
+
+def open_when_done(path: str, output: str, context: QgsProcessingContext) -> None:
+    """Has QGIS open a database when the algorithm that wrote it is done, as it opens layers; scripts open nothing."""
+    if context.project() is None:
+        return
+    details = QgsProcessingContext.LayerDetails(
+        tr("Landmarks"), context.project(), output, QgsProcessingUtils.LayerHint.Vector
+    )
+    _KEPT.append(_Opener(path))
+    del _KEPT[:-_MOST_KEPT]
+    details.setPostProcessor(_KEPT[-1])
+    context.addLayerToLoadOnCompletion(_table_source(path, REFERENCES), details)
+
+
+class _Opener(QgsProcessingLayerPostProcessorInterface):
+    """QGIS opens one layer and calls this with it, in the main thread."""
+
+    def __init__(self, path: str) -> None:
+        super().__init__()
+        self._path = path
+
+    def postProcessLayer(self, layer, context, feedback):
+        project = context.project()
+        others = [other for other in database_layers(self._path, project) if other.id() != layer.id()]
+        if others:
+            # Updated in place: the project has it already.
+            if any(_file_and_table(other)[1] == REFERENCES for other in others):
+                project.removeMapLayer(layer.id())
+            reload_database(self._path, project)
+        else:
+            add_database_to_map(self._path, project, layer)
+        OPENED.database.emit(self._path)
+
+
+def _file_and_table(layer: QgsMapLayer) -> tuple[str, str]:
+    parts = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
+    path = parts.get("path") or ""
+    return (path, parts.get("layerName") or "") if os.path.exists(path) else ("", "")
+
+
+def _table_source(path: str, table: str) -> str:
+    return f"{path}|layername={table}"
+
+
+def _overview_source(path: str) -> str:
+    """What QGIS opens the overview by; GDAL's name of a part of a file can't hold every path."""
+    is_plain = '"' not in path and ":" not in Path(path).name and ":" not in str(Path(path).parent)[2:]
+    return f"GPKG:{path}:overview" if is_plain else f"{path}|option:TABLE=overview"

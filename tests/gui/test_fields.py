@@ -1,0 +1,119 @@
+"""The widgets of SemRef's parameters, made as QGIS's dialogs make them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from dock_area import settle
+
+
+@pytest.fixture
+def wrapper_in(plugin):
+    """`wrapper_in(kind, algorithm, key)` makes a parameter's widget as the dialog of that class does."""
+    from processing.gui.wrappers import WidgetWrapperFactory
+    from qgis.core import QgsApplication, QgsProcessingContext
+    from qgis.PyQt.QtWidgets import QDialog, QVBoxLayout
+
+    kept = []
+
+    def make(kind: str, algorithm: str, key: str):
+        dialog = type(kind, (QDialog,), {})()
+        made = QgsApplication.processingRegistry().createAlgorithmById(algorithm)
+        wrapper = WidgetWrapperFactory.create_wrapper(made.parameterDefinition(key), dialog)
+        QVBoxLayout(dialog).addWidget(wrapper.createWrappedWidget(QgsProcessingContext()))
+        dialog.show()
+        kept.append((dialog, made, wrapper))
+        return wrapper
+
+    yield make
+    for dialog, _, _ in kept:
+        dialog.close()
+    kept.clear()
+
+
+def offered(wrapper) -> list[str]:
+    wrapper.known.list_files()
+    return [action.text() for action in wrapper.known.files.actions()]
+
+
+def test_a_dialog_begins_with_the_docks_database_and_a_batch_does_not(wrapper_in, dock, area):
+    dock.content.database.file.setFilePath(area.database)
+    assert wrapper_in("AlgorithmDialog", "semref:assessdatabase", "DATABASE").parameterValue() == area.database
+    assert wrapper_in("BatchAlgorithmDialog", "semref:assessdatabase", "DATABASE").parameterValue() in ("", None)
+
+
+def test_an_optional_model_is_not_filled_in(wrapper_in, dock, tmp_path):
+    (tmp_path / "own.onnx").write_bytes(b"a model")
+    dock.content.localize.images.model.setFilePath(str(tmp_path / "own.onnx"))
+    assert wrapper_in("AlgorithmDialog", "semref:localizeimages", "MODEL").parameterValue() in ("", None)
+    assert wrapper_in("AlgorithmDialog", "semref:segmentimage", "MODEL").parameterValue() == str(tmp_path / "own.onnx")
+    dock.content.localize.images.model.setFilePath("")
+
+
+def test_databases_of_the_project_the_dock_and_those_used_last_are_offered_once(wrapper_in, dock, area, tmp_path):
+    from qgis.core import QgsProject
+
+    from semref.processing.exchange.database_layers import add_database_to_map
+
+    for name in ("older", "newer"):
+        (tmp_path / f"{name}.gpkg").write_bytes(Path(area.database).read_bytes())
+        dock.content.database.file.setFilePath(str(tmp_path / f"{name}.gpkg"))
+    add_database_to_map(area.database, QgsProject.instance())
+    wrapper = wrapper_in("AlgorithmDialog", "semref:assessdatabase", "DATABASE")
+    assert offered(wrapper) == ["In the project", "area", "Chosen in the dock", "newer", "Used last", "older"]
+    entry = wrapper.known.files.actions()[1]
+    entry.trigger()
+    assert wrapper.parameterValue() == area.database
+    (tmp_path / "older.gpkg").unlink()
+    assert "older" not in offered(wrapper)
+
+
+def test_models_of_the_models_folder_are_offered(wrapper_in, tmp_path):
+    from semref.processing.inspection.models import choose_models_folder
+
+    (tmp_path / "a & b.onnx").write_bytes(b"a model")
+    choose_models_folder(str(tmp_path))
+    wrapper = wrapper_in("BatchAlgorithmDialog", "semref:localizeimages", "MODEL")
+    assert offered(wrapper) == ["Models folder", "a && b", "sample_area"]
+    wrapper.known.files.actions()[1].trigger()
+    assert wrapper.parameterValue() == str(tmp_path / "a & b.onnx")
+    choose_models_folder("")
+
+
+def test_any_other_file_goes_into_the_box_and_the_dialog_hears_of_it(wrapper_in, tmp_path):
+    wrapper = wrapper_in("AlgorithmDialog", "semref:assessdatabase", "DATABASE")
+    told = []
+    wrapper.widgetValueHasChanged.connect(lambda *_: told.append(wrapper.parameterValue()))
+    wrapper.wrappedWidget().lineEdit().setText(str(tmp_path / "other.gpkg"))
+    assert told[-1] == str(tmp_path / "other.gpkg")
+
+
+@pytest.mark.parametrize(("dialog", "ticked"), [("AlgorithmDialog", True), ("BatchAlgorithmDialog", False)])
+def test_a_dialog_opens_the_database_that_it_builds_and_a_batch_does_not(wrapper_in, dialog, ticked):
+    assert wrapper_in(dialog, "semref:builddatabase", "OPEN_OUTPUT").parameterValue() is ticked
+
+
+def test_an_unloaded_plugin_leaves_qgis_its_own_widgets(plugin):
+    from semref.processing.framework.declarations import WIDGETS, File
+    from semref.processing.framework.offers import database
+
+    assert database().definition().metadata() != {}
+    plugin.unload()
+    settle()
+    assert WIDGETS == {} and database().definition().metadata() == {}
+    plugin.initGui()
+    assert isinstance(database(), File) and database().definition().metadata() != {}
+
+
+def test_a_database_that_was_opened_is_the_docks_choice_also_in_a_dock_that_was_never_shown(plugin, iface, area):
+    from semref.processing.exchange.database_layers import OPENED
+
+    OPENED.database.emit(area.database)
+    iface.tool_bar_actions[0].trigger()
+    dock = iface.docks[0]
+    assert dock.content.database.path() == area.database
+    told = []
+    dock.content.database.changed.connect(lambda: told.append(True))
+    OPENED.database.emit(area.database)
+    assert told == [True]

@@ -1,0 +1,116 @@
+"""Widgets of SemRef's parameters in the dialogs of Processing: single runs, batches and the model designer.
+
+QGIS makes them by the name of their class, which ``processing.framework.declarations.WIDGETS`` has while there are
+windows. It calls a class with (parameter, dialog, row, column) and takes what comes for the widget's wrapper.
+"""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessingParameterDefinition
+from qgis.gui import (
+    QgsAbstractProcessingParameterWidgetWrapper,
+    QgsFileWidget,
+    QgsGui,
+    QgsProcessingGui,
+)
+
+from ...processing.framework.declarations import DATABASE_WIDGET, MODEL_WIDGET, OPEN_WIDGET, WIDGETS
+from .known import DATABASE, MODEL, chosen
+from .known_button import KnownButton
+
+_BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"
+"""Processing's own dialogs, by which it tells them apart itself."""
+
+
+def offer_widgets() -> None:
+    """From now on dialogs have these widgets."""
+    WIDGETS.update(
+        {
+            DATABASE_WIDGET: f"{__name__}.DatabaseWidget",
+            MODEL_WIDGET: f"{__name__}.ModelWidget",
+            OPEN_WIDGET: f"{__name__}.OpenWidget",
+        }
+    )
+
+
+def withdraw_widgets() -> None:
+    """From now on dialogs have QGIS's own widgets."""
+    WIDGETS.clear()
+
+
+class DatabaseWidget:
+    """A file box that offers the databases at hand; a dialog begins with the one that the dock has."""
+
+    KIND = DATABASE
+
+    def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
+        name = type(dialog).__name__
+        if name == _MODELER:
+            wrapper = _of_designer(parameter, dialog)
+            wrapper.known = [KnownButton(box, cls.KIND) for box in wrapper.findChildren(QgsFileWidget)]
+        else:
+            if name != _BATCH and not parameter.flags() & QgsProcessingParameterDefinition.FlagOptional:
+                parameter.setGuiDefaultValueOverride(chosen(cls.KIND))
+            wrapper = _FileWrapper(parameter, _type_of(name), cls.KIND)
+        wrapper.setDialog(dialog)
+        return wrapper
+
+
+class ModelWidget(DatabaseWidget):
+    """A file box that offers the models at hand."""
+
+    KIND = MODEL
+
+
+class OpenWidget:
+    """A box that is ticked in the dialog of a single run, where somebody sees what is opened."""
+
+    def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
+        name = type(dialog).__name__
+        if name == _MODELER:
+            wrapper = _of_designer(parameter, dialog)
+        else:
+            if name != _BATCH:
+                parameter.setGuiDefaultValueOverride(True)
+            wrapper = QgsGui.processingGuiRegistry().createParameterWidgetWrapper(parameter, _type_of(name))
+        wrapper.setDialog(dialog)
+        return wrapper
+
+
+class _FileWrapper(QgsAbstractProcessingParameterWidgetWrapper):
+    """QGIS's file box with a button more."""
+
+    def __init__(self, parameter: QgsProcessingParameterDefinition, kind_of_dialog, kind: str) -> None:
+        super().__init__(parameter, kind_of_dialog)
+        self._kind = kind
+
+    # QGIS takes the box over: Python's half of it is no more, wrappedWidget() gives another one.
+
+    def createWidget(self):
+        box = QgsFileWidget()
+        box.setToolTip(self.parameterDefinition().toolTip())
+        box.setDialogTitle(self.parameterDefinition().description())
+        box.setFilter(self.parameterDefinition().createFileFilter())
+        box.fileChanged.connect(self._tell)
+        # Kept, because it lost the half that would keep it.
+        self.known = KnownButton(box, self._kind)
+        return box
+
+    def setWidgetValue(self, value, context):
+        self.wrappedWidget().setFilePath("" if value is None else str(value))
+
+    def widgetValue(self):
+        return self.wrappedWidget().filePath()
+
+    def _tell(self, *_path) -> None:
+        self.widgetValueHasChanged.emit(self)
+
+
+def _of_designer(parameter: QgsProcessingParameterDefinition, dialog):
+    """QGIS's own widget: beside the value it offers the model's inputs and what its steps write."""
+    registry = QgsGui.processingGuiRegistry()
+    return registry.createModelerParameterWidget(dialog.model, dialog.childId, parameter, dialog.context)
+
+
+def _type_of(dialog: str):
+    return QgsProcessingGui.Batch if dialog == _BATCH else QgsProcessingGui.Standard

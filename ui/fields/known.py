@@ -1,0 +1,67 @@
+"""The reference databases and the models that are at hand: of the project, the dock, a folder, and those used last."""
+
+from __future__ import annotations
+
+import os
+from typing import NamedTuple
+
+from qgis.core import QgsProject, QgsSettings
+
+from ...processing.inspection.models import model_files, models_folder
+from ...processing.translation import tr
+from ..layer_files import project_databases
+from ..project_state import MODEL_SETTING, remembered_database
+
+_RECENT = {"database": "semref/recent/databases", "model": "semref/recent/models"}
+_MOST_RECENT = 8
+"""As many as QGIS lists of its projects."""
+
+DATABASE, MODEL = _RECENT
+
+
+class Known(NamedTuple):
+    """Files under one heading: (name, path) each."""
+
+    heading: str
+    files: list[tuple[str, str]]
+
+
+def note_used(kind: str, path: str) -> None:
+    """Puts a file that the user works with on top of those used last."""
+    if path and os.path.isfile(path):
+        others = [known for known in _recent(kind) if known != path]
+        QgsSettings().setValue(_RECENT[kind], [path, *others][:_MOST_RECENT])
+
+
+def known_files(kind: str) -> list[Known]:
+    """What is at hand, each file once, under the first heading that has it; headings without files are left out."""
+    if kind == DATABASE:
+        of_project = [(name, path) for path, name in project_databases(QgsProject.instance()).items()]
+        first = Known(tr("In the project"), of_project), Known(tr("Chosen in the dock"), _named([chosen(kind)]))
+    else:
+        folder = [str(path) for path in model_files(models_folder())]
+        first = Known(tr("Chosen in the dock"), _named([chosen(kind)])), Known(tr("Models folder"), _named(folder))
+    seen: set[str] = set()
+    found = []
+    for heading, files in (*first, Known(tr("Used last"), _named(_recent(kind)))):
+        fresh = [(name, path) for name, path in files if os.path.realpath(path) not in seen]
+        seen.update(os.path.realpath(path) for _, path in fresh)
+        if fresh:
+            found.append(Known(heading, fresh))
+    return found
+
+
+def chosen(kind: str) -> str:
+    """The file that the dock works with, or worked with last; empty where there is none any more."""
+    path = remembered_database() if kind == DATABASE else QgsSettings().value(MODEL_SETTING, "", type=str)
+    return path if os.path.isfile(path) else ""
+
+
+def _recent(kind: str) -> list[str]:
+    stored = QgsSettings().value(_RECENT[kind], [])
+    # Qt keeps a list of one as a text.
+    return [stored] if isinstance(stored, str) else [path for path in stored or [] if isinstance(path, str)]
+
+
+def _named(paths: list[str]) -> list[tuple[str, str]]:
+    return [(os.path.splitext(os.path.basename(path))[0], path) for path in paths if path and os.path.isfile(path)]
