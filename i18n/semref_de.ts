@@ -40,8 +40,16 @@
    <translation>2 % der Geländekante</translation>
   </message>
   <message>
+   <source>95 % interval</source>
+   <translation>95-%-Intervall</translation>
+  </message>
+  <message>
    <source>95 % radius</source>
    <translation>95-%-Radius</translation>
+  </message>
+  <message>
+   <source>95 % radius (m)</source>
+   <translation>95-%-Radius (m)</translation>
   </message>
   <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
@@ -252,6 +260,14 @@
    <translation>Entlang des Fluges</translation>
   </message>
   <message>
+   <source>Along the route</source>
+   <translation>Entlang der Route</translation>
+  </message>
+  <message>
+   <source>Along the route (m)</source>
+   <translation>Entlang der Route (m)</translation>
+  </message>
+  <message>
    <source>Ambiguous</source>
    <translation>Mehrdeutig</translation>
   </message>
@@ -288,8 +304,16 @@
    <translation>Annotiert</translation>
   </message>
   <message>
+   <source>Annotated class</source>
+   <translation>Annotierte Klasse</translation>
+  </message>
+  <message>
    <source>Annotated label map</source>
    <translation>Annotierte Klassenkarte</translation>
+  </message>
+  <message>
+   <source>Annotated value</source>
+   <translation>Annotierter Wert</translation>
   </message>
   <message>
    <source>Annotation</source>
@@ -326,6 +350,10 @@
   <message>
    <source>Area</source>
    <translation>Fläche</translation>
+  </message>
+  <message>
+   <source>Area (m²)</source>
+   <translation>Fläche (m²)</translation>
   </message>
   <message>
    <source>Area or route</source>
@@ -500,6 +528,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>CSV mit den Spalten value, name, color, role, für eine Klassenkarte, die keine eigenen Klassen mitbringt.</translation>
   </message>
   <message>
+   <source>Camera</source>
+   <translation>Kamera</translation>
+  </message>
+  <message>
    <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
    <translation>Kameratabelle (Roll- und Nickwinkel, Brennweite, Zeit, Höhe, Richtung)</translation>
   </message>
@@ -526,6 +558,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Canceling…</source>
    <translation>Wird abgebrochen…</translation>
+  </message>
+  <message>
+   <source>Changed</source>
+   <translation>Geändert</translation>
   </message>
   <message>
    <source>Changed areas</source>
@@ -616,6 +652,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Klassentabelle</translation>
   </message>
   <message>
+   <source>Class value</source>
+   <translation>Klassenwert</translation>
+  </message>
+  <message>
    <source>Class “{name}” has only one of hsv_min and hsv_max; give both or none.</source>
    <translation>Die Klasse „{name}“ hat nur eines von hsv_min und hsv_max; beide angeben oder keines.</translation>
   </message>
@@ -640,6 +680,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Klassen</translation>
   </message>
   <message>
+   <source>Classes in view</source>
+   <translation>Klassen im Bild</translation>
+  </message>
+  <message>
    <source>Classes shifted (map units)</source>
    <translation>Klassen verschoben (Karteneinheiten)</translation>
   </message>
@@ -662,6 +706,14 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Color label image</source>
    <translation>Farbiges Klassenbild</translation>
+  </message>
+  <message>
+   <source>Column</source>
+   <translation>Spalte</translation>
+  </message>
+  <message>
+   <source>Column in the image</source>
+   <translation>Spalte im Bild</translation>
   </message>
   <message>
    <source>Compare label maps</source>
@@ -756,6 +808,10 @@ Der Bericht sagt auch, wie weit von ihrem Ort die Landmarken jeder Klasse gezeig
    <translation>Korrigierte Stellen</translation>
   </message>
   <message>
+   <source>Correlation of both</source>
+   <translation>Korrelation beider</translation>
+  </message>
+  <message>
    <source>Counting labels</source>
    <translation>Klassenwerte werden gezählt</translation>
   </message>
@@ -800,12 +856,32 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Fenster werden beschrieben</translation>
   </message>
   <message>
+   <source>Deviation eastwards (m)</source>
+   <translation>Abweichung nach Osten (m)</translation>
+  </message>
+  <message>
+   <source>Deviation northwards (m)</source>
+   <translation>Abweichung nach Norden (m)</translation>
+  </message>
+  <message>
+   <source>Deviation of the heading (°)</source>
+   <translation>Abweichung der Ausrichtung (°)</translation>
+  </message>
+  <message>
+   <source>Deviation of the pixel size (m)</source>
+   <translation>Abweichung der Pixelgröße (m)</translation>
+  </message>
+  <message>
    <source>Device</source>
    <translation>Gerät</translation>
   </message>
   <message>
    <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
    <translation>Die Diagnose liegt in der Zwischenablage: Versionen, Pakete, Geräte und die letzten Meldungen, ohne Ihre Pfade und Namen. Lesen Sie sie durch und fügen Sie sie in eine neue Meldung ein.</translation>
+  </message>
+  <message>
+   <source>Direction of its longer semi-axis (°)</source>
+   <translation>Richtung ihrer längeren Halbachse (°)</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -836,6 +912,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Abstand der Punkte; ohne Angabe ein Viertel der Bodenabdeckung.</translation>
   </message>
   <message>
+   <source>Distance from the center (px)</source>
+   <translation>Abstand vom Mittelpunkt (px)</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>Abstand von der Mitte, geteilt durch den größten</translation>
   </message>
@@ -852,8 +932,16 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Abstand der Topologievektoren; 0 ist volle Übereinstimmung, über 2 gibt es keine</translation>
   </message>
   <message>
+   <source>Distance of topology vectors</source>
+   <translation>Abstand der Topologievektoren</translation>
+  </message>
+  <message>
    <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
    <translation>Abstandsverhältnisse, Winkeldifferenzen und Klassenränge sowie die verwendeten Klassen.</translation>
+  </message>
+  <message>
+   <source>Distinctiveness</source>
+   <translation>Unverwechselbarkeit</translation>
   </message>
   <message>
    <source>Done, next</source>
@@ -892,6 +980,22 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Jedes simulierte Bild wurde aus allen anderen nach den Landmarken vorhergesagt, die es zeigt: Auf der Diagonale hält die Erwartung, was sie sagt. Brier-Wert (0 ist perfekt; immer ein Halb zu sagen hat 0,25): {scores}. Das prüft die Erwartung an simulierten Bildern, nicht das angegebene Rauschen an Ihrem eigenen.</translation>
   </message>
   <message>
+   <source>Easting</source>
+   <translation>Ostwert</translation>
+  </message>
+  <message>
+   <source>Easting below the camera</source>
+   <translation>Ostwert unter der Kamera</translation>
+  </message>
+  <message>
+   <source>Easting of the center</source>
+   <translation>Ostwert des Mittelpunkts</translation>
+  </message>
+  <message>
+   <source>Easting where it is seen</source>
+   <translation>Ostwert, wo sie gesehen wird</translation>
+  </message>
+  <message>
    <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
    <translation>Kantenlänge eines Pixels in Metern. Die kleinste Landmarke sollte etwa 50 Pixel bedecken.</translation>
   </message>
@@ -920,6 +1024,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>EfficientNet-Lite0, das Fotos schon kennt</translation>
   </message>
   <message>
+   <source>End (UTC)</source>
+   <translation>Ende (UTC)</translation>
+  </message>
+  <message>
    <source>Epoch {epoch}, loss {loss:.3f}</source>
    <translation>Epoche {epoch}, Verlust {loss:.3f}</translation>
   </message>
@@ -932,8 +1040,24 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Epochen</translation>
   </message>
   <message>
+   <source>Error</source>
+   <translation>Fehler</translation>
+  </message>
+  <message>
    <source>Error (m)</source>
    <translation>Fehler (m)</translation>
+  </message>
+  <message>
+   <source>Error of the heading (°)</source>
+   <translation>Fehler der Ausrichtung (°)</translation>
+  </message>
+  <message>
+   <source>Error of the scale</source>
+   <translation>Fehler des Maßstabs</translation>
+  </message>
+  <message>
+   <source>Error over 95 % radius</source>
+   <translation>Fehler durch 95-%-Radius</translation>
   </message>
   <message>
    <source>Errors</source>
@@ -964,6 +1088,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Erwarteter gegen simulierten Erfolg</translation>
   </message>
   <message>
+   <source>Expected error</source>
+   <translation>Erwarteter Fehler</translation>
+  </message>
+  <message>
    <source>Expected success</source>
    <translation>Erwarteter Erfolg</translation>
   </message>
@@ -974,6 +1102,18 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Expected success is good enough everywhere.</source>
    <translation>Der erwartete Erfolg ist überall gut genug.</translation>
+  </message>
+  <message>
+   <source>Expected success when shifted</source>
+   <translation>Erwarteter Erfolg nach Verschiebung</translation>
+  </message>
+  <message>
+   <source>Expected success, at least (95 %)</source>
+   <translation>Erwarteter Erfolg, mindestens (95 %)</translation>
+  </message>
+  <message>
+   <source>Expected success, at most (95 %)</source>
+   <translation>Erwarteter Erfolg, höchstens (95 %)</translation>
   </message>
   <message>
    <source>Export for onboard use</source>
@@ -1002,6 +1142,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>False accept rate</source>
    <translation>Anteil falsch angenommener Bilder</translation>
+  </message>
+  <message>
+   <source>Feature</source>
+   <translation>Objekt</translation>
   </message>
   <message>
    <source>Feature {id} and feature {other} had the same outline; one is left.</source>
@@ -1136,12 +1280,24 @@ Every image gives one point; without a fix it has no geometry and its reason say
 Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, und seine Begründung sagt, warum. Automatisch und die Konstellation finden Bilder überall auf der Karte, in jeder Ausrichtung, und prüfen, was sie finden. Der Topologievektor findet Bilder, die mittig auf einem Fenster liegen, und nimmt Bilder von anderswo an: seine Treffer sind zu prüfen.</translation>
   </message>
   <message>
+   <source>First image</source>
+   <translation>Erstes Bild</translation>
+  </message>
+  <message>
    <source>Fix</source>
    <translation>Fix</translation>
   </message>
   <message>
    <source>Fix of the image itself</source>
    <translation>Fix des Bildes selbst</translation>
+  </message>
+  <message>
+   <source>Fix without a heading</source>
+   <translation>Fix ohne Ausrichtung</translation>
+  </message>
+  <message>
+   <source>Fix, with its heading</source>
+   <translation>Fix mit Ausrichtung</translation>
   </message>
   <message>
    <source>Fixes by</source>
@@ -1178,6 +1334,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Footprint</source>
    <translation>Bodenabdeckung</translation>
+  </message>
+  <message>
+   <source>Footprint (m)</source>
+   <translation>Bodenabdeckung (m)</translation>
   </message>
   <message>
    <source>Footprint (map units)</source>
@@ -1356,8 +1516,20 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Ausrichtung</translation>
   </message>
   <message>
+   <source>Heading (° from grid north)</source>
+   <translation>Ausrichtung (° von Gitternord)</translation>
+  </message>
+  <message>
    <source>Heading of an image’s top, clockwise from grid north.</source>
    <translation>Ausrichtung der Bildoberkante, im Uhrzeigersinn von Gitternord.</translation>
+  </message>
+  <message>
+   <source>Held by</source>
+   <translation>Gehalten durch</translation>
+  </message>
+  <message>
+   <source>How exactly</source>
+   <translation>Wie genau</translation>
   </message>
   <message>
    <source>How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks do.</source>
@@ -1394,6 +1566,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>How good (IoU)</source>
    <translation>Wie gut (IoU)</translation>
+  </message>
+  <message>
+   <source>How it was found</source>
+   <translation>Wie gefunden</translation>
   </message>
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
@@ -1454,6 +1630,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>Bilder, die {footprint:g} Karteneinheiten zeigen, werden ohne bekannte Pixelgröße nicht gesucht: zu weit von der Fenstergröße {window:g} entfernt.</translation>
+  </message>
+  <message>
+   <source>Images with a fix of their own</source>
+   <translation>Bilder mit eigenem Fix</translation>
   </message>
   <message>
    <source>In the project</source>
@@ -1612,8 +1792,20 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Nur auf einer Seite des Bildes stimmen Landmarken mit der Karte überein: Es zeigt vielleicht zwei Orte.</translation>
   </message>
   <message>
+   <source>Landmarks in the database</source>
+   <translation>Landmarken in der Datenbank</translation>
+  </message>
+  <message>
+   <source>Landmarks in the image</source>
+   <translation>Landmarken im Bild</translation>
+  </message>
+  <message>
    <source>Landmarks in the window</source>
    <translation>Landmarken im Fenster</translation>
+  </message>
+  <message>
+   <source>Landmarks in view</source>
+   <translation>Landmarken im Blick</translation>
   </message>
   <message>
    <source>Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.</source>
@@ -1636,6 +1828,18 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Landmarken je Vektor</translation>
   </message>
   <message>
+   <source>Landmarks that agree</source>
+   <translation>Übereinstimmende Landmarken</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius</source>
+   <translation>Größter 95-%-Radius</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius (m)</source>
+   <translation>Größter 95-%-Radius (m)</translation>
+  </message>
+  <message>
    <source>Largest gap (m²)</source>
    <translation>Größte Lücke (m²)</translation>
   </message>
@@ -1650,6 +1854,14 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Largest shift (map units)</source>
    <translation>Größte Verschiebung (Karteneinheiten)</translation>
+  </message>
+  <message>
+   <source>Last image</source>
+   <translation>Letztes Bild</translation>
+  </message>
+  <message>
+   <source>Latitude</source>
+   <translation>Breite</translation>
   </message>
   <message>
    <source>Latitude, longitude (WGS 84)</source>
@@ -1680,8 +1892,20 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Weggelassen, ohne Klasse oder Fläche: {count}</translation>
   </message>
   <message>
+   <source>Length</source>
+   <translation>Länge</translation>
+  </message>
+  <message>
+   <source>Length (m)</source>
+   <translation>Länge (m)</translation>
+  </message>
+  <message>
    <source>Lens distortion (%)</source>
    <translation>Verzeichnung des Objektivs (%)</translation>
+  </message>
+  <message>
+   <source>Level</source>
+   <translation>Stufe</translation>
   </message>
   <message>
    <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
@@ -1740,6 +1964,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Simulierte Bilder werden lokalisiert</translation>
   </message>
   <message>
+   <source>Logarithm of the odds</source>
+   <translation>Logarithmus der Chancen</translation>
+  </message>
+  <message>
    <source>Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean expected success of the stretch if it is flown parallel, to the left or right of the direction of flight.</source>
    <translation>Die längsten zuerst. Ein Abschnitt reicht vom letzten Punkt, der gut genug ist, bis zum nächsten. Hinweise nennen den mittleren erwarteten Erfolg des Abschnitts, wenn er parallel geflogen wird, links oder rechts der Flugrichtung.</translation>
   </message>
@@ -1756,12 +1984,20 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Längster Abschnitt ohne erwarteten Fix: {length:.0f} m.</translation>
   </message>
   <message>
+   <source>Longitude</source>
+   <translation>Länge (Grad)</translation>
+  </message>
+  <message>
    <source>Longitude, latitude (WGS 84)</source>
    <translation>Länge, Breite (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
    <translation>Längen und Breiten stimmen auf {error:.4f} m.</translation>
+  </message>
+  <message>
+   <source>Look-alikes</source>
+   <translation>Verwechselbare Orte</translation>
   </message>
   <message>
    <source>Look-alikes: another place, or the mirrored image, fits almost as well.</source>
@@ -2012,6 +2248,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Faktoren für Fenstergröße und Schrittweite, getrennt durch „;“: 1;2 ergänzt doppelt so große Fenster für doppelt so hohe Flüge.</translation>
   </message>
   <message>
+   <source>Name</source>
+   <translation>Name</translation>
+  </message>
+  <message>
    <source>Name of the matched window: its first column and row on the map</source>
    <translation>Name des gefundenen Fensters: seine erste Spalte und Zeile auf der Karte</translation>
   </message>
@@ -2152,6 +2392,22 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Keine: Jedes Bild hat eine Position.</translation>
   </message>
   <message>
+   <source>Northing</source>
+   <translation>Nordwert</translation>
+  </message>
+  <message>
+   <source>Northing below the camera</source>
+   <translation>Nordwert unter der Kamera</translation>
+  </message>
+  <message>
+   <source>Northing of the center</source>
+   <translation>Nordwert des Mittelpunkts</translation>
+  </message>
+  <message>
+   <source>Northing where it is seen</source>
+   <translation>Nordwert, wo sie gesehen wird</translation>
+  </message>
+  <message>
    <source>Not good for</source>
    <translation>Nicht gut für</translation>
   </message>
@@ -2258,6 +2514,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Offset</source>
    <translation>Versatz</translation>
+  </message>
+  <message>
+   <source>Offset from the window</source>
+   <translation>Versatz vom Fenster</translation>
   </message>
   <message>
    <source>Old label map</source>
@@ -2392,6 +2652,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Vom Orthofoto zu den Abweichungen</translation>
   </message>
   <message>
+   <source>Other feature</source>
+   <translation>Anderes Objekt</translation>
+  </message>
+  <message>
+   <source>Out of reach in time</source>
+   <translation>In der Zeit nicht erreichbar</translation>
+  </message>
+  <message>
    <source>Outlining regions</source>
    <translation>Flächen werden umrissen</translation>
   </message>
@@ -2450,6 +2718,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Pick on map</source>
    <translation>Auf Karte wählen</translation>
+  </message>
+  <message>
+   <source>Pixel size</source>
+   <translation>Pixelgröße</translation>
   </message>
   <message>
    <source>Pixel size (m)</source>
@@ -2512,6 +2784,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Polygone: Gelände außerhalb wird nicht angesehen und bekommt keine Klasse.</translation>
   </message>
   <message>
+   <source>Position</source>
+   <translation>Position</translation>
+  </message>
+  <message>
    <source>Positions</source>
    <translation>Positionen</translation>
   </message>
@@ -2536,8 +2812,16 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Vorhergesagt</translation>
   </message>
   <message>
+   <source>Predicted class</source>
+   <translation>Vorhergesagte Klasse</translation>
+  </message>
+  <message>
    <source>Predicted label map</source>
    <translation>Vorhergesagte Klassenkarte</translation>
+  </message>
+  <message>
+   <source>Predicted value</source>
+   <translation>Vorhergesagter Wert</translation>
   </message>
   <message>
    <source>Preparing the landmarks</source>
@@ -2558,6 +2842,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
    <translation>Wahrscheinlichkeit, dass die Position stimmt; beim veröffentlichten Verfahren, wie nahe sich die Vektoren sind</translation>
+  </message>
+  <message>
+   <source>Probability to be right</source>
+   <translation>Wahrscheinlichkeit, richtig zu sein</translation>
   </message>
   <message>
    <source>Profile</source>
@@ -2636,6 +2924,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Spielraum darum (± °)</translation>
   </message>
   <message>
+   <source>Rank</source>
+   <translation>Rang</translation>
+  </message>
+  <message>
    <source>Rasterize annotation</source>
    <translation>Annotation rastern</translation>
   </message>
@@ -2688,6 +2980,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Referenzdatenbank</translation>
   </message>
   <message>
+   <source>Relative deviation of the scale</source>
+   <translation>Relative Abweichung des Maßstabs</translation>
+  </message>
+  <message>
    <source>Reliability of the confidence</source>
    <translation>Verlässlichkeit der Konfidenz</translation>
   </message>
@@ -2732,6 +3028,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Auf {resolution:g} cm je Pixel gebracht: {width} × {height} Pixel.</translation>
   </message>
   <message>
+   <source>Residual</source>
+   <translation>Restabweichung</translation>
+  </message>
+  <message>
+   <source>Residual (m)</source>
+   <translation>Restabweichung (m)</translation>
+  </message>
+  <message>
    <source>Resolution (cm per pixel)</source>
    <translation>Auflösung (cm je Pixel)</translation>
   </message>
@@ -2742,6 +3046,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Results appear here.</source>
    <translation>Hier erscheinen die Ergebnisse.</translation>
+  </message>
+  <message>
+   <source>Right</source>
+   <translation>Richtig</translation>
   </message>
   <message>
    <source>Right fixes by the number of landmarks the database has there.</source>
@@ -2758,6 +3066,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Right within (map units)</source>
    <translation>Richtig innerhalb von (Karteneinheiten)</translation>
+  </message>
+  <message>
+   <source>Road to the fix</source>
+   <translation>Weg zum Fix</translation>
   </message>
   <message>
    <source>Rotation</source>
@@ -2782,6 +3094,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Route {number}</source>
    <translation>Route {number}</translation>
+  </message>
+  <message>
+   <source>Row</source>
+   <translation>Zeile</translation>
+  </message>
+  <message>
+   <source>Row in the image</source>
+   <translation>Zeile im Bild</translation>
   </message>
   <message>
    <source>Rules</source>
@@ -2826,6 +3146,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Search the whole database</source>
    <translation>Die ganze Datenbank durchsuchen</translation>
+  </message>
+  <message>
+   <source>Search was capped</source>
+   <translation>Suche war begrenzt</translation>
   </message>
   <message>
    <source>Search: the whole database</source>
@@ -2904,6 +3228,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Einstellungen</translation>
   </message>
   <message>
+   <source>Severity</source>
+   <translation>Schwere</translation>
+  </message>
+  <message>
    <source>Share of landmarks that are added, shaped like landmarks of other places of the map.</source>
    <translation>Anteil der Landmarken, die hinzugefügt werden, geformt wie Landmarken anderer Stellen der Karte.</translation>
   </message>
@@ -2926,6 +3254,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Share of the map’s images with a fix at most so far off, right or wrong.</source>
    <translation>Anteil der Bilder der Karte mit einem Fix, der höchstens so weit daneben liegt, richtig oder falsch.</translation>
+  </message>
+  <message>
+   <source>Shift to the right that helps (m)</source>
+   <translation>Verschiebung nach rechts, die hilft (m)</translation>
+  </message>
+  <message>
+   <source>Shorter semi-axis of the 95 % ellipse (m)</source>
+   <translation>Kürzere Halbachse der 95-%-Ellipse (m)</translation>
   </message>
   <message>
    <source>Show models…</source>
@@ -2990,6 +3326,10 @@ Bilder der Landmarken der Datenbank werden simuliert, verdorben und vom Lokalisi
   <message>
    <source>Single-band raster of class values, 0 where nothing is known, of the same ground.</source>
    <translation>Einbandraster mit Klassenwerten derselben Fläche, 0, wo nichts bekannt ist.</translation>
+  </message>
+  <message>
+   <source>Size (m)</source>
+   <translation>Größe (m)</translation>
   </message>
   <message>
    <source>Size in bytes</source>
@@ -3064,6 +3404,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Standardabweichung der Verschiebung von Kanten, gleichartig über acht Pixel.</translation>
   </message>
   <message>
+   <source>Standard deviation of the heading (°)</source>
+   <translation>Standardabweichung der Ausrichtung (°)</translation>
+  </message>
+  <message>
+   <source>Start (UTC)</source>
+   <translation>Beginn (UTC)</translation>
+  </message>
+  <message>
    <source>Starting the Python that trains</source>
    <translation>Das Python, das trainiert, wird gestartet</translation>
   </message>
@@ -3082,6 +3430,22 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
    <translation>Schritt von Kachel zu Kachel; ist er kleiner als die Kachel, überlappen sich die Kacheln.</translation>
+  </message>
+  <message>
+   <source>Stretch of the route (WKT)</source>
+   <translation>Stück der Route (WKT)</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix</source>
+   <translation>Strecke ohne erwarteten Fix</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix (m)</source>
+   <translation>Strecke ohne erwarteten Fix (m)</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix (s)</source>
+   <translation>Strecke ohne erwarteten Fix (s)</translation>
   </message>
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
@@ -3508,6 +3872,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Karte, aus der Bilder geschnitten werden: die der Datenbank oder eine andere desselben Geländes, im KBS der Datenbank und mit ihren Klassen; die Pixelgröße darf eine andere sein.</translation>
   </message>
   <message>
+   <source>The maps disagree</source>
+   <translation>Die Karten widersprechen sich</translation>
+  </message>
+  <message>
    <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
    <translation>Die Karten haben kein metrisches KBS, daher ist der Versatz der Klassen nicht in Metern bekannt; Karten mit einem solchen angeben oder MODEL_OUTPUT leer lassen.</translation>
   </message>
@@ -3808,6 +4176,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Zeit</translation>
   </message>
   <message>
+   <source>Time (UTC)</source>
+   <translation>Zeit (UTC)</translation>
+  </message>
+  <message>
    <source>Time limit (minutes)</source>
    <translation>Zeitgrenze (Minuten)</translation>
   </message>
@@ -3846,6 +4218,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Topologievektor (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Touches the edge</source>
+   <translation>Berührt den Rand</translation>
   </message>
   <message>
    <source>Track</source>
@@ -3900,6 +4276,10 @@ Ground is set aside to tell how good the network is. Training runs in a Python o
 Ein Teil des Geländes wird zurückgehalten, um zu sagen, wie gut das Netz ist. Das Training läuft in einem eigenen Python mit torch: SemRef legt unter Einstellungen ▸ Optionen ▸ SemRef eines an, oder man nennt eines. Ein abgebrochener Lauf kann fortgesetzt werden: mit derselben Ausgabe noch einmal starten.</translation>
   </message>
   <message>
+   <source>Trial</source>
+   <translation>Versuch</translation>
+  </message>
+  <message>
    <source>Trials</source>
    <translation>Versuche</translation>
   </message>
@@ -3918,6 +4298,14 @@ The report compares the methods, with the two tables of He &amp; Wu 2025, succes
    <translation>Erprobt eine Referenzdatenbank: Bilder mit bekannter Wahrheit werden aus einer Klassenkarte geschnitten, gedreht, skaliert, von den Fenstern weg verschoben und gestört und dann mit einem oder mehreren Verfahren lokalisiert.
 
 Der Bericht vergleicht die Verfahren, mit den beiden Tabellen von He &amp; Wu 2025, Erfolg nach Versatz und Störungen, Fehlern, falsch angenommenen Bildern und dem Wert der Konfidenz. Gleiche Startzahl, gleiches Ergebnis. Für eine ehrliche Antwort nehmen Sie eine Klassenkarte von einem anderen Datum als dem der Datenbank, und dann 0 für „Karte verschoben“: Auf der eigenen Karte schneidet eine Datenbank immer besser ab.</translation>
+  </message>
+  <message>
+   <source>True easting</source>
+   <translation>Wahrer Ostwert</translation>
+  </message>
+  <message>
+   <source>True northing</source>
+   <translation>Wahrer Nordwert</translation>
   </message>
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
@@ -4014,6 +4402,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
   <message>
    <source>Vector</source>
    <translation>Vektor</translation>
+  </message>
+  <message>
+   <source>Verdict</source>
+   <translation>Urteil</translation>
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
@@ -4244,6 +4636,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Kacheln werden geschrieben</translation>
   </message>
   <message>
+   <source>Wrong fixes (share)</source>
+   <translation>Falsche Fixe (Anteil)</translation>
+  </message>
+  <message>
+   <source>Wrong once in</source>
+   <translation>Falsch einmal in</translation>
+  </message>
+  <message>
    <source>Zoom to hit</source>
    <translation>Zoom auf Treffer</translation>
   </message>
@@ -4268,6 +4668,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>entlang der Route, km</translation>
   </message>
   <message>
+   <source>ambiguous</source>
+   <translation>mehrdeutig</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>annotiert</translation>
   </message>
@@ -4290,6 +4694,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>at least {count} more is needed</source>
    <translation>mindestens {count} weitere ist nötig</translation>
+  </message>
+  <message>
+   <source>below the minimum area</source>
+   <translation>unter der Mindestfläche</translation>
   </message>
   <message>
    <source>best epoch</source>
@@ -4328,6 +4736,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Konstellation, dann Kartenkorrelation</translation>
   </message>
   <message>
+   <source>could not be read</source>
+   <translation>war nicht zu lesen</translation>
+  </message>
+  <message>
+   <source>dissolved</source>
+   <translation>zusammengefasst</translation>
+  </message>
+  <message>
    <source>distance</source>
    <translation>Abstand</translation>
   </message>
@@ -4342,6 +4758,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>down</source>
    <translation>unten</translation>
+  </message>
+  <message>
+   <source>duplicate</source>
+   <translation>Duplikat</translation>
   </message>
   <message>
    <source>east</source>
@@ -4388,6 +4808,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Befunde</translation>
   </message>
   <message>
+   <source>fix of its own</source>
+   <translation>eigener Fix</translation>
+  </message>
+  <message>
    <source>focal length {value:.0f} px</source>
    <translation>Brennweite {value:.0f} px</translation>
   </message>
@@ -4402,6 +4826,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>from image</source>
    <translation>von Bild</translation>
+  </message>
+  <message>
+   <source>gap between neighbors</source>
+   <translation>Lücke zwischen Nachbarn</translation>
   </message>
   <message>
    <source>ground set aside from training</source>
@@ -4436,8 +4864,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Höhe {value:.1f} m</translation>
   </message>
   <message>
+   <source>heights left out</source>
+   <translation>Höhen weggelassen</translation>
+  </message>
+  <message>
    <source>held by</source>
    <translation>getragen von</translation>
+  </message>
+  <message>
+   <source>hidden</source>
+   <translation>verdeckt</translation>
   </message>
   <message>
    <source>hint</source>
@@ -4478,6 +4914,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>install it with “{command}”</source>
    <translation>installieren Sie es mit „{command}“</translation>
+  </message>
+  <message>
+   <source>invalid geometry</source>
+   <translation>ungültige Geometrie</translation>
   </message>
   <message>
    <source>is something else</source>
@@ -4576,6 +5016,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Verlust</translation>
   </message>
   <message>
+   <source>lost in pixels</source>
+   <translation>in Pixeln verloren</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>mittlere IoU</translation>
   </message>
@@ -4600,8 +5044,20 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>medianer Fehler</translation>
   </message>
   <message>
+   <source>merged by pixels</source>
+   <translation>durch Pixel vereint</translation>
+  </message>
+  <message>
+   <source>neighbors of one class</source>
+   <translation>Nachbarn einer Klasse</translation>
+  </message>
+  <message>
    <source>next best: {windows}</source>
    <translation>nächstbeste: {windows}</translation>
+  </message>
+  <message>
+   <source>no area</source>
+   <translation>ohne Fläche</translation>
   </message>
   <message>
    <source>no better line found beside it</source>
@@ -4610,6 +5066,14 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>no class</source>
    <translation>keine Klasse</translation>
+  </message>
+  <message>
+   <source>no fix</source>
+   <translation>kein Fix</translation>
+  </message>
+  <message>
+   <source>no geometry</source>
+   <translation>ohne Geometrie</translation>
   </message>
   <message>
    <source>noise of single landmarks</source>
@@ -4672,12 +5136,20 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>auf zurückgehaltenem Gelände</translation>
   </message>
   <message>
+   <source>outside the CRS’s area</source>
+   <translation>außerhalb des Bereichs des KBS</translation>
+  </message>
+  <message>
    <source>outside the map</source>
    <translation>außerhalb der Karte</translation>
   </message>
   <message>
    <source>overall accuracy</source>
    <translation>Gesamtgenauigkeit</translation>
+  </message>
+  <message>
+   <source>overlap</source>
+   <translation>Überlappung</translation>
   </message>
   <message>
    <source>own fixes outvoted</source>
@@ -4726,6 +5198,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>right among the fixes</source>
    <translation>richtig unter den Fixen</translation>
+  </message>
+  <message>
+   <source>right fix</source>
+   <translation>richtiger Fix</translation>
   </message>
   <message>
    <source>right fixes</source>
@@ -4780,8 +5256,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Größe der Pixel</translation>
   </message>
   <message>
+   <source>sliver</source>
+   <translation>Splitterfläche</translation>
+  </message>
+  <message>
    <source>sometimes</source>
    <translation>manchmal</translation>
+  </message>
+  <message>
+   <source>split by pixels</source>
+   <translation>durch Pixel geteilt</translation>
   </message>
   <message>
    <source>spread</source>
@@ -4864,6 +5348,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Trainingsdauer</translation>
   </message>
   <message>
+   <source>unknown class</source>
+   <translation>unbekannte Klasse</translation>
+  </message>
+  <message>
    <source>unknown format</source>
    <translation>unbekanntes Format</translation>
   </message>
@@ -4874,6 +5362,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>very reliably</source>
    <translation>sehr zuverlässig</translation>
+  </message>
+  <message>
+   <source>warning</source>
+   <translation>Warnung</translation>
   </message>
   <message>
    <source>warnings</source>
@@ -4890,6 +5382,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>without an expected fix</source>
    <translation>ohne erwarteten Fix</translation>
+  </message>
+  <message>
+   <source>wrong fix</source>
+   <translation>falscher Fix</translation>
   </message>
   <message>
    <source>wrong fixes</source>

@@ -40,8 +40,16 @@
    <translation>2 % del lado del terreno</translation>
   </message>
   <message>
+   <source>95 % interval</source>
+   <translation>Intervalo del 95 %</translation>
+  </message>
+  <message>
    <source>95 % radius</source>
    <translation>radio del 95 %</translation>
+  </message>
+  <message>
+   <source>95 % radius (m)</source>
+   <translation>Radio del 95 % (m)</translation>
   </message>
   <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
@@ -252,6 +260,14 @@
    <translation>A lo largo del vuelo</translation>
   </message>
   <message>
+   <source>Along the route</source>
+   <translation>A lo largo de la ruta</translation>
+  </message>
+  <message>
+   <source>Along the route (m)</source>
+   <translation>A lo largo de la ruta (m)</translation>
+  </message>
+  <message>
    <source>Ambiguous</source>
    <translation>Ambigua</translation>
   </message>
@@ -288,8 +304,16 @@
    <translation>Clase anotada</translation>
   </message>
   <message>
+   <source>Annotated class</source>
+   <translation>Clase anotada</translation>
+  </message>
+  <message>
    <source>Annotated label map</source>
    <translation>Mapa de etiquetas anotado</translation>
+  </message>
+  <message>
+   <source>Annotated value</source>
+   <translation>Valor anotado</translation>
   </message>
   <message>
    <source>Annotation</source>
@@ -326,6 +350,10 @@
   <message>
    <source>Area</source>
    <translation>Área</translation>
+  </message>
+  <message>
+   <source>Area (m²)</source>
+   <translation>Superficie (m²)</translation>
   </message>
   <message>
    <source>Area or route</source>
@@ -500,6 +528,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>CSV con las columnas value, name, color, role, para un mapa de etiquetas que no trae sus propias clases.</translation>
   </message>
   <message>
+   <source>Camera</source>
+   <translation>Cámara</translation>
+  </message>
+  <message>
    <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
    <translation>Tabla de la cámara (alabeo, cabeceo, distancia focal, hora, altura, rumbo)</translation>
   </message>
@@ -526,6 +558,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Canceling…</source>
    <translation>Cancelando…</translation>
+  </message>
+  <message>
+   <source>Changed</source>
+   <translation>Cambiado</translation>
   </message>
   <message>
    <source>Changed areas</source>
@@ -616,6 +652,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Tabla de clases</translation>
   </message>
   <message>
+   <source>Class value</source>
+   <translation>Valor de la clase</translation>
+  </message>
+  <message>
    <source>Class “{name}” has only one of hsv_min and hsv_max; give both or none.</source>
    <translation>La clase «{name}» solo tiene uno de hsv_min y hsv_max; indique ambos o ninguno.</translation>
   </message>
@@ -640,6 +680,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Clases</translation>
   </message>
   <message>
+   <source>Classes in view</source>
+   <translation>Clases a la vista</translation>
+  </message>
+  <message>
    <source>Classes shifted (map units)</source>
    <translation>Clases desplazadas (unidades del mapa)</translation>
   </message>
@@ -662,6 +706,14 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Color label image</source>
    <translation>Imagen de etiquetas en color</translation>
+  </message>
+  <message>
+   <source>Column</source>
+   <translation>Columna</translation>
+  </message>
+  <message>
+   <source>Column in the image</source>
+   <translation>Columna en la imagen</translation>
   </message>
   <message>
    <source>Compare label maps</source>
@@ -756,6 +808,10 @@ El informe dice también a qué distancia de su sitio se muestran los hitos de c
    <translation>Lugares corregidos</translation>
   </message>
   <message>
+   <source>Correlation of both</source>
+   <translation>Correlación de ambas</translation>
+  </message>
+  <message>
    <source>Counting labels</source>
    <translation>Contando etiquetas</translation>
   </message>
@@ -800,12 +856,32 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Describiendo ventanas</translation>
   </message>
   <message>
+   <source>Deviation eastwards (m)</source>
+   <translation>Desviación hacia el este (m)</translation>
+  </message>
+  <message>
+   <source>Deviation northwards (m)</source>
+   <translation>Desviación hacia el norte (m)</translation>
+  </message>
+  <message>
+   <source>Deviation of the heading (°)</source>
+   <translation>Desviación del rumbo (°)</translation>
+  </message>
+  <message>
+   <source>Deviation of the pixel size (m)</source>
+   <translation>Desviación del tamaño de píxel (m)</translation>
+  </message>
+  <message>
    <source>Device</source>
    <translation>Dispositivo</translation>
   </message>
   <message>
    <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
    <translation>El diagnóstico está en el portapapeles: versiones, paquetes, dispositivos y los últimos mensajes, sin sus rutas ni nombres. Léalo y péguelo en una nueva incidencia.</translation>
+  </message>
+  <message>
+   <source>Direction of its longer semi-axis (°)</source>
+   <translation>Dirección de su semieje mayor (°)</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -836,6 +912,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Distancia entre los puntos; un cuarto de la huella si se omite.</translation>
   </message>
   <message>
+   <source>Distance from the center (px)</source>
+   <translation>Distancia al centro (px)</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>Distancia al centro, dividida por la distancia mayor</translation>
   </message>
@@ -852,8 +932,16 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Distancia de los vectores topológicos; 0 es una coincidencia perfecta, por encima de 2 no la hay</translation>
   </message>
   <message>
+   <source>Distance of topology vectors</source>
+   <translation>Distancia de los vectores de topología</translation>
+  </message>
+  <message>
    <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
    <translation>Razones de distancias, diferencias de ángulos y rangos de clases, con las clases usadas.</translation>
+  </message>
+  <message>
+   <source>Distinctiveness</source>
+   <translation>Singularidad</translation>
   </message>
   <message>
    <source>Done, next</source>
@@ -892,6 +980,22 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Cada imagen simulada se predijo a partir de todas las demás según los hitos que muestra: en la diagonal la expectativa significa lo que dice. Puntuación de Brier (0 es perfecta; decir siempre un medio da 0,25): {scores}. Esto contrasta la expectativa con imágenes simuladas, no el ruido indicado con el suyo propio.</translation>
   </message>
   <message>
+   <source>Easting</source>
+   <translation>Este</translation>
+  </message>
+  <message>
+   <source>Easting below the camera</source>
+   <translation>Este bajo la cámara</translation>
+  </message>
+  <message>
+   <source>Easting of the center</source>
+   <translation>Este del centro</translation>
+  </message>
+  <message>
+   <source>Easting where it is seen</source>
+   <translation>Este donde se ve</translation>
+  </message>
+  <message>
    <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
    <translation>Lado de un píxel en metros. El hito más pequeño debería cubrir unos 50 píxeles.</translation>
   </message>
@@ -920,6 +1024,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>EfficientNet-Lite0, que ya conoce fotos</translation>
   </message>
   <message>
+   <source>End (UTC)</source>
+   <translation>Fin (UTC)</translation>
+  </message>
+  <message>
    <source>Epoch {epoch}, loss {loss:.3f}</source>
    <translation>Época {epoch}, pérdida {loss:.3f}</translation>
   </message>
@@ -932,8 +1040,24 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Épocas</translation>
   </message>
   <message>
+   <source>Error</source>
+   <translation>Error</translation>
+  </message>
+  <message>
    <source>Error (m)</source>
    <translation>Error (m)</translation>
+  </message>
+  <message>
+   <source>Error of the heading (°)</source>
+   <translation>Error del rumbo (°)</translation>
+  </message>
+  <message>
+   <source>Error of the scale</source>
+   <translation>Error de la escala</translation>
+  </message>
+  <message>
+   <source>Error over 95 % radius</source>
+   <translation>Error entre radio del 95 %</translation>
   </message>
   <message>
    <source>Errors</source>
@@ -964,6 +1088,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Acierto esperado frente al simulado</translation>
   </message>
   <message>
+   <source>Expected error</source>
+   <translation>Error esperado</translation>
+  </message>
+  <message>
    <source>Expected success</source>
    <translation>Acierto esperado</translation>
   </message>
@@ -974,6 +1102,18 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Expected success is good enough everywhere.</source>
    <translation>El acierto esperado es suficiente en todas partes.</translation>
+  </message>
+  <message>
+   <source>Expected success when shifted</source>
+   <translation>Éxito esperado al desplazarla</translation>
+  </message>
+  <message>
+   <source>Expected success, at least (95 %)</source>
+   <translation>Éxito esperado, como mínimo (95 %)</translation>
+  </message>
+  <message>
+   <source>Expected success, at most (95 %)</source>
+   <translation>Éxito esperado, como máximo (95 %)</translation>
   </message>
   <message>
    <source>Export for onboard use</source>
@@ -1002,6 +1142,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>False accept rate</source>
    <translation>Tasa de falsas aceptaciones</translation>
+  </message>
+  <message>
+   <source>Feature</source>
+   <translation>Objeto</translation>
   </message>
   <message>
    <source>Feature {id} and feature {other} had the same outline; one is left.</source>
@@ -1136,12 +1280,24 @@ Every image gives one point; without a fix it has no geometry and its reason say
 Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y su motivo dice por qué. Automático y la constelación encuentran imágenes en cualquier lugar del mapa, con cualquier rumbo, y verifican lo que encuentran. El método del vector topológico encuentra imágenes centradas en una ventana y acepta imágenes de otros lugares: compruebe lo que encuentra.</translation>
   </message>
   <message>
+   <source>First image</source>
+   <translation>Primera imagen</translation>
+  </message>
+  <message>
    <source>Fix</source>
    <translation>Posición encontrada</translation>
   </message>
   <message>
    <source>Fix of the image itself</source>
    <translation>Posición de la propia imagen</translation>
+  </message>
+  <message>
+   <source>Fix without a heading</source>
+   <translation>Posición sin rumbo</translation>
+  </message>
+  <message>
+   <source>Fix, with its heading</source>
+   <translation>Posición con su rumbo</translation>
   </message>
   <message>
    <source>Fixes by</source>
@@ -1178,6 +1334,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Footprint</source>
    <translation>Huella</translation>
+  </message>
+  <message>
+   <source>Footprint (m)</source>
+   <translation>Huella (m)</translation>
   </message>
   <message>
    <source>Footprint (map units)</source>
@@ -1356,8 +1516,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Rumbo</translation>
   </message>
   <message>
+   <source>Heading (° from grid north)</source>
+   <translation>Rumbo (° desde el norte de cuadrícula)</translation>
+  </message>
+  <message>
    <source>Heading of an image’s top, clockwise from grid north.</source>
    <translation>Rumbo de la parte superior de una imagen, en sentido horario desde el norte de la cuadrícula.</translation>
+  </message>
+  <message>
+   <source>Held by</source>
+   <translation>Sostenida por</translation>
+  </message>
+  <message>
+   <source>How exactly</source>
+   <translation>Con qué exactitud</translation>
   </message>
   <message>
    <source>How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks do.</source>
@@ -1394,6 +1566,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>How good (IoU)</source>
    <translation>Qué tan bueno es (IoU)</translation>
+  </message>
+  <message>
+   <source>How it was found</source>
+   <translation>Cómo se encontró</translation>
   </message>
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
@@ -1454,6 +1630,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>Las imágenes que muestran {footprint:g} unidades del mapa no se buscan sin un tamaño de píxel conocido: demasiado lejos del tamaño de ventana {window:g}.</translation>
+  </message>
+  <message>
+   <source>Images with a fix of their own</source>
+   <translation>Imágenes con posición propia</translation>
   </message>
   <message>
    <source>In the project</source>
@@ -1612,8 +1792,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Los hitos coinciden con el mapa solo en un lado de la imagen: puede mostrar dos lugares.</translation>
   </message>
   <message>
+   <source>Landmarks in the database</source>
+   <translation>Hitos en la base de datos</translation>
+  </message>
+  <message>
+   <source>Landmarks in the image</source>
+   <translation>Hitos en la imagen</translation>
+  </message>
+  <message>
    <source>Landmarks in the window</source>
    <translation>Hitos en la ventana</translation>
+  </message>
+  <message>
+   <source>Landmarks in view</source>
+   <translation>Hitos a la vista</translation>
   </message>
   <message>
    <source>Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.</source>
@@ -1636,6 +1828,18 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Hitos por vector</translation>
   </message>
   <message>
+   <source>Landmarks that agree</source>
+   <translation>Hitos que concuerdan</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius</source>
+   <translation>Mayor radio del 95 %</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius (m)</source>
+   <translation>Mayor radio del 95 % (m)</translation>
+  </message>
+  <message>
    <source>Largest gap (m²)</source>
    <translation>Hueco mayor (m²)</translation>
   </message>
@@ -1650,6 +1854,14 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Largest shift (map units)</source>
    <translation>Desplazamiento máximo (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Last image</source>
+   <translation>Última imagen</translation>
+  </message>
+  <message>
+   <source>Latitude</source>
+   <translation>Latitud</translation>
   </message>
   <message>
    <source>Latitude, longitude (WGS 84)</source>
@@ -1680,8 +1892,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Omitidos, sin clase o sin área: {count}</translation>
   </message>
   <message>
+   <source>Length</source>
+   <translation>Longitud</translation>
+  </message>
+  <message>
+   <source>Length (m)</source>
+   <translation>Longitud (m)</translation>
+  </message>
+  <message>
    <source>Lens distortion (%)</source>
    <translation>Distorsión de la lente (%)</translation>
+  </message>
+  <message>
+   <source>Level</source>
+   <translation>Nivel</translation>
   </message>
   <message>
    <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
@@ -1740,6 +1964,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Localizando imágenes simuladas</translation>
   </message>
   <message>
+   <source>Logarithm of the odds</source>
+   <translation>Logaritmo de las probabilidades a favor</translation>
+  </message>
+  <message>
    <source>Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean expected success of the stretch if it is flown parallel, to the left or right of the direction of flight.</source>
    <translation>Los más largos primero. Un tramo va del último punto suficiente al siguiente. Las sugerencias indican el acierto esperado medio del tramo si se vuela en paralelo, a la izquierda o a la derecha del sentido de vuelo.</translation>
   </message>
@@ -1756,12 +1984,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Tramo más largo sin posición esperada: {length:.0f} m.</translation>
   </message>
   <message>
+   <source>Longitude</source>
+   <translation>Longitud (grados)</translation>
+  </message>
+  <message>
    <source>Longitude, latitude (WGS 84)</source>
    <translation>Longitud, latitud (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
    <translation>Las longitudes y latitudes son exactas hasta {error:.4f} m.</translation>
+  </message>
+  <message>
+   <source>Look-alikes</source>
+   <translation>Lugares parecidos</translation>
   </message>
   <message>
    <source>Look-alikes: another place, or the mirrored image, fits almost as well.</source>
@@ -2012,6 +2248,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Multiplicadores del tamaño de ventana y del paso, separados por «;»: 1;2 añade ventanas el doble de grandes para vuelos al doble de altura.</translation>
   </message>
   <message>
+   <source>Name</source>
+   <translation>Nombre</translation>
+  </message>
+  <message>
    <source>Name of the matched window: its first column and row on the map</source>
    <translation>Nombre de la ventana coincidente: su primera columna y fila en el mapa</translation>
   </message>
@@ -2152,6 +2392,22 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Ninguna: todas las imágenes tienen posición.</translation>
   </message>
   <message>
+   <source>Northing</source>
+   <translation>Norte</translation>
+  </message>
+  <message>
+   <source>Northing below the camera</source>
+   <translation>Norte bajo la cámara</translation>
+  </message>
+  <message>
+   <source>Northing of the center</source>
+   <translation>Norte del centro</translation>
+  </message>
+  <message>
+   <source>Northing where it is seen</source>
+   <translation>Norte donde se ve</translation>
+  </message>
+  <message>
    <source>Not good for</source>
    <translation>No sirve para</translation>
   </message>
@@ -2258,6 +2514,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Offset</source>
    <translation>Desplazamiento</translation>
+  </message>
+  <message>
+   <source>Offset from the window</source>
+   <translation>Desplazamiento respecto a la ventana</translation>
   </message>
   <message>
    <source>Old label map</source>
@@ -2392,6 +2652,14 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>De la ortofoto a las discrepancias</translation>
   </message>
   <message>
+   <source>Other feature</source>
+   <translation>Otro objeto</translation>
+  </message>
+  <message>
+   <source>Out of reach in time</source>
+   <translation>Inalcanzable a tiempo</translation>
+  </message>
+  <message>
    <source>Outlining regions</source>
    <translation>Trazando los contornos</translation>
   </message>
@@ -2450,6 +2718,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Pick on map</source>
    <translation>Elegir en el mapa</translation>
+  </message>
+  <message>
+   <source>Pixel size</source>
+   <translation>Tamaño de píxel</translation>
   </message>
   <message>
    <source>Pixel size (m)</source>
@@ -2512,6 +2784,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Polígonos: el terreno fuera de ellos no se mira y queda sin clase.</translation>
   </message>
   <message>
+   <source>Position</source>
+   <translation>Posición</translation>
+  </message>
+  <message>
    <source>Positions</source>
    <translation>Posiciones</translation>
   </message>
@@ -2536,8 +2812,16 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Clase predicha</translation>
   </message>
   <message>
+   <source>Predicted class</source>
+   <translation>Clase predicha</translation>
+  </message>
+  <message>
    <source>Predicted label map</source>
    <translation>Mapa de etiquetas predicho</translation>
+  </message>
+  <message>
+   <source>Predicted value</source>
+   <translation>Valor predicho</translation>
   </message>
   <message>
    <source>Preparing the landmarks</source>
@@ -2558,6 +2842,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
    <translation>Probabilidad de que la posición sea correcta; en el método publicado, lo cerca que están los vectores</translation>
+  </message>
+  <message>
+   <source>Probability to be right</source>
+   <translation>Probabilidad de ser correcta</translation>
   </message>
   <message>
    <source>Profile</source>
@@ -2636,6 +2924,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Rango alrededor de él (± °)</translation>
   </message>
   <message>
+   <source>Rank</source>
+   <translation>Orden</translation>
+  </message>
+  <message>
    <source>Rasterize annotation</source>
    <translation>Rasterizar anotación</translation>
   </message>
@@ -2688,6 +2980,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Base de datos de referencia</translation>
   </message>
   <message>
+   <source>Relative deviation of the scale</source>
+   <translation>Desviación relativa de la escala</translation>
+  </message>
+  <message>
    <source>Reliability of the confidence</source>
    <translation>Fiabilidad de la confianza</translation>
   </message>
@@ -2732,6 +3028,14 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Remuestreada a {resolution:g} cm por píxel: {width} × {height} píxeles.</translation>
   </message>
   <message>
+   <source>Residual</source>
+   <translation>Residuo</translation>
+  </message>
+  <message>
+   <source>Residual (m)</source>
+   <translation>Residuo (m)</translation>
+  </message>
+  <message>
    <source>Resolution (cm per pixel)</source>
    <translation>Resolución (cm por píxel)</translation>
   </message>
@@ -2742,6 +3046,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Results appear here.</source>
    <translation>Los resultados aparecen aquí.</translation>
+  </message>
+  <message>
+   <source>Right</source>
+   <translation>Correcta</translation>
   </message>
   <message>
    <source>Right fixes by the number of landmarks the database has there.</source>
@@ -2758,6 +3066,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Right within (map units)</source>
    <translation>Correcta a menos de (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Road to the fix</source>
+   <translation>Camino a la posición</translation>
   </message>
   <message>
    <source>Rotation</source>
@@ -2782,6 +3094,14 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Route {number}</source>
    <translation>Ruta {number}</translation>
+  </message>
+  <message>
+   <source>Row</source>
+   <translation>Fila</translation>
+  </message>
+  <message>
+   <source>Row in the image</source>
+   <translation>Fila en la imagen</translation>
   </message>
   <message>
    <source>Rules</source>
@@ -2826,6 +3146,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Search the whole database</source>
    <translation>Buscar en toda la base de datos</translation>
+  </message>
+  <message>
+   <source>Search was capped</source>
+   <translation>La búsqueda fue limitada</translation>
   </message>
   <message>
    <source>Search: the whole database</source>
@@ -2904,6 +3228,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Configuración</translation>
   </message>
   <message>
+   <source>Severity</source>
+   <translation>Gravedad</translation>
+  </message>
+  <message>
    <source>Share of landmarks that are added, shaped like landmarks of other places of the map.</source>
    <translation>Parte de los hitos que se añaden, con la forma de hitos de otros lugares del mapa.</translation>
   </message>
@@ -2926,6 +3254,14 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Share of the map’s images with a fix at most so far off, right or wrong.</source>
    <translation>Parte de las imágenes del mapa cuya posición encontrada tiene como mucho ese error, correcta o no.</translation>
+  </message>
+  <message>
+   <source>Shift to the right that helps (m)</source>
+   <translation>Desplazamiento a la derecha que ayuda (m)</translation>
+  </message>
+  <message>
+   <source>Shorter semi-axis of the 95 % ellipse (m)</source>
+   <translation>Semieje menor de la elipse del 95 % (m)</translation>
   </message>
   <message>
    <source>Show models…</source>
@@ -2990,6 +3326,10 @@ Se simulan imágenes de los propios hitos de la base de datos, se degradan y las
   <message>
    <source>Single-band raster of class values, 0 where nothing is known, of the same ground.</source>
    <translation>Ráster de una sola banda con valores de clase, 0 donde no se conoce nada, del mismo terreno.</translation>
+  </message>
+  <message>
+   <source>Size (m)</source>
+   <translation>Tamaño (m)</translation>
   </message>
   <message>
    <source>Size in bytes</source>
@@ -3064,6 +3404,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Desviación estándar de cuánto se mueven los bordes, de modo similar a lo largo de ocho píxeles.</translation>
   </message>
   <message>
+   <source>Standard deviation of the heading (°)</source>
+   <translation>Desviación típica del rumbo (°)</translation>
+  </message>
+  <message>
+   <source>Start (UTC)</source>
+   <translation>Inicio (UTC)</translation>
+  </message>
+  <message>
    <source>Starting the Python that trains</source>
    <translation>Iniciando el Python que entrena</translation>
   </message>
@@ -3082,6 +3430,22 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
    <translation>Paso de una tesela a la siguiente; si es menor que el tamaño de tesela, las teselas se solapan.</translation>
+  </message>
+  <message>
+   <source>Stretch of the route (WKT)</source>
+   <translation>Tramo de la ruta (WKT)</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix</source>
+   <translation>Tramo sin posición esperada</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix (m)</source>
+   <translation>Tramo sin posición esperada (m)</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix (s)</source>
+   <translation>Tramo sin posición esperada (s)</translation>
   </message>
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
@@ -3508,6 +3872,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El mapa del que se cortan las imágenes: el de la base de datos u otro del mismo terreno, en el SRC de la base de datos y con sus clases; el tamaño de píxel puede diferir.</translation>
   </message>
   <message>
+   <source>The maps disagree</source>
+   <translation>Los mapas discrepan</translation>
+  </message>
+  <message>
    <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
    <translation>Los mapas no tienen un SRC métrico, así que el sesgo de las clases no se conoce en metros; indique mapas que lo tengan o deje MODEL_OUTPUT vacío.</translation>
   </message>
@@ -3808,6 +4176,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Hora</translation>
   </message>
   <message>
+   <source>Time (UTC)</source>
+   <translation>Hora (UTC)</translation>
+  </message>
+  <message>
    <source>Time limit (minutes)</source>
    <translation>Límite de tiempo (minutos)</translation>
   </message>
@@ -3846,6 +4218,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Vector topológico (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Touches the edge</source>
+   <translation>Toca el borde</translation>
   </message>
   <message>
    <source>Track</source>
@@ -3900,6 +4276,10 @@ Ground is set aside to tell how good the network is. Training runs in a Python o
 Se reserva terreno para decir lo buena que es la red. El entrenamiento se ejecuta en un Python propio con torch: SemRef crea uno en Configuración ▸ Opciones ▸ SemRef, o usted indica uno. Una ejecución cancelada se puede continuar: ejecútela otra vez con la misma salida.</translation>
   </message>
   <message>
+   <source>Trial</source>
+   <translation>Ensayo</translation>
+  </message>
+  <message>
    <source>Trials</source>
    <translation>Ensayos</translation>
   </message>
@@ -3918,6 +4298,14 @@ The report compares the methods, with the two tables of He &amp; Wu 2025, succes
    <translation>Pone a prueba una base de datos de referencia: imágenes cuya verdad se conoce se cortan de un mapa de etiquetas, se giran, se escalan, se desplazan de las ventanas y se degradan; después se localizan con uno o varios métodos.
 
 El informe compara los métodos, con las dos tablas de He &amp; Wu 2025, el acierto según el desplazamiento y el ruido, los errores, las falsas aceptaciones y lo que vale la confianza. Misma semilla, mismo resultado. Use un mapa de etiquetas de otra fecha que la de la base de datos para una respuesta honesta, y entonces 0 en «Mapa desplazado»: en su propio mapa, una base de datos siempre acierta más.</translation>
+  </message>
+  <message>
+   <source>True easting</source>
+   <translation>Este verdadero</translation>
+  </message>
+  <message>
+   <source>True northing</source>
+   <translation>Norte verdadero</translation>
   </message>
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
@@ -4014,6 +4402,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>Vector</source>
    <translation>Vector</translation>
+  </message>
+  <message>
+   <source>Verdict</source>
+   <translation>Veredicto</translation>
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
@@ -4244,6 +4636,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>Escribiendo teselas</translation>
   </message>
   <message>
+   <source>Wrong fixes (share)</source>
+   <translation>Posiciones erróneas (proporción)</translation>
+  </message>
+  <message>
+   <source>Wrong once in</source>
+   <translation>Errónea una vez de cada</translation>
+  </message>
+  <message>
    <source>Zoom to hit</source>
    <translation>Zum al lugar</translation>
   </message>
@@ -4268,6 +4668,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>a lo largo de la ruta, km</translation>
   </message>
   <message>
+   <source>ambiguous</source>
+   <translation>ambigua</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>anotado</translation>
   </message>
@@ -4290,6 +4694,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>at least {count} more is needed</source>
    <translation>hace falta al menos {count} más</translation>
+  </message>
+  <message>
+   <source>below the minimum area</source>
+   <translation>por debajo de la superficie mínima</translation>
   </message>
   <message>
    <source>best epoch</source>
@@ -4328,6 +4736,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>constelación y después correlación de mapas</translation>
   </message>
   <message>
+   <source>could not be read</source>
+   <translation>no se pudo leer</translation>
+  </message>
+  <message>
+   <source>dissolved</source>
+   <translation>disuelto</translation>
+  </message>
+  <message>
    <source>distance</source>
    <translation>distancia</translation>
   </message>
@@ -4342,6 +4758,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>down</source>
    <translation>abajo</translation>
+  </message>
+  <message>
+   <source>duplicate</source>
+   <translation>duplicado</translation>
   </message>
   <message>
    <source>east</source>
@@ -4388,6 +4808,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>hallazgos</translation>
   </message>
   <message>
+   <source>fix of its own</source>
+   <translation>posición propia</translation>
+  </message>
+  <message>
    <source>focal length {value:.0f} px</source>
    <translation>distancia focal {value:.0f} px</translation>
   </message>
@@ -4402,6 +4826,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>from image</source>
    <translation>desde la imagen</translation>
+  </message>
+  <message>
+   <source>gap between neighbors</source>
+   <translation>hueco entre vecinos</translation>
   </message>
   <message>
    <source>ground set aside from training</source>
@@ -4436,8 +4864,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>altura {value:.1f} m</translation>
   </message>
   <message>
+   <source>heights left out</source>
+   <translation>alturas omitidas</translation>
+  </message>
+  <message>
    <source>held by</source>
    <translation>sostenida por</translation>
+  </message>
+  <message>
+   <source>hidden</source>
+   <translation>oculto</translation>
   </message>
   <message>
    <source>hint</source>
@@ -4478,6 +4914,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>install it with “{command}”</source>
    <translation>instálelo con «{command}»</translation>
+  </message>
+  <message>
+   <source>invalid geometry</source>
+   <translation>geometría no válida</translation>
   </message>
   <message>
    <source>is something else</source>
@@ -4576,6 +5016,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>pérdida</translation>
   </message>
   <message>
+   <source>lost in pixels</source>
+   <translation>perdido en píxeles</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>IoU medio</translation>
   </message>
@@ -4600,8 +5044,20 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>error mediano</translation>
   </message>
   <message>
+   <source>merged by pixels</source>
+   <translation>unido por píxeles</translation>
+  </message>
+  <message>
+   <source>neighbors of one class</source>
+   <translation>vecinos de una clase</translation>
+  </message>
+  <message>
    <source>next best: {windows}</source>
    <translation>siguientes: {windows}</translation>
+  </message>
+  <message>
+   <source>no area</source>
+   <translation>sin superficie</translation>
   </message>
   <message>
    <source>no better line found beside it</source>
@@ -4610,6 +5066,14 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>no class</source>
    <translation>sin clase</translation>
+  </message>
+  <message>
+   <source>no fix</source>
+   <translation>sin posición</translation>
+  </message>
+  <message>
+   <source>no geometry</source>
+   <translation>sin geometría</translation>
   </message>
   <message>
    <source>noise of single landmarks</source>
@@ -4672,12 +5136,20 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>en el terreno reservado</translation>
   </message>
   <message>
+   <source>outside the CRS’s area</source>
+   <translation>fuera del área del SRC</translation>
+  </message>
+  <message>
    <source>outside the map</source>
    <translation>fuera del mapa</translation>
   </message>
   <message>
    <source>overall accuracy</source>
    <translation>exactitud global</translation>
+  </message>
+  <message>
+   <source>overlap</source>
+   <translation>solapamiento</translation>
   </message>
   <message>
    <source>own fixes outvoted</source>
@@ -4726,6 +5198,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>right among the fixes</source>
    <translation>correctas entre las posiciones encontradas</translation>
+  </message>
+  <message>
+   <source>right fix</source>
+   <translation>posición correcta</translation>
   </message>
   <message>
    <source>right fixes</source>
@@ -4780,8 +5256,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>tamaño de los píxeles</translation>
   </message>
   <message>
+   <source>sliver</source>
+   <translation>astilla</translation>
+  </message>
+  <message>
    <source>sometimes</source>
    <translation>a veces</translation>
+  </message>
+  <message>
+   <source>split by pixels</source>
+   <translation>dividido por píxeles</translation>
   </message>
   <message>
    <source>spread</source>
@@ -4864,6 +5348,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>tiempo de entrenamiento</translation>
   </message>
   <message>
+   <source>unknown class</source>
+   <translation>clase desconocida</translation>
+  </message>
+  <message>
    <source>unknown format</source>
    <translation>formato desconocido</translation>
   </message>
@@ -4874,6 +5362,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>very reliably</source>
    <translation>con mucha fiabilidad</translation>
+  </message>
+  <message>
+   <source>warning</source>
+   <translation>advertencia</translation>
   </message>
   <message>
    <source>warnings</source>
@@ -4890,6 +5382,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>without an expected fix</source>
    <translation>sin posición esperada</translation>
+  </message>
+  <message>
+   <source>wrong fix</source>
+   <translation>posición errónea</translation>
   </message>
   <message>
    <source>wrong fixes</source>

@@ -40,8 +40,16 @@
    <translation>2 % du côté du terrain</translation>
   </message>
   <message>
+   <source>95 % interval</source>
+   <translation>Intervalle à 95 %</translation>
+  </message>
+  <message>
    <source>95 % radius</source>
    <translation>rayon à 95 %</translation>
+  </message>
+  <message>
+   <source>95 % radius (m)</source>
+   <translation>Rayon à 95 % (m)</translation>
   </message>
   <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
@@ -252,6 +260,14 @@
    <translation>Le long du vol</translation>
   </message>
   <message>
+   <source>Along the route</source>
+   <translation>Le long de l’itinéraire</translation>
+  </message>
+  <message>
+   <source>Along the route (m)</source>
+   <translation>Le long de l’itinéraire (m)</translation>
+  </message>
+  <message>
    <source>Ambiguous</source>
    <translation>Ambiguë</translation>
   </message>
@@ -288,8 +304,16 @@
    <translation>Classe annotée</translation>
   </message>
   <message>
+   <source>Annotated class</source>
+   <translation>Classe annotée</translation>
+  </message>
+  <message>
    <source>Annotated label map</source>
    <translation>Carte d’étiquettes annotée</translation>
+  </message>
+  <message>
+   <source>Annotated value</source>
+   <translation>Valeur annotée</translation>
   </message>
   <message>
    <source>Annotation</source>
@@ -326,6 +350,10 @@
   <message>
    <source>Area</source>
    <translation>Surface</translation>
+  </message>
+  <message>
+   <source>Area (m²)</source>
+   <translation>Surface (m²)</translation>
   </message>
   <message>
    <source>Area or route</source>
@@ -500,6 +528,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>CSV avec les colonnes value, name, color, role, pour une carte d’étiquettes qui n’apporte pas ses propres classes.</translation>
   </message>
   <message>
+   <source>Camera</source>
+   <translation>Caméra</translation>
+  </message>
+  <message>
    <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
    <translation>Table de la caméra (roulis, tangage, focale, heure, hauteur, cap)</translation>
   </message>
@@ -526,6 +558,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Canceling…</source>
    <translation>Annulation…</translation>
+  </message>
+  <message>
+   <source>Changed</source>
+   <translation>Modifié</translation>
   </message>
   <message>
    <source>Changed areas</source>
@@ -616,6 +652,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Table des classes</translation>
   </message>
   <message>
+   <source>Class value</source>
+   <translation>Valeur de la classe</translation>
+  </message>
+  <message>
    <source>Class “{name}” has only one of hsv_min and hsv_max; give both or none.</source>
    <translation>La classe « {name} » n’a que l’un de hsv_min et hsv_max ; donnez les deux ou aucun.</translation>
   </message>
@@ -640,6 +680,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Classes</translation>
   </message>
   <message>
+   <source>Classes in view</source>
+   <translation>Classes en vue</translation>
+  </message>
+  <message>
    <source>Classes shifted (map units)</source>
    <translation>Classes décalées (unités de carte)</translation>
   </message>
@@ -662,6 +706,14 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Color label image</source>
    <translation>Image d’étiquettes en couleur</translation>
+  </message>
+  <message>
+   <source>Column</source>
+   <translation>Colonne</translation>
+  </message>
+  <message>
+   <source>Column in the image</source>
+   <translation>Colonne dans l’image</translation>
   </message>
   <message>
    <source>Compare label maps</source>
@@ -756,6 +808,10 @@ Le rapport dit aussi de combien les repères visuels de chaque classe sont montr
    <translation>Endroits corrigés</translation>
   </message>
   <message>
+   <source>Correlation of both</source>
+   <translation>Corrélation des deux</translation>
+  </message>
+  <message>
    <source>Counting labels</source>
    <translation>Comptage des étiquettes</translation>
   </message>
@@ -800,12 +856,32 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Description des fenêtres</translation>
   </message>
   <message>
+   <source>Deviation eastwards (m)</source>
+   <translation>Écart vers l’est (m)</translation>
+  </message>
+  <message>
+   <source>Deviation northwards (m)</source>
+   <translation>Écart vers le nord (m)</translation>
+  </message>
+  <message>
+   <source>Deviation of the heading (°)</source>
+   <translation>Écart du cap (°)</translation>
+  </message>
+  <message>
+   <source>Deviation of the pixel size (m)</source>
+   <translation>Écart de la taille de pixel (m)</translation>
+  </message>
+  <message>
    <source>Device</source>
    <translation>Appareil</translation>
   </message>
   <message>
    <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
    <translation>Le diagnostic est dans le presse-papiers : versions, paquets, périphériques et derniers messages, sans vos chemins ni vos noms. Relisez-le, puis collez-le dans un nouveau ticket.</translation>
+  </message>
+  <message>
+   <source>Direction of its longer semi-axis (°)</source>
+   <translation>Direction de son demi-grand axe (°)</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -836,6 +912,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Distance entre les points ; un quart de l’emprise si omise.</translation>
   </message>
   <message>
+   <source>Distance from the center (px)</source>
+   <translation>Distance au centre (px)</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>Distance au centre, rapportée à la plus grande distance</translation>
   </message>
@@ -852,8 +932,16 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Distance des vecteurs topologiques ; 0 est une correspondance parfaite, au-delà de 2 il n’y en a pas</translation>
   </message>
   <message>
+   <source>Distance of topology vectors</source>
+   <translation>Distance des vecteurs de topologie</translation>
+  </message>
+  <message>
    <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
    <translation>Rapports de distances, différences d’angles et rangs de classes, avec les classes utilisées.</translation>
+  </message>
+  <message>
+   <source>Distinctiveness</source>
+   <translation>Singularité</translation>
   </message>
   <message>
    <source>Done, next</source>
@@ -892,6 +980,22 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Chaque image simulée a été prédite à partir de toutes les autres d’après les repères visuels qu’elle montre : sur la diagonale, l’attente tient ce qu’elle dit. Score de Brier (0 est parfait ; dire toujours un demi donne 0,25) : {scores}. Cela confronte l’attente à des images simulées, non le bruit indiqué à celui que vous avez.</translation>
   </message>
   <message>
+   <source>Easting</source>
+   <translation>Abscisse (est)</translation>
+  </message>
+  <message>
+   <source>Easting below the camera</source>
+   <translation>Abscisse sous la caméra</translation>
+  </message>
+  <message>
+   <source>Easting of the center</source>
+   <translation>Abscisse du centre</translation>
+  </message>
+  <message>
+   <source>Easting where it is seen</source>
+   <translation>Abscisse où il est vu</translation>
+  </message>
+  <message>
    <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
    <translation>Côté d’un pixel en mètres. Le plus petit repère visuel devrait couvrir une cinquantaine de pixels.</translation>
   </message>
@@ -920,6 +1024,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>EfficientNet-Lite0, qui connaît déjà des photos</translation>
   </message>
   <message>
+   <source>End (UTC)</source>
+   <translation>Fin (UTC)</translation>
+  </message>
+  <message>
    <source>Epoch {epoch}, loss {loss:.3f}</source>
    <translation>Époque {epoch}, perte {loss:.3f}</translation>
   </message>
@@ -932,8 +1040,24 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Époques</translation>
   </message>
   <message>
+   <source>Error</source>
+   <translation>Erreur</translation>
+  </message>
+  <message>
    <source>Error (m)</source>
    <translation>Erreur (m)</translation>
+  </message>
+  <message>
+   <source>Error of the heading (°)</source>
+   <translation>Erreur du cap (°)</translation>
+  </message>
+  <message>
+   <source>Error of the scale</source>
+   <translation>Erreur de l’échelle</translation>
+  </message>
+  <message>
+   <source>Error over 95 % radius</source>
+   <translation>Erreur sur rayon à 95 %</translation>
   </message>
   <message>
    <source>Errors</source>
@@ -964,6 +1088,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Réussite attendue et simulée</translation>
   </message>
   <message>
+   <source>Expected error</source>
+   <translation>Erreur attendue</translation>
+  </message>
+  <message>
    <source>Expected success</source>
    <translation>Réussite attendue</translation>
   </message>
@@ -974,6 +1102,18 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Expected success is good enough everywhere.</source>
    <translation>La réussite attendue est suffisante partout.</translation>
+  </message>
+  <message>
+   <source>Expected success when shifted</source>
+   <translation>Succès attendu après décalage</translation>
+  </message>
+  <message>
+   <source>Expected success, at least (95 %)</source>
+   <translation>Succès attendu, au moins (95 %)</translation>
+  </message>
+  <message>
+   <source>Expected success, at most (95 %)</source>
+   <translation>Succès attendu, au plus (95 %)</translation>
   </message>
   <message>
    <source>Export for onboard use</source>
@@ -1002,6 +1142,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>False accept rate</source>
    <translation>Taux de fausses acceptations</translation>
+  </message>
+  <message>
+   <source>Feature</source>
+   <translation>Entité</translation>
   </message>
   <message>
    <source>Feature {id} and feature {other} had the same outline; one is left.</source>
@@ -1136,12 +1280,24 @@ Every image gives one point; without a fix it has no geometry and its reason say
 Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas de géométrie et sa raison dit pourquoi. Automatique et la constellation trouvent les images n’importe où sur la carte, quel que soit leur cap, et vérifient ce qu’elles trouvent. La méthode du vecteur topologique trouve les images centrées sur une fenêtre et accepte des images d’ailleurs : vérifiez ce qu’elle trouve.</translation>
   </message>
   <message>
+   <source>First image</source>
+   <translation>Première image</translation>
+  </message>
+  <message>
    <source>Fix</source>
    <translation>Position trouvée</translation>
   </message>
   <message>
    <source>Fix of the image itself</source>
    <translation>Position de l’image elle-même</translation>
+  </message>
+  <message>
+   <source>Fix without a heading</source>
+   <translation>Position sans cap</translation>
+  </message>
+  <message>
+   <source>Fix, with its heading</source>
+   <translation>Position avec son cap</translation>
   </message>
   <message>
    <source>Fixes by</source>
@@ -1178,6 +1334,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Footprint</source>
    <translation>Emprise au sol</translation>
+  </message>
+  <message>
+   <source>Footprint (m)</source>
+   <translation>Emprise au sol (m)</translation>
   </message>
   <message>
    <source>Footprint (map units)</source>
@@ -1356,8 +1516,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Cap</translation>
   </message>
   <message>
+   <source>Heading (° from grid north)</source>
+   <translation>Cap (° depuis le nord de la grille)</translation>
+  </message>
+  <message>
    <source>Heading of an image’s top, clockwise from grid north.</source>
    <translation>Cap du haut d’une image, dans le sens horaire depuis le nord de la grille.</translation>
+  </message>
+  <message>
+   <source>Held by</source>
+   <translation>Tenue par</translation>
+  </message>
+  <message>
+   <source>How exactly</source>
+   <translation>Précision</translation>
   </message>
   <message>
    <source>How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks do.</source>
@@ -1394,6 +1566,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>How good (IoU)</source>
    <translation>Qualité (IoU)</translation>
+  </message>
+  <message>
+   <source>How it was found</source>
+   <translation>Comment elle a été trouvée</translation>
   </message>
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
@@ -1454,6 +1630,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>Les images montrant {footprint:g} unités de carte ne sont pas cherchées sans taille de pixel connue : trop loin de la taille de fenêtre {window:g}.</translation>
+  </message>
+  <message>
+   <source>Images with a fix of their own</source>
+   <translation>Images avec leur propre position</translation>
   </message>
   <message>
    <source>In the project</source>
@@ -1612,8 +1792,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Les repères ne concordent avec la carte que d’un côté de l’image : elle montre peut-être deux lieux.</translation>
   </message>
   <message>
+   <source>Landmarks in the database</source>
+   <translation>Repères visuels dans la base de données</translation>
+  </message>
+  <message>
+   <source>Landmarks in the image</source>
+   <translation>Repères visuels dans l’image</translation>
+  </message>
+  <message>
    <source>Landmarks in the window</source>
    <translation>Repères visuels dans la fenêtre</translation>
+  </message>
+  <message>
+   <source>Landmarks in view</source>
+   <translation>Repères visuels en vue</translation>
   </message>
   <message>
    <source>Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.</source>
@@ -1636,6 +1828,18 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Repères visuels par vecteur</translation>
   </message>
   <message>
+   <source>Landmarks that agree</source>
+   <translation>Repères visuels concordants</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius</source>
+   <translation>Plus grand rayon à 95 %</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius (m)</source>
+   <translation>Plus grand rayon à 95 % (m)</translation>
+  </message>
+  <message>
    <source>Largest gap (m²)</source>
    <translation>Plus grande lacune (m²)</translation>
   </message>
@@ -1650,6 +1854,14 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Largest shift (map units)</source>
    <translation>Décalage maximal (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Last image</source>
+   <translation>Dernière image</translation>
+  </message>
+  <message>
+   <source>Latitude</source>
+   <translation>Latitude</translation>
   </message>
   <message>
    <source>Latitude, longitude (WGS 84)</source>
@@ -1680,8 +1892,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Écartés, sans classe ou sans surface : {count}</translation>
   </message>
   <message>
+   <source>Length</source>
+   <translation>Longueur</translation>
+  </message>
+  <message>
+   <source>Length (m)</source>
+   <translation>Longueur (m)</translation>
+  </message>
+  <message>
    <source>Lens distortion (%)</source>
    <translation>Distorsion de l’objectif (%)</translation>
+  </message>
+  <message>
+   <source>Level</source>
+   <translation>Niveau</translation>
   </message>
   <message>
    <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
@@ -1740,6 +1964,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Localisation d’images simulées</translation>
   </message>
   <message>
+   <source>Logarithm of the odds</source>
+   <translation>Logarithme des chances</translation>
+  </message>
+  <message>
    <source>Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean expected success of the stretch if it is flown parallel, to the left or right of the direction of flight.</source>
    <translation>Les plus longs d’abord. Un tronçon va du dernier point suffisant au suivant. Les conseils donnent la réussite attendue moyenne du tronçon s’il est volé en parallèle, à gauche ou à droite du sens de vol.</translation>
   </message>
@@ -1756,12 +1984,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Plus long tronçon sans position attendue : {length:.0f} m.</translation>
   </message>
   <message>
+   <source>Longitude</source>
+   <translation>Longitude</translation>
+  </message>
+  <message>
    <source>Longitude, latitude (WGS 84)</source>
    <translation>Longitude, latitude (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
    <translation>Les longitudes et latitudes sont exactes à {error:.4f} m près.</translation>
+  </message>
+  <message>
+   <source>Look-alikes</source>
+   <translation>Lieux semblables</translation>
   </message>
   <message>
    <source>Look-alikes: another place, or the mirrored image, fits almost as well.</source>
@@ -2012,6 +2248,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Multiplicateurs de la taille de fenêtre et du pas, séparés par « ; » : 1;2 ajoute des fenêtres deux fois plus grandes pour des vols deux fois plus hauts.</translation>
   </message>
   <message>
+   <source>Name</source>
+   <translation>Nom</translation>
+  </message>
+  <message>
    <source>Name of the matched window: its first column and row on the map</source>
    <translation>Nom de la fenêtre correspondante : sa première colonne et sa première ligne sur la carte</translation>
   </message>
@@ -2152,6 +2392,22 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Aucune : chaque image a une position.</translation>
   </message>
   <message>
+   <source>Northing</source>
+   <translation>Ordonnée (nord)</translation>
+  </message>
+  <message>
+   <source>Northing below the camera</source>
+   <translation>Ordonnée sous la caméra</translation>
+  </message>
+  <message>
+   <source>Northing of the center</source>
+   <translation>Ordonnée du centre</translation>
+  </message>
+  <message>
+   <source>Northing where it is seen</source>
+   <translation>Ordonnée où il est vu</translation>
+  </message>
+  <message>
    <source>Not good for</source>
    <translation>Ne convient pas pour</translation>
   </message>
@@ -2258,6 +2514,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Offset</source>
    <translation>Décalage</translation>
+  </message>
+  <message>
+   <source>Offset from the window</source>
+   <translation>Décalage par rapport à la fenêtre</translation>
   </message>
   <message>
    <source>Old label map</source>
@@ -2392,6 +2652,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>De l’orthophoto aux divergences</translation>
   </message>
   <message>
+   <source>Other feature</source>
+   <translation>Autre entité</translation>
+  </message>
+  <message>
+   <source>Out of reach in time</source>
+   <translation>Hors d’atteinte à temps</translation>
+  </message>
+  <message>
    <source>Outlining regions</source>
    <translation>Tracé des contours</translation>
   </message>
@@ -2450,6 +2718,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Pick on map</source>
    <translation>Choisir sur la carte</translation>
+  </message>
+  <message>
+   <source>Pixel size</source>
+   <translation>Taille de pixel</translation>
   </message>
   <message>
    <source>Pixel size (m)</source>
@@ -2512,6 +2784,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Polygones : le terrain hors d’eux n’est pas regardé et reste sans classe.</translation>
   </message>
   <message>
+   <source>Position</source>
+   <translation>Position</translation>
+  </message>
+  <message>
    <source>Positions</source>
    <translation>Positions</translation>
   </message>
@@ -2536,8 +2812,16 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Classe prédite</translation>
   </message>
   <message>
+   <source>Predicted class</source>
+   <translation>Classe prédite</translation>
+  </message>
+  <message>
    <source>Predicted label map</source>
    <translation>Carte d’étiquettes prédite</translation>
+  </message>
+  <message>
+   <source>Predicted value</source>
+   <translation>Valeur prédite</translation>
   </message>
   <message>
    <source>Preparing the landmarks</source>
@@ -2558,6 +2842,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
    <translation>Probabilité que la position soit correcte ; pour la méthode publiée, la proximité des vecteurs</translation>
+  </message>
+  <message>
+   <source>Probability to be right</source>
+   <translation>Probabilité d’être juste</translation>
   </message>
   <message>
    <source>Profile</source>
@@ -2636,6 +2924,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Plage autour de lui (± °)</translation>
   </message>
   <message>
+   <source>Rank</source>
+   <translation>Rang</translation>
+  </message>
+  <message>
    <source>Rasterize annotation</source>
    <translation>Rastériser l’annotation</translation>
   </message>
@@ -2688,6 +2980,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Base de données de référence</translation>
   </message>
   <message>
+   <source>Relative deviation of the scale</source>
+   <translation>Écart relatif de l’échelle</translation>
+  </message>
+  <message>
    <source>Reliability of the confidence</source>
    <translation>Fiabilité de la confiance</translation>
   </message>
@@ -2732,6 +3028,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Rééchantillonné à {resolution:g} cm par pixel : {width} × {height} pixels.</translation>
   </message>
   <message>
+   <source>Residual</source>
+   <translation>Résidu</translation>
+  </message>
+  <message>
+   <source>Residual (m)</source>
+   <translation>Résidu (m)</translation>
+  </message>
+  <message>
    <source>Resolution (cm per pixel)</source>
    <translation>Résolution (cm par pixel)</translation>
   </message>
@@ -2742,6 +3046,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Results appear here.</source>
    <translation>Les résultats apparaissent ici.</translation>
+  </message>
+  <message>
+   <source>Right</source>
+   <translation>Juste</translation>
   </message>
   <message>
    <source>Right fixes by the number of landmarks the database has there.</source>
@@ -2758,6 +3066,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Right within (map units)</source>
    <translation>Correct à moins de (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Road to the fix</source>
+   <translation>Voie vers la position</translation>
   </message>
   <message>
    <source>Rotation</source>
@@ -2782,6 +3094,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Route {number}</source>
    <translation>Route {number}</translation>
+  </message>
+  <message>
+   <source>Row</source>
+   <translation>Ligne</translation>
+  </message>
+  <message>
+   <source>Row in the image</source>
+   <translation>Ligne dans l’image</translation>
   </message>
   <message>
    <source>Rules</source>
@@ -2826,6 +3146,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Search the whole database</source>
    <translation>Chercher dans toute la base de données</translation>
+  </message>
+  <message>
+   <source>Search was capped</source>
+   <translation>Recherche limitée</translation>
   </message>
   <message>
    <source>Search: the whole database</source>
@@ -2904,6 +3228,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Paramètres</translation>
   </message>
   <message>
+   <source>Severity</source>
+   <translation>Gravité</translation>
+  </message>
+  <message>
    <source>Share of landmarks that are added, shaped like landmarks of other places of the map.</source>
    <translation>Part des repères visuels ajoutés, de la forme de repères d’autres endroits de la carte.</translation>
   </message>
@@ -2926,6 +3254,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Share of the map’s images with a fix at most so far off, right or wrong.</source>
    <translation>Part des images de la carte dont la position trouvée a au plus cet écart, correcte ou non.</translation>
+  </message>
+  <message>
+   <source>Shift to the right that helps (m)</source>
+   <translation>Décalage à droite qui aide (m)</translation>
+  </message>
+  <message>
+   <source>Shorter semi-axis of the 95 % ellipse (m)</source>
+   <translation>Demi-petit axe de l’ellipse à 95 % (m)</translation>
   </message>
   <message>
    <source>Show models…</source>
@@ -2990,6 +3326,10 @@ Des images des repères visuels de la base sont simulées, dégradées et locali
   <message>
    <source>Single-band raster of class values, 0 where nothing is known, of the same ground.</source>
    <translation>Raster à une seule bande de valeurs de classe, 0 là où rien n’est connu, du même terrain.</translation>
+  </message>
+  <message>
+   <source>Size (m)</source>
+   <translation>Taille (m)</translation>
   </message>
   <message>
    <source>Size in bytes</source>
@@ -3064,6 +3404,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Écart type du déplacement des bords, semblable sur huit pixels.</translation>
   </message>
   <message>
+   <source>Standard deviation of the heading (°)</source>
+   <translation>Écart type du cap (°)</translation>
+  </message>
+  <message>
+   <source>Start (UTC)</source>
+   <translation>Début (UTC)</translation>
+  </message>
+  <message>
    <source>Starting the Python that trains</source>
    <translation>Démarrage du Python qui entraîne</translation>
   </message>
@@ -3082,6 +3430,22 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
    <translation>Pas d’une tuile à la suivante ; s’il est inférieur à la taille de tuile, les tuiles se chevauchent.</translation>
+  </message>
+  <message>
+   <source>Stretch of the route (WKT)</source>
+   <translation>Tronçon de l’itinéraire (WKT)</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix</source>
+   <translation>Tronçon sans position attendue</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix (m)</source>
+   <translation>Tronçon sans position attendue (m)</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix (s)</source>
+   <translation>Tronçon sans position attendue (s)</translation>
   </message>
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
@@ -3508,6 +3872,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La carte dans laquelle les images sont découpées : celle de la base de données ou une autre du même terrain, dans le SCR de la base et avec ses classes ; la taille de pixel peut différer.</translation>
   </message>
   <message>
+   <source>The maps disagree</source>
+   <translation>Les cartes se contredisent</translation>
+  </message>
+  <message>
    <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
    <translation>Les cartes n’ont pas de SCR métrique, le biais des classes n’est donc pas connu en mètres ; donnez des cartes qui en ont un ou laissez MODEL_OUTPUT vide.</translation>
   </message>
@@ -3808,6 +4176,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Heure</translation>
   </message>
   <message>
+   <source>Time (UTC)</source>
+   <translation>Heure (UTC)</translation>
+  </message>
+  <message>
    <source>Time limit (minutes)</source>
    <translation>Limite de temps (minutes)</translation>
   </message>
@@ -3846,6 +4218,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>Vecteur topologique (He &amp; Wu 2025)</translation>
+  </message>
+  <message>
+   <source>Touches the edge</source>
+   <translation>Touche le bord</translation>
   </message>
   <message>
    <source>Track</source>
@@ -3900,6 +4276,10 @@ Ground is set aside to tell how good the network is. Training runs in a Python o
 Du terrain est mis de côté pour dire ce que vaut le réseau. L’entraînement tourne dans un Python à lui, avec torch : SemRef en crée un sous Préférences ▸ Options ▸ SemRef, ou vous en indiquez un. Une exécution annulée peut être poursuivie : relancez-la avec la même sortie.</translation>
   </message>
   <message>
+   <source>Trial</source>
+   <translation>Essai</translation>
+  </message>
+  <message>
    <source>Trials</source>
    <translation>Essais</translation>
   </message>
@@ -3918,6 +4298,14 @@ The report compares the methods, with the two tables of He &amp; Wu 2025, succes
    <translation>Met à l’essai une base de données de référence : des images dont la vérité est connue sont découpées dans une carte d’étiquettes, tournées, mises à l’échelle, décalées des fenêtres et dégradées, puis localisées avec une ou plusieurs méthodes.
 
 Le rapport compare les méthodes, avec les deux tableaux de He &amp; Wu 2025, la réussite selon le décalage et le bruit, les erreurs, les fausses acceptations et ce que vaut la confiance. Même graine, même résultat. Utilisez une carte d’étiquettes d’une autre date que celle de la base de données pour une réponse honnête, et alors 0 pour « Carte déplacée » : sur sa propre carte, une base de données fait toujours mieux.</translation>
+  </message>
+  <message>
+   <source>True easting</source>
+   <translation>Abscisse vraie</translation>
+  </message>
+  <message>
+   <source>True northing</source>
+   <translation>Ordonnée vraie</translation>
   </message>
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
@@ -4014,6 +4402,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>Vector</source>
    <translation>Vecteur</translation>
+  </message>
+  <message>
+   <source>Verdict</source>
+   <translation>Verdict</translation>
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
@@ -4244,6 +4636,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>Écriture des tuiles</translation>
   </message>
   <message>
+   <source>Wrong fixes (share)</source>
+   <translation>Positions fausses (part)</translation>
+  </message>
+  <message>
+   <source>Wrong once in</source>
+   <translation>Fausse une fois sur</translation>
+  </message>
+  <message>
    <source>Zoom to hit</source>
    <translation>Zoom sur le lieu</translation>
   </message>
@@ -4268,6 +4668,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>le long de la route, km</translation>
   </message>
   <message>
+   <source>ambiguous</source>
+   <translation>ambiguë</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>annoté</translation>
   </message>
@@ -4290,6 +4694,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>at least {count} more is needed</source>
    <translation>il en faut au moins {count} de plus</translation>
+  </message>
+  <message>
+   <source>below the minimum area</source>
+   <translation>sous la surface minimale</translation>
   </message>
   <message>
    <source>best epoch</source>
@@ -4328,6 +4736,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>constellation, puis corrélation de cartes</translation>
   </message>
   <message>
+   <source>could not be read</source>
+   <translation>n’a pas pu être lue</translation>
+  </message>
+  <message>
+   <source>dissolved</source>
+   <translation>fusionné</translation>
+  </message>
+  <message>
    <source>distance</source>
    <translation>distance</translation>
   </message>
@@ -4342,6 +4758,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>down</source>
    <translation>bas</translation>
+  </message>
+  <message>
+   <source>duplicate</source>
+   <translation>doublon</translation>
   </message>
   <message>
    <source>east</source>
@@ -4388,6 +4808,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>constats</translation>
   </message>
   <message>
+   <source>fix of its own</source>
+   <translation>position propre</translation>
+  </message>
+  <message>
    <source>focal length {value:.0f} px</source>
    <translation>focale {value:.0f} px</translation>
   </message>
@@ -4402,6 +4826,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>from image</source>
    <translation>de l’image</translation>
+  </message>
+  <message>
+   <source>gap between neighbors</source>
+   <translation>lacune entre voisins</translation>
   </message>
   <message>
    <source>ground set aside from training</source>
@@ -4436,8 +4864,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>hauteur {value:.1f} m</translation>
   </message>
   <message>
+   <source>heights left out</source>
+   <translation>altitudes omises</translation>
+  </message>
+  <message>
    <source>held by</source>
    <translation>tenue par</translation>
+  </message>
+  <message>
+   <source>hidden</source>
+   <translation>caché</translation>
   </message>
   <message>
    <source>hint</source>
@@ -4478,6 +4914,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>install it with “{command}”</source>
    <translation>installez-le avec « {command} »</translation>
+  </message>
+  <message>
+   <source>invalid geometry</source>
+   <translation>géométrie invalide</translation>
   </message>
   <message>
    <source>is something else</source>
@@ -4576,6 +5016,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>perte</translation>
   </message>
   <message>
+   <source>lost in pixels</source>
+   <translation>perdu en pixels</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>IoU moyen</translation>
   </message>
@@ -4600,8 +5044,20 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>erreur médiane</translation>
   </message>
   <message>
+   <source>merged by pixels</source>
+   <translation>réuni par les pixels</translation>
+  </message>
+  <message>
+   <source>neighbors of one class</source>
+   <translation>voisins d’une même classe</translation>
+  </message>
+  <message>
    <source>next best: {windows}</source>
    <translation>suivantes : {windows}</translation>
+  </message>
+  <message>
+   <source>no area</source>
+   <translation>sans surface</translation>
   </message>
   <message>
    <source>no better line found beside it</source>
@@ -4610,6 +5066,14 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>no class</source>
    <translation>aucune classe</translation>
+  </message>
+  <message>
+   <source>no fix</source>
+   <translation>pas de position</translation>
+  </message>
+  <message>
+   <source>no geometry</source>
+   <translation>sans géométrie</translation>
   </message>
   <message>
    <source>noise of single landmarks</source>
@@ -4672,12 +5136,20 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>sur le terrain mis de côté</translation>
   </message>
   <message>
+   <source>outside the CRS’s area</source>
+   <translation>hors de la zone du SCR</translation>
+  </message>
+  <message>
    <source>outside the map</source>
    <translation>hors de la carte</translation>
   </message>
   <message>
    <source>overall accuracy</source>
    <translation>exactitude globale</translation>
+  </message>
+  <message>
+   <source>overlap</source>
+   <translation>recouvrement</translation>
   </message>
   <message>
    <source>own fixes outvoted</source>
@@ -4726,6 +5198,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>right among the fixes</source>
    <translation>part correcte des positions trouvées</translation>
+  </message>
+  <message>
+   <source>right fix</source>
+   <translation>position juste</translation>
   </message>
   <message>
    <source>right fixes</source>
@@ -4780,8 +5256,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>taille des pixels</translation>
   </message>
   <message>
+   <source>sliver</source>
+   <translation>éclat</translation>
+  </message>
+  <message>
    <source>sometimes</source>
    <translation>parfois</translation>
+  </message>
+  <message>
+   <source>split by pixels</source>
+   <translation>divisé par les pixels</translation>
   </message>
   <message>
    <source>spread</source>
@@ -4864,6 +5348,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>durée de l’entraînement</translation>
   </message>
   <message>
+   <source>unknown class</source>
+   <translation>classe inconnue</translation>
+  </message>
+  <message>
    <source>unknown format</source>
    <translation>format inconnu</translation>
   </message>
@@ -4874,6 +5362,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>very reliably</source>
    <translation>de façon très fiable</translation>
+  </message>
+  <message>
+   <source>warning</source>
+   <translation>avertissement</translation>
   </message>
   <message>
    <source>warnings</source>
@@ -4890,6 +5382,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>without an expected fix</source>
    <translation>sans position attendue</translation>
+  </message>
+  <message>
+   <source>wrong fix</source>
+   <translation>position fausse</translation>
   </message>
   <message>
    <source>wrong fixes</source>

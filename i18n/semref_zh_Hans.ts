@@ -40,8 +40,16 @@
    <translation>地面边长的 2%</translation>
   </message>
   <message>
+   <source>95 % interval</source>
+   <translation>95 % 区间</translation>
+  </message>
+  <message>
    <source>95 % radius</source>
    <translation>95 % 半径</translation>
+  </message>
+  <message>
+   <source>95 % radius (m)</source>
+   <translation>95 % 半径（米）</translation>
   </message>
   <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
@@ -252,6 +260,14 @@
    <translation>沿飞行过程</translation>
   </message>
   <message>
+   <source>Along the route</source>
+   <translation>沿航线</translation>
+  </message>
+  <message>
+   <source>Along the route (m)</source>
+   <translation>沿航线（米）</translation>
+  </message>
+  <message>
    <source>Ambiguous</source>
    <translation>不唯一</translation>
   </message>
@@ -288,8 +304,16 @@
    <translation>标注类别</translation>
   </message>
   <message>
+   <source>Annotated class</source>
+   <translation>标注类别</translation>
+  </message>
+  <message>
    <source>Annotated label map</source>
    <translation>标注的标签图</translation>
+  </message>
+  <message>
+   <source>Annotated value</source>
+   <translation>标注值</translation>
   </message>
   <message>
    <source>Annotation</source>
@@ -326,6 +350,10 @@
   <message>
    <source>Area</source>
    <translation>面积</translation>
+  </message>
+  <message>
+   <source>Area (m²)</source>
+   <translation>面积（平方米）</translation>
   </message>
   <message>
    <source>Area or route</source>
@@ -500,6 +528,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>CSV 文件，包含 value、name、color、role 列，用于自身不带类别的标签图。</translation>
   </message>
   <message>
+   <source>Camera</source>
+   <translation>相机</translation>
+  </message>
+  <message>
    <source>Camera table (roll, pitch, focal length, time, height, heading)</source>
    <translation>相机表（横滚角、俯仰角、焦距、时间、高度、航向）</translation>
   </message>
@@ -526,6 +558,10 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Canceling…</source>
    <translation>正在取消…</translation>
+  </message>
+  <message>
+   <source>Changed</source>
+   <translation>已更改</translation>
   </message>
   <message>
    <source>Changed areas</source>
@@ -616,6 +652,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>类别表</translation>
   </message>
   <message>
+   <source>Class value</source>
+   <translation>类别值</translation>
+  </message>
+  <message>
    <source>Class “{name}” has only one of hsv_min and hsv_max; give both or none.</source>
    <translation>类别“{name}”只有 hsv_min 和 hsv_max 中的一个；请两个都给出或都不给出。</translation>
   </message>
@@ -640,6 +680,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>类别</translation>
   </message>
   <message>
+   <source>Classes in view</source>
+   <translation>可见类别</translation>
+  </message>
+  <message>
    <source>Classes shifted (map units)</source>
    <translation>类别偏移（地图单位）</translation>
   </message>
@@ -662,6 +706,14 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Color label image</source>
    <translation>彩色标签影像</translation>
+  </message>
+  <message>
+   <source>Column</source>
+   <translation>列</translation>
+  </message>
+  <message>
+   <source>Column in the image</source>
+   <translation>图像中的列</translation>
   </message>
   <message>
    <source>Compare label maps</source>
@@ -756,6 +808,10 @@ The report also tells how far from where they are the landmarks of each class ar
    <translation>已修正的位置</translation>
   </message>
   <message>
+   <source>Correlation of both</source>
+   <translation>两者的相关系数</translation>
+  </message>
+  <message>
    <source>Counting labels</source>
    <translation>正在统计标签</translation>
   </message>
@@ -800,12 +856,32 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>正在描述窗口</translation>
   </message>
   <message>
+   <source>Deviation eastwards (m)</source>
+   <translation>东向偏差（米）</translation>
+  </message>
+  <message>
+   <source>Deviation northwards (m)</source>
+   <translation>北向偏差（米）</translation>
+  </message>
+  <message>
+   <source>Deviation of the heading (°)</source>
+   <translation>航向偏差（°）</translation>
+  </message>
+  <message>
+   <source>Deviation of the pixel size (m)</source>
+   <translation>像素大小偏差（米）</translation>
+  </message>
+  <message>
    <source>Device</source>
    <translation>设备</translation>
   </message>
   <message>
    <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
    <translation>诊断信息已复制到剪贴板：版本、软件包、设备和最近的消息，不含您的路径和名称。请检查一遍，然后粘贴到新的问题报告中。</translation>
+  </message>
+  <message>
+   <source>Direction of its longer semi-axis (°)</source>
+   <translation>其长半轴方向（°）</translation>
   </message>
   <message>
    <source>Direction of the sun (°)</source>
@@ -836,6 +912,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>点间距；不填则为覆盖边长的四分之一。</translation>
   </message>
   <message>
+   <source>Distance from the center (px)</source>
+   <translation>到中心的距离（像素）</translation>
+  </message>
+  <message>
    <source>Distance from the center over the largest distance</source>
    <translation>到中心的距离与最大距离之比</translation>
   </message>
@@ -852,8 +932,16 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>拓扑向量之间的距离；0 为完全匹配，大于 2 则不匹配</translation>
   </message>
   <message>
+   <source>Distance of topology vectors</source>
+   <translation>拓扑向量距离</translation>
+  </message>
+  <message>
    <source>Distance ratios, angle differences and class ranks, with the classes used.</source>
    <translation>距离比、角度差和类别序号，以及所用的类别。</translation>
+  </message>
+  <message>
+   <source>Distinctiveness</source>
+   <translation>独特性</translation>
   </message>
   <message>
    <source>Done, next</source>
@@ -892,6 +980,22 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>每幅模拟影像都由其余影像按其所见地标预测：在对角线上，预期与实际相符。Brier 分数（0 为完美；始终预测一半为 0.25）：{scores}。这检验的是预期与模拟影像是否相符，而不是您所填的噪声与实际噪声是否相符。</translation>
   </message>
   <message>
+   <source>Easting</source>
+   <translation>东坐标</translation>
+  </message>
+  <message>
+   <source>Easting below the camera</source>
+   <translation>相机正下方东坐标</translation>
+  </message>
+  <message>
+   <source>Easting of the center</source>
+   <translation>中心东坐标</translation>
+  </message>
+  <message>
+   <source>Easting where it is seen</source>
+   <translation>观测处东坐标</translation>
+  </message>
+  <message>
    <source>Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels.</source>
    <translation>像元的边长，以米为单位。最小的地标应覆盖约 50 个像元。</translation>
   </message>
@@ -920,6 +1024,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>EfficientNet-Lite0（已见过照片）</translation>
   </message>
   <message>
+   <source>End (UTC)</source>
+   <translation>结束（UTC）</translation>
+  </message>
+  <message>
    <source>Epoch {epoch}, loss {loss:.3f}</source>
    <translation>第 {epoch} 轮，损失 {loss:.3f}</translation>
   </message>
@@ -932,8 +1040,24 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>训练轮数</translation>
   </message>
   <message>
+   <source>Error</source>
+   <translation>误差</translation>
+  </message>
+  <message>
    <source>Error (m)</source>
    <translation>误差（m）</translation>
+  </message>
+  <message>
+   <source>Error of the heading (°)</source>
+   <translation>航向误差（°）</translation>
+  </message>
+  <message>
+   <source>Error of the scale</source>
+   <translation>尺度误差</translation>
+  </message>
+  <message>
+   <source>Error over 95 % radius</source>
+   <translation>误差与 95 % 半径之比</translation>
   </message>
   <message>
    <source>Errors</source>
@@ -964,6 +1088,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>预期成功率与模拟成功率</translation>
   </message>
   <message>
+   <source>Expected error</source>
+   <translation>预期误差</translation>
+  </message>
+  <message>
    <source>Expected success</source>
    <translation>预期成功率</translation>
   </message>
@@ -974,6 +1102,18 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Expected success is good enough everywhere.</source>
    <translation>各处预期成功率均足够。</translation>
+  </message>
+  <message>
+   <source>Expected success when shifted</source>
+   <translation>平移后的预期成功率</translation>
+  </message>
+  <message>
+   <source>Expected success, at least (95 %)</source>
+   <translation>预期成功率下限（95 %）</translation>
+  </message>
+  <message>
+   <source>Expected success, at most (95 %)</source>
+   <translation>预期成功率上限（95 %）</translation>
   </message>
   <message>
    <source>Export for onboard use</source>
@@ -1002,6 +1142,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>False accept rate</source>
    <translation>误接受率</translation>
+  </message>
+  <message>
+   <source>Feature</source>
+   <translation>要素</translation>
   </message>
   <message>
    <source>Feature {id} and feature {other} had the same outline; one is left.</source>
@@ -1136,12 +1280,24 @@ Every image gives one point; without a fix it has no geometry and its reason say
 每幅影像得到一个点；没有定位结果时该点没有几何图形，原因一栏说明为什么。自动和星座匹配可以在地图的任意位置、以任意航向找到影像，并对结果加以验证。拓扑向量法找到的是中心位于窗口中心的影像，也会接受来自其他地方的影像：请检查其结果。</translation>
   </message>
   <message>
+   <source>First image</source>
+   <translation>第一张图像</translation>
+  </message>
+  <message>
    <source>Fix</source>
    <translation>已定位</translation>
   </message>
   <message>
    <source>Fix of the image itself</source>
    <translation>影像自身的定位</translation>
+  </message>
+  <message>
+   <source>Fix without a heading</source>
+   <translation>无航向的定位</translation>
+  </message>
+  <message>
+   <source>Fix, with its heading</source>
+   <translation>带航向的定位</translation>
   </message>
   <message>
    <source>Fixes by</source>
@@ -1178,6 +1334,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Footprint</source>
    <translation>覆盖范围</translation>
+  </message>
+  <message>
+   <source>Footprint (m)</source>
+   <translation>覆盖范围（米）</translation>
   </message>
   <message>
    <source>Footprint (map units)</source>
@@ -1356,8 +1516,20 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>航向</translation>
   </message>
   <message>
+   <source>Heading (° from grid north)</source>
+   <translation>航向（自坐标北，°）</translation>
+  </message>
+  <message>
    <source>Heading of an image’s top, clockwise from grid north.</source>
    <translation>影像顶边的航向，自坐标北起顺时针计算。</translation>
+  </message>
+  <message>
+   <source>Held by</source>
+   <translation>依据</translation>
+  </message>
+  <message>
+   <source>How exactly</source>
+   <translation>精度</translation>
   </message>
   <message>
    <source>How far each class of landmarks is shown from where it is, as a whole, in any direction, as networks do.</source>
@@ -1394,6 +1566,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>How good (IoU)</source>
    <translation>质量（IoU）</translation>
+  </message>
+  <message>
+   <source>How it was found</source>
+   <translation>定位方式</translation>
   </message>
   <message>
    <source>How many of the landmarks nearest to the center a vector holds.</source>
@@ -1454,6 +1630,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>覆盖 {footprint:g} 地图单位的影像在像素大小未知时不会被搜索：与窗口大小 {window:g} 相差太大。</translation>
+  </message>
+  <message>
+   <source>Images with a fix of their own</source>
+   <translation>自身定位的图像</translation>
   </message>
   <message>
    <source>In the project</source>
@@ -1612,8 +1792,20 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>只有影像的一侧有地标与地图相符：它可能显示了两个地点。</translation>
   </message>
   <message>
+   <source>Landmarks in the database</source>
+   <translation>数据库中的地标</translation>
+  </message>
+  <message>
+   <source>Landmarks in the image</source>
+   <translation>图像中的地标</translation>
+  </message>
+  <message>
    <source>Landmarks in the window</source>
    <translation>窗口中的地标</translation>
+  </message>
+  <message>
+   <source>Landmarks in view</source>
+   <translation>可见地标</translation>
   </message>
   <message>
    <source>Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.</source>
@@ -1636,6 +1828,18 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>每个向量的地标数</translation>
   </message>
   <message>
+   <source>Landmarks that agree</source>
+   <translation>吻合的地标</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius</source>
+   <translation>最大 95 % 半径</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius (m)</source>
+   <translation>最大 95 % 半径（米）</translation>
+  </message>
+  <message>
    <source>Largest gap (m²)</source>
    <translation>最大间隙（m²）</translation>
   </message>
@@ -1650,6 +1854,14 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Largest shift (map units)</source>
    <translation>最大平移（地图单位）</translation>
+  </message>
+  <message>
+   <source>Last image</source>
+   <translation>最后一张图像</translation>
+  </message>
+  <message>
+   <source>Latitude</source>
+   <translation>纬度</translation>
   </message>
   <message>
    <source>Latitude, longitude (WGS 84)</source>
@@ -1680,8 +1892,20 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>已舍去（没有类别或面积）：{count}</translation>
   </message>
   <message>
+   <source>Length</source>
+   <translation>长度</translation>
+  </message>
+  <message>
+   <source>Length (m)</source>
+   <translation>长度（米）</translation>
+  </message>
+  <message>
    <source>Lens distortion (%)</source>
    <translation>镜头畸变（%）</translation>
+  </message>
+  <message>
+   <source>Level</source>
+   <translation>层级</translation>
   </message>
   <message>
    <source>Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).</source>
@@ -1740,6 +1964,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>正在定位模拟影像</translation>
   </message>
   <message>
+   <source>Logarithm of the odds</source>
+   <translation>对数几率</translation>
+  </message>
+  <message>
    <source>Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean expected success of the stretch if it is flown parallel, to the left or right of the direction of flight.</source>
    <translation>最长者在前。航段从最后一个达标点到下一个达标点。提示给出该段向飞行方向左侧或右侧平行飞行时的平均预期成功率。</translation>
   </message>
@@ -1756,12 +1984,20 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>无预期定位的最长航段：{length:.0f} m。</translation>
   </message>
   <message>
+   <source>Longitude</source>
+   <translation>经度</translation>
+  </message>
+  <message>
    <source>Longitude, latitude (WGS 84)</source>
    <translation>经度, 纬度 (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
    <translation>经纬度误差不超过 {error:.4f} m。</translation>
+  </message>
+  <message>
+   <source>Look-alikes</source>
+   <translation>相似地点</translation>
   </message>
   <message>
    <source>Look-alikes: another place, or the mirrored image, fits almost as well.</source>
@@ -2012,6 +2248,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>窗口大小和步长的倍数，以“;”分隔：1;2 会增加两倍大小的窗口，用于两倍高度的飞行。</translation>
   </message>
   <message>
+   <source>Name</source>
+   <translation>名称</translation>
+  </message>
+  <message>
    <source>Name of the matched window: its first column and row on the map</source>
    <translation>所匹配窗口的名称：其在地图上的起始列和起始行</translation>
   </message>
@@ -2152,6 +2392,22 @@ The model that ships with SemRef can read these photos.</source>
    <translation>无：每幅影像都有位置。</translation>
   </message>
   <message>
+   <source>Northing</source>
+   <translation>北坐标</translation>
+  </message>
+  <message>
+   <source>Northing below the camera</source>
+   <translation>相机正下方北坐标</translation>
+  </message>
+  <message>
+   <source>Northing of the center</source>
+   <translation>中心北坐标</translation>
+  </message>
+  <message>
+   <source>Northing where it is seen</source>
+   <translation>观测处北坐标</translation>
+  </message>
+  <message>
    <source>Not good for</source>
    <translation>不适用于</translation>
   </message>
@@ -2258,6 +2514,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Offset</source>
    <translation>偏移</translation>
+  </message>
+  <message>
+   <source>Offset from the window</source>
+   <translation>与窗口的偏移</translation>
   </message>
   <message>
    <source>Old label map</source>
@@ -2392,6 +2652,14 @@ The model that ships with SemRef can read these photos.</source>
    <translation>从正射影像到不一致之处</translation>
   </message>
   <message>
+   <source>Other feature</source>
+   <translation>另一要素</translation>
+  </message>
+  <message>
+   <source>Out of reach in time</source>
+   <translation>时间内无法到达</translation>
+  </message>
+  <message>
    <source>Outlining regions</source>
    <translation>正在勾画区域</translation>
   </message>
@@ -2450,6 +2718,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Pick on map</source>
    <translation>在地图上选取</translation>
+  </message>
+  <message>
+   <source>Pixel size</source>
+   <translation>像素大小</translation>
   </message>
   <message>
    <source>Pixel size (m)</source>
@@ -2512,6 +2784,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>多边形：其外的地面不予查看，也没有类别。</translation>
   </message>
   <message>
+   <source>Position</source>
+   <translation>位置</translation>
+  </message>
+  <message>
    <source>Positions</source>
    <translation>位置</translation>
   </message>
@@ -2536,8 +2812,16 @@ The model that ships with SemRef can read these photos.</source>
    <translation>预测类别</translation>
   </message>
   <message>
+   <source>Predicted class</source>
+   <translation>预测类别</translation>
+  </message>
+  <message>
    <source>Predicted label map</source>
    <translation>预测的标签图</translation>
+  </message>
+  <message>
+   <source>Predicted value</source>
+   <translation>预测值</translation>
   </message>
   <message>
    <source>Preparing the landmarks</source>
@@ -2558,6 +2842,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Probability that the position is right; for the published method, how near the vectors are</source>
    <translation>位置正确的概率；对于已发表的方法，则为向量的接近程度</translation>
+  </message>
+  <message>
+   <source>Probability to be right</source>
+   <translation>正确概率</translation>
   </message>
   <message>
    <source>Profile</source>
@@ -2636,6 +2924,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>偏差范围（± °）</translation>
   </message>
   <message>
+   <source>Rank</source>
+   <translation>名次</translation>
+  </message>
+  <message>
    <source>Rasterize annotation</source>
    <translation>栅格化标注</translation>
   </message>
@@ -2688,6 +2980,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>参考数据库</translation>
   </message>
   <message>
+   <source>Relative deviation of the scale</source>
+   <translation>尺度相对偏差</translation>
+  </message>
+  <message>
    <source>Reliability of the confidence</source>
    <translation>置信度的可靠性</translation>
   </message>
@@ -2732,6 +3028,14 @@ The model that ships with SemRef can read these photos.</source>
    <translation>已重采样到每像元 {resolution:g} cm：{width} × {height} 个像元。</translation>
   </message>
   <message>
+   <source>Residual</source>
+   <translation>残差</translation>
+  </message>
+  <message>
+   <source>Residual (m)</source>
+   <translation>残差（米）</translation>
+  </message>
+  <message>
    <source>Resolution (cm per pixel)</source>
    <translation>分辨率（cm/像元）</translation>
   </message>
@@ -2742,6 +3046,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Results appear here.</source>
    <translation>结果将显示在此处。</translation>
+  </message>
+  <message>
+   <source>Right</source>
+   <translation>正确</translation>
   </message>
   <message>
    <source>Right fixes by the number of landmarks the database has there.</source>
@@ -2758,6 +3066,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Right within (map units)</source>
    <translation>计为正确的最大误差（地图单位）</translation>
+  </message>
+  <message>
+   <source>Road to the fix</source>
+   <translation>定位途径</translation>
   </message>
   <message>
    <source>Rotation</source>
@@ -2782,6 +3094,14 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Route {number}</source>
    <translation>航线 {number}</translation>
+  </message>
+  <message>
+   <source>Row</source>
+   <translation>行</translation>
+  </message>
+  <message>
+   <source>Row in the image</source>
+   <translation>图像中的行</translation>
   </message>
   <message>
    <source>Rules</source>
@@ -2826,6 +3146,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Search the whole database</source>
    <translation>搜索整个数据库</translation>
+  </message>
+  <message>
+   <source>Search was capped</source>
+   <translation>搜索受限</translation>
   </message>
   <message>
    <source>Search: the whole database</source>
@@ -2904,6 +3228,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>设置</translation>
   </message>
   <message>
+   <source>Severity</source>
+   <translation>严重程度</translation>
+  </message>
+  <message>
    <source>Share of landmarks that are added, shaped like landmarks of other places of the map.</source>
    <translation>增加的地标所占的比例，其形状与地图其他地方的地标相同。</translation>
   </message>
@@ -2926,6 +3254,14 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Share of the map’s images with a fix at most so far off, right or wrong.</source>
    <translation>地图影像中误差不超过该值的定位结果所占的比例，无论对错。</translation>
+  </message>
+  <message>
+   <source>Shift to the right that helps (m)</source>
+   <translation>有益的右移（米）</translation>
+  </message>
+  <message>
+   <source>Shorter semi-axis of the 95 % ellipse (m)</source>
+   <translation>95 % 椭圆短半轴（米）</translation>
   </message>
   <message>
    <source>Show models…</source>
@@ -2990,6 +3326,10 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
   <message>
    <source>Single-band raster of class values, 0 where nothing is known, of the same ground.</source>
    <translation>同一地面的单波段类别值栅格，未知处为 0。</translation>
+  </message>
+  <message>
+   <source>Size (m)</source>
+   <translation>大小（米）</translation>
   </message>
   <message>
    <source>Size in bytes</source>
@@ -3064,6 +3404,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>边缘移动距离的标准差；在约八个像元的范围内移动大致相同。</translation>
   </message>
   <message>
+   <source>Standard deviation of the heading (°)</source>
+   <translation>航向标准差（°）</translation>
+  </message>
+  <message>
+   <source>Start (UTC)</source>
+   <translation>开始（UTC）</translation>
+  </message>
+  <message>
    <source>Starting the Python that trains</source>
    <translation>正在启动用于训练的 Python</translation>
   </message>
@@ -3082,6 +3430,22 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Step from tile to tile; less than the tile size makes tiles overlap.</source>
    <translation>相邻图块之间的步长；小于图块大小时图块会重叠。</translation>
+  </message>
+  <message>
+   <source>Stretch of the route (WKT)</source>
+   <translation>航段（WKT）</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix</source>
+   <translation>无预期定位的航段</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix (m)</source>
+   <translation>无预期定位的航段（米）</translation>
+  </message>
+  <message>
+   <source>Stretch without an expected fix (s)</source>
+   <translation>无预期定位的航段（秒）</translation>
   </message>
   <message>
    <source>Stretched to 8 bits from {limits}.</source>
@@ -3508,6 +3872,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>从中裁取影像的地图：数据库自身的地图或同一地面的另一幅地图，须采用数据库的坐标参照系和类别；像元大小可以不同。</translation>
   </message>
   <message>
+   <source>The maps disagree</source>
+   <translation>地图不一致</translation>
+  </message>
+  <message>
    <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
    <translation>地图没有以米为单位的坐标系，因此类别偏移的米数未知；请给出有此坐标系的地图，或将 MODEL_OUTPUT 留空。</translation>
   </message>
@@ -3808,6 +4176,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>时间</translation>
   </message>
   <message>
+   <source>Time (UTC)</source>
+   <translation>时间（UTC）</translation>
+  </message>
+  <message>
    <source>Time limit (minutes)</source>
    <translation>时间限制（分钟）</translation>
   </message>
@@ -3846,6 +4218,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Topology vector (He &amp; Wu 2025)</source>
    <translation>拓扑向量（He &amp; Wu 2025）</translation>
+  </message>
+  <message>
+   <source>Touches the edge</source>
+   <translation>接触边缘</translation>
   </message>
   <message>
    <source>Track</source>
@@ -3900,6 +4276,10 @@ Ground is set aside to tell how good the network is. Training runs in a Python o
 预留部分地面以说明网络的好坏。训练在带有 torch 的独立 Python 中进行：SemRef 可在“设置 ▸ 选项 ▸ SemRef”中创建，也可由您指定。被取消的运行可以继续：使用相同的输出再次运行即可。</translation>
   </message>
   <message>
+   <source>Trial</source>
+   <translation>试验</translation>
+  </message>
+  <message>
    <source>Trials</source>
    <translation>试验</translation>
   </message>
@@ -3918,6 +4298,14 @@ The report compares the methods, with the two tables of He &amp; Wu 2025, succes
    <translation>试验参考数据库：从标签图裁取真值已知的影像，对其旋转、缩放、偏离窗口并加以扰动，再用一种或多种方法定位。
 
 报告对各方法进行比较，包括 He &amp; Wu 2025 的两个表格、成功率与偏移和噪声的关系、误差、误接受，以及置信度的意义。随机种子相同，结果相同。要得到如实的答案，请使用与数据库不同日期的标签图，并将“地图位移”设为 0：在数据库自身的地图上，结果总会更好。</translation>
+  </message>
+  <message>
+   <source>True easting</source>
+   <translation>真实东坐标</translation>
+  </message>
+  <message>
+   <source>True northing</source>
+   <translation>真实北坐标</translation>
   </message>
   <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
@@ -4014,6 +4402,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
   <message>
    <source>Vector</source>
    <translation>向量</translation>
+  </message>
+  <message>
+   <source>Verdict</source>
+   <translation>评定</translation>
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
@@ -4244,6 +4636,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>正在写入图块</translation>
   </message>
   <message>
+   <source>Wrong fixes (share)</source>
+   <translation>错误定位（占比）</translation>
+  </message>
+  <message>
+   <source>Wrong once in</source>
+   <translation>出错概率为一比</translation>
+  </message>
+  <message>
    <source>Zoom to hit</source>
    <translation>缩放到命中位置</translation>
   </message>
@@ -4268,6 +4668,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>沿航线，km</translation>
   </message>
   <message>
+   <source>ambiguous</source>
+   <translation>不唯一</translation>
+  </message>
+  <message>
    <source>annotated</source>
    <translation>标注</translation>
   </message>
@@ -4290,6 +4694,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>at least {count} more is needed</source>
    <translation>至少还需要 {count} 个</translation>
+  </message>
+  <message>
+   <source>below the minimum area</source>
+   <translation>小于最小面积</translation>
   </message>
   <message>
    <source>best epoch</source>
@@ -4328,6 +4736,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>先星座法，后地图相关</translation>
   </message>
   <message>
+   <source>could not be read</source>
+   <translation>无法读取</translation>
+  </message>
+  <message>
+   <source>dissolved</source>
+   <translation>已融合</translation>
+  </message>
+  <message>
    <source>distance</source>
    <translation>距离</translation>
   </message>
@@ -4342,6 +4758,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>down</source>
    <translation>下</translation>
+  </message>
+  <message>
+   <source>duplicate</source>
+   <translation>重复</translation>
   </message>
   <message>
    <source>east</source>
@@ -4388,6 +4808,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>问题</translation>
   </message>
   <message>
+   <source>fix of its own</source>
+   <translation>自身定位</translation>
+  </message>
+  <message>
    <source>focal length {value:.0f} px</source>
    <translation>焦距 {value:.0f} 像素</translation>
   </message>
@@ -4402,6 +4826,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>from image</source>
    <translation>从影像</translation>
+  </message>
+  <message>
+   <source>gap between neighbors</source>
+   <translation>相邻间空隙</translation>
   </message>
   <message>
    <source>ground set aside from training</source>
@@ -4436,8 +4864,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>高度 {value:.1f} 米</translation>
   </message>
   <message>
+   <source>heights left out</source>
+   <translation>已忽略高程</translation>
+  </message>
+  <message>
    <source>held by</source>
    <translation>依据</translation>
+  </message>
+  <message>
+   <source>hidden</source>
+   <translation>被遮盖</translation>
   </message>
   <message>
    <source>hint</source>
@@ -4478,6 +4914,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>install it with “{command}”</source>
    <translation>请用“{command}”安装</translation>
+  </message>
+  <message>
+   <source>invalid geometry</source>
+   <translation>无效几何</translation>
   </message>
   <message>
    <source>is something else</source>
@@ -4576,6 +5016,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>损失</translation>
   </message>
   <message>
+   <source>lost in pixels</source>
+   <translation>像素化后丢失</translation>
+  </message>
+  <message>
    <source>mean IoU</source>
    <translation>平均 IoU</translation>
   </message>
@@ -4600,8 +5044,20 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>误差中值</translation>
   </message>
   <message>
+   <source>merged by pixels</source>
+   <translation>像素化后合并</translation>
+  </message>
+  <message>
+   <source>neighbors of one class</source>
+   <translation>同类相邻</translation>
+  </message>
+  <message>
    <source>next best: {windows}</source>
    <translation>次优：{windows}</translation>
+  </message>
+  <message>
+   <source>no area</source>
+   <translation>无面积</translation>
   </message>
   <message>
    <source>no better line found beside it</source>
@@ -4610,6 +5066,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>no class</source>
    <translation>无类别</translation>
+  </message>
+  <message>
+   <source>no fix</source>
+   <translation>无定位</translation>
+  </message>
+  <message>
+   <source>no geometry</source>
+   <translation>无几何</translation>
   </message>
   <message>
    <source>noise of single landmarks</source>
@@ -4672,12 +5136,20 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>在预留的地面上</translation>
   </message>
   <message>
+   <source>outside the CRS’s area</source>
+   <translation>超出坐标系适用范围</translation>
+  </message>
+  <message>
    <source>outside the map</source>
    <translation>地图之外</translation>
   </message>
   <message>
    <source>overall accuracy</source>
    <translation>总体精度</translation>
+  </message>
+  <message>
+   <source>overlap</source>
+   <translation>重叠</translation>
   </message>
   <message>
    <source>own fixes outvoted</source>
@@ -4726,6 +5198,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>right among the fixes</source>
    <translation>定位结果中正确的比例</translation>
+  </message>
+  <message>
+   <source>right fix</source>
+   <translation>正确定位</translation>
   </message>
   <message>
    <source>right fixes</source>
@@ -4780,8 +5256,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>像元大小</translation>
   </message>
   <message>
+   <source>sliver</source>
+   <translation>碎屑多边形</translation>
+  </message>
+  <message>
    <source>sometimes</source>
    <translation>有时</translation>
+  </message>
+  <message>
+   <source>split by pixels</source>
+   <translation>像素化后分裂</translation>
   </message>
   <message>
    <source>spread</source>
@@ -4864,6 +5348,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>训练时间</translation>
   </message>
   <message>
+   <source>unknown class</source>
+   <translation>未知类别</translation>
+  </message>
+  <message>
    <source>unknown format</source>
    <translation>未知格式</translation>
   </message>
@@ -4874,6 +5362,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>very reliably</source>
    <translation>非常可靠</translation>
+  </message>
+  <message>
+   <source>warning</source>
+   <translation>警告</translation>
   </message>
   <message>
    <source>warnings</source>
@@ -4890,6 +5382,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>without an expected fix</source>
    <translation>无预期定位</translation>
+  </message>
+  <message>
+   <source>wrong fix</source>
+   <translation>错误定位</translation>
   </message>
   <message>
    <source>wrong fixes</source>

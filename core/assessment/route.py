@@ -140,6 +140,16 @@ def gaps(points: RoutePoints, success: np.ndarray, threshold: float) -> list[Gap
     return found
 
 
+def stretch(points: RoutePoints, n: int) -> np.ndarray:
+    """(m, 2) map x, y of the line that a point stands for: half the way to its neighbors on the line, m 2 or 3."""
+    own, line = points.places[n], points.lines[n]
+    sides = [m for m in (n - 1, n + 1) if 0 <= m < len(points) and points.lines[m] == line]
+    halves = [(points.places[m] + own) / 2 for m in sides]
+    if len(halves) == 2:
+        return np.array([halves[0], own, halves[1]])
+    return np.array([own, *halves]) if sides and sides[0] > n else np.array([*halves, own])
+
+
 def best_shift(before: np.ndarray, offsets: Sequence[float], successes: Sequence[np.ndarray]) -> ShiftHint | None:
     """Where to shift a stretch; of shifts that are almost as good the shortest.
 

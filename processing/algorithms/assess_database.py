@@ -182,11 +182,11 @@ class AssessDatabase(AssessAlgorithm):
         results: Sequence[AssessedFootprint],
         crs: QgsCoordinateReferenceSystem,
     ) -> None:
-        from ..exchange.assessment_styles import cell_renderer
+        from ..exchange.assessment_styles import cells_look
 
         threshold, half = self.threshold(values), cells.size / 2
-        renderer = cell_renderer(threshold, results[0].footprint, len(results) == 1)
-        with outputs.layer(self.OUTPUT, FIELDS, POLYGON, crs, renderer) as sink:
+        look = cells_look(threshold, results[0].footprint, len(results) == 1)
+        with outputs.layer(self.OUTPUT, FIELDS, POLYGON, crs, look) as sink:
             for result in results:
                 unlike = _nearest_distinctiveness(database.windows, cells.centers, result.footprint)
                 for n, (x, y) in enumerate(cells.centers.tolist()):

@@ -52,6 +52,7 @@ FIELDS = (
     ("shift", "real"),
     ("shift_success", "real"),
     ("reason", "text"),
+    ("stretch", "text"),
 )
 
 
@@ -260,12 +261,14 @@ class AssessRoute(AssessAlgorithm):
         return route_html(route, os.path.basename(database.source), conditions, assessment.correlation, settings)
 
     def _write_points(self, outputs: Outputs, route: AssessedRoute, crs: QgsCoordinateReferenceSystem) -> None:
-        from ..exchange.assessment_styles import point_renderer
+        from ...core.assessment.route import stretch
+        from ..exchange.assessment_styles import route_look
 
         gap_of = {int(n): (gap, hint) for gap, hint in zip(route.stretches, route.hints) for n in gap.points}
-        with outputs.layer(self.OUTPUT, FIELDS, POINT, crs, point_renderer(route.threshold)) as sink:
+        with outputs.layer(self.OUTPUT, FIELDS, POINT, crs, route_look(route.threshold)) as sink:
             for n, (x, y) in enumerate(route.points.places.tolist()):
                 attributes = _values(route, n, *gap_of.get(n, (None, None)))
+                attributes["stretch"] = _wkt(stretch(route.points, n))
                 sink.add(QgsGeometry.fromPointXY(QgsPointXY(x, y)), attributes)
 
     def _say(self, route: AssessedRoute, longest: float, feedback: QgsProcessingFeedback) -> None:
@@ -302,6 +305,11 @@ def hint_text(gap: Gap, hint: ShiftHint) -> str:
         )
     )
     return text.format(start=gap.start, end=gap.end, shift=abs(hint.offset), after=hint.success, before=hint.before)
+
+
+def _wkt(line_xy: np.ndarray) -> str:
+    """A line as Well-Known Text, to a centimeter."""
+    return QgsGeometry.fromPolylineXY([QgsPointXY(x, y) for x, y in line_xy.tolist()]).asWkt(2)
 
 
 def _inside(extent: Sequence[float], places: np.ndarray) -> np.ndarray:

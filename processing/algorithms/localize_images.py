@@ -166,13 +166,13 @@ class LocalizeImages(LocalizeAlgorithm):
                 localized.append(cancelable(localize_image, *arguments, feedback=feedback))
                 say(localized[-1], feedback)
                 feedback.setProgress(95 * (n + 1) / len(paths))
+            times_s = [camera.time_s for camera in cameras]
             speed = values.optional_number(self.MAXIMUM_SPEED)
             if speed is not None:
-                times_s = [camera.time_s for camera in cameras]
                 localized = with_jumps(localized, times_s, database.windows, speed, feedback)
             # Layers are made last: a cancel before leaves nothing behind.
             check_canceled(feedback)
-            write_positions(outputs, self.OUTPUT, localized, crs, values.transform_context)
+            write_positions(outputs, self.OUTPUT, localized, crs, values.transform_context, times_s)
             write_grounds(outputs, (self.FOOTPRINTS, self.ALTERNATIVES), localized, crs)
             write_matches(outputs, self.MATCHES, localized, database, crs)
         fixes = sum(1 for item in localized if item.result is not None and item.result.is_fix)

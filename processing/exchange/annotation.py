@@ -196,6 +196,13 @@ class ClassLookup:
             self._known[text] = found.value if found else None
         return self._known[text]
 
+    def raw_values(self, value: int, as_numbers: bool) -> list[object]:
+        """What features of a class value may have in the class field: numbers, or texts."""
+        one = self.table.by_value(value)
+        names = [one.name] if one and not as_numbers else []
+        texts = [raw for raw, known in self._known.items() if known == value] if self._fixed else [*names, str(value)]
+        return [int(text) for text in texts if text.lstrip("-").isdigit()] if as_numbers else texts
+
 
 def raw_text(raw: object) -> str:
     """An attribute as text; whole numbers without their point."""

@@ -6,48 +6,96 @@ from typing import Callable
 
 from qgis.core import (
     QgsFillSymbol,
+    QgsGeometryGeneratorSymbolLayer,
     QgsGraduatedSymbolRenderer,
+    QgsLineSymbol,
     QgsMarkerSymbol,
     QgsRendererRange,
     QgsSymbol,
 )
 
 from ..translation import tr
+from ..wording.columns import verdict_words
+from ..wording.numbers import shown
+from . import map_tips
+from .output_style import Look
+from .palette import SUCCESS as COLORS
 
-COLORS = ("#00204d", "#46516c", "#7c7b78", "#bcad6c", "#ffea46")
-"""Cividis (Nuñez et al. 2018) at even steps, dark to light; told apart by the color-blind and in grey."""
+CELL_OPACITY = 0.5
+"""Of squares: forest, roads and roofs of a base map stay readable, and the steps of the ramp told apart."""
 
 
 def success_classes(threshold: float) -> list[tuple[float, float, str, str]]:
     """(from, to, color, legend text) of five classes of success 0…1; the upper two are good enough."""
     edges = [0.0, threshold / 3, 2 * threshold / 3, threshold, (1 + threshold) / 2, 1.0]
-    words = [tr("hardly ever"), tr("sometimes"), tr("often"), tr("reliably"), tr("very reliably")]
     return [
-        (low, high, color, f"{word} ({100 * low:.3g}–{100 * high:.3g} %)")
-        for low, high, color, word in zip(edges, edges[1:], COLORS, words)
+        (low, high, color, f"{word} ({shown(100 * low, '.3g')}–{shown(100 * high, '.3g')} %)")
+        for low, high, color, word in zip(edges, edges[1:], COLORS, verdict_words().values())
     ]
 
 
-def cell_renderer(threshold: float, footprint: float, is_only: bool) -> QgsGraduatedSymbolRenderer:
-    """Squares colored by success; of several footprints in one layer those of ``footprint`` alone."""
+def cells_look(threshold: float, footprint: float, is_only: bool) -> Look:
+    """Translucent squares colored by success; of several footprints in one layer those of ``footprint`` alone."""
     value = "success" if is_only else f'if("footprint" = {footprint!r}, "success", NULL)'
-    return _graduated(
-        value, threshold, lambda color: QgsFillSymbol.createSimple({"color": color, "outline_style": "no"})
-    )
+    rows = [
+        *_expected(),
+        (tr("Verdict"), map_tips.worded("verdict", verdict_words())),
+        (tr("Distinctiveness"), map_tips.number("distinctiveness", 2)),
+    ]
+    return Look(_graduated(value, threshold, _square), tip=map_tips.tip(_percent("success"), rows))
 
 
-def point_renderer(threshold: float) -> QgsGraduatedSymbolRenderer:
-    """Points along a route, colored by success."""
-    return _graduated(
-        "success",
-        threshold,
-        lambda color: QgsMarkerSymbol.createSimple(
-            {"name": "circle", "color": color, "size": "2.6", "outline_color": "#ffffff", "outline_width": "0.2"}
-        ),
-    )
+def route_look(threshold: float) -> Look:
+    """A line with a dark and a white rim, which shows on squares of the same colors, graded by success."""
+    rows = [
+        *_expected(),
+        (tr("Along the route"), map_tips.number("along", 2, 0.001, "km")),
+        (tr("Stretch without an expected fix"), f'if("gap" > 0, {map_tips.number("gap", 0, unit="m")}, NULL)'),
+    ]
+    renderer = _graduated("success", threshold, _stretch)
+    renderer.setUsingSymbolLevels(True)
+    return Look(renderer, tip=map_tips.tip(_percent("success"), rows))
+
+
+def _expected() -> list[tuple[str, str]]:
+    between = f"{_percent('success_low')} || '–' || {_percent('success_high')}"
+    return [
+        (tr("95 % interval"), between),
+        (tr("Expected error"), map_tips.number("error", 1, unit="m")),
+        (tr("Landmarks in view"), map_tips.number("objects", 0)),
+        (tr("Reason"), f"nullif({map_tips.text('reason')}, '')"),
+    ]
+
+
+def _percent(column: str) -> str:
+    return map_tips.number(column, 0, 100, "%")
 
 
 def _graduated(value: str, threshold: float, symbol: Callable[[str], QgsSymbol]) -> QgsGraduatedSymbolRenderer:
     ranges = [QgsRendererRange(low, high, symbol(color), text) for low, high, color, text in success_classes(threshold)]
     # From good to bad, as a legend is read.
     return QgsGraduatedSymbolRenderer(value, ranges[::-1])
+
+
+def _square(color: str) -> QgsFillSymbol:
+    symbol = QgsFillSymbol.createSimple({"color": color, "outline_style": "no"})
+    symbol.setOpacity(CELL_OPACITY)
+    return symbol
+
+
+def _stretch(color: str) -> QgsMarkerSymbol:
+    """The stretch of the route that a point stands for, as the column ``stretch`` has it."""
+    symbol = QgsMarkerSymbol.createSimple({})
+    for n, (line_color, width) in enumerate((("#1c2126", "2.8"), ("#ffffff", "2.3"), (color, "1.6"))):
+        layer = QgsGeometryGeneratorSymbolLayer.create(
+            {"SymbolType": "Line", "geometryModifier": 'coalesce(geom_from_wkt("stretch"), $geometry)'}
+        )
+        line = QgsLineSymbol.createSimple({"line_color": line_color, "line_width": width, "capstyle": "round"})
+        layer.setSubSymbol(line)
+        # All rims lie below all colors, so that stretches join without seams.
+        layer.setRenderingPass(n)
+        if n == 0:
+            symbol.changeSymbolLayer(0, layer)
+        else:
+            symbol.appendSymbolLayer(layer)
+    return symbol

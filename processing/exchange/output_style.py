@@ -1,25 +1,40 @@
-"""Vector outputs come with a style: in the file where it can hold one, and on the layer that QGIS loads."""
+"""Vector outputs come with a look: in the file where it can hold one, and on the layer that QGIS loads."""
 
 from __future__ import annotations
 
 import contextlib
 import sqlite3
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from qgis.core import (
+    QgsAttributeEditorContainer,
+    QgsAttributeEditorField,
+    QgsEditFormConfig,
+    QgsEditorWidgetSetup,
     QgsFeatureRenderer,
+    QgsPalLayerSettings,
     QgsProcessingContext,
     QgsProcessingLayerPostProcessorInterface,
+    QgsTextBufferSettings,
+    QgsTextFormat,
     QgsVectorLayer,
+    QgsVectorLayerSimpleLabeling,
     QgsVectorLayerTemporalProperties,
 )
+from qgis.PyQt.QtGui import QColor
 
 from ...storage.vector_files import leave_wal
+from ..wording.columns import column_titles, column_words
+from .layer_notes import Note, keep_in_file
 
 _KEPT: list[_Styler] = []
 _MOST_KEPT = 20
 """QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
+
+LABELS_FROM_SCALE = 250_000
+"""Labels are drawn where a centimeter of the map is 2.5 km or less."""
 
 
 @dataclass(frozen=True)
@@ -27,27 +42,55 @@ class Look:
     """What a layer comes with.
 
     Attributes:
-        renderer: Its style.
+        renderer: Its style; None for QGIS's own.
         time_field: The field of date and time by which QGIS's temporal controller plays it, what was seen staying;
             empty for none.
+        name: Expression by which a feature is called, in lists and above its map tip; empty for QGIS's choice.
+        label: Expression of the text beside features; empty for none.
+        tip: HTML of the map tip, see ``map_tips.tip``; empty for QGIS's own.
+        groups: (title, columns) of each page of the form; none for QGIS's own form.
+        picture: Column that names a picture, which the form shows; empty for none.
+        is_own: Whether the columns are SemRef's; those of the user's own layers keep their names.
+        note: What the layer tells about itself.
     """
 
-    renderer: QgsFeatureRenderer
+    renderer: QgsFeatureRenderer | None = None
     time_field: str = ""
+    name: str = ""
+    label: str = ""
+    tip: str = ""
+    groups: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    picture: str = ""
+    is_own: bool = True
+    note: Note | None = field(default=None, compare=False)
 
     def give(self, layer: QgsVectorLayer) -> None:
-        """Has a layer look so."""
-        layer.setRenderer(self.renderer.clone())
+        """Has a layer look so; columns get their titles, and keys in them their words."""
+        if self.renderer is not None:
+            layer.setRenderer(self.renderer.clone())
         if self.time_field:
             played = layer.temporalProperties()
             played.setMode(QgsVectorLayerTemporalProperties.ModeFeatureDateTimeInstantFromField)
             played.setStartField(self.time_field)
             played.setAccumulateFeatures(True)
             played.setIsActive(True)
+        if self.name:
+            layer.setDisplayExpression(self.name)
+        if self.label:
+            layer.setLabeling(QgsVectorLayerSimpleLabeling(_labeling(self.label)))
+            layer.setLabelsEnabled(True)
+        if self.tip:
+            layer.setMapTipTemplate(self.tip)
+        if self.is_own:
+            _name_columns(layer, self.picture)
+        if self.groups:
+            layer.setEditFormConfig(_form(layer, self.groups))
+        if self.note is not None:
+            layer.setMetadata(self.note.metadata(layer))
 
 
 def style_in_file(destination: str, look: Look) -> bool:
-    """Gives a layer in a GeoPackage its style, as its default; other files can't hold one.
+    """Gives a layer in a GeoPackage its look, as its default; other files can't hold one.
 
     Returns:
         Whether all is there that should be: on a full disk QGIS leaves a style out without a word.
@@ -56,15 +99,24 @@ def style_in_file(destination: str, look: Look) -> bool:
     if Path(path).suffix.lower() != ".gpkg" or not Path(path).is_file():
         return True
     layer = QgsVectorLayer(destination, "output", "ogr")
-    if layer.isValid():
-        look.give(layer)
-        layer.saveStyleToDatabase("SemRef", "", True, "")
-    del layer
+    noted = True
     try:
+        if layer.isValid():
+            look.give(layer)
+            layer.saveStyleToDatabase("SemRef", "", True, "")
+            noted = look.note is None or keep_in_file(destination, layer, look.note)
+        del layer
         leave_wal(path)
-        return _has_style(path)
+        return noted and _has_style(path)
     except sqlite3.Error:
         return False
+
+
+def style_in_memory(destination: str, look: Look, context: QgsProcessingContext) -> None:
+    """Gives a layer that is no file its look; one that lies elsewhere is left as it is."""
+    layer = context.getMapLayer(destination)
+    if isinstance(layer, QgsVectorLayer) and layer.providerType() == "memory":
+        look.give(layer)
 
 
 def _has_style(path: str) -> bool:
@@ -75,7 +127,7 @@ def _has_style(path: str) -> bool:
 
 
 def style_when_loaded(destination: str, look: Look, context: QgsProcessingContext) -> None:
-    """Gives the layer that QGIS will load its style."""
+    """Gives the layer that QGIS will load its look."""
     if context.willLoadLayerOnCompletion(destination):
         _KEPT.append(_Styler(look))
         del _KEPT[:-_MOST_KEPT]
@@ -85,9 +137,58 @@ def style_when_loaded(destination: str, look: Look, context: QgsProcessingContex
 class _Styler(QgsProcessingLayerPostProcessorInterface):
     def __init__(self, look: Look) -> None:
         super().__init__()
-        self._look = Look(look.renderer.clone(), look.time_field)
+        self._look = replace(look, renderer=look.renderer and look.renderer.clone())
 
     def postProcessLayer(self, layer, context, feedback):
         if isinstance(layer, QgsVectorLayer):
             self._look.give(layer)
             layer.triggerRepaint()
+
+
+def _labeling(expression: str) -> QgsPalLayerSettings:
+    """Small dark text with a white rim, not from far away; what would cover something else is left out."""
+    settings = QgsPalLayerSettings()
+    settings.fieldName, settings.isExpression = expression, True
+    settings.dist = 2.2
+    settings.scaleVisibility, settings.minimumScale, settings.maximumScale = True, LABELS_FROM_SCALE, 1
+    text, rim = QgsTextFormat(), QgsTextBufferSettings()
+    text.setSize(8)
+    text.setColor(QColor("#1c2126"))
+    rim.setEnabled(True)
+    rim.setSize(0.9)
+    rim.setColor(QColor("#ffffff"))
+    text.setBuffer(rim)
+    settings.setFormat(text)
+    return settings
+
+
+def _name_columns(layer: QgsVectorLayer, picture: str) -> None:
+    """Aliases in the user's language, words for keys, and the picture that a column names."""
+    names = [one.name() for one in layer.fields()]
+    titles: Mapping[str, str] = column_titles()
+    words = column_words(names)
+    for index, name in enumerate(names):
+        if name in titles:
+            layer.setFieldAlias(index, titles[name])
+        if name in words:
+            entries = [{text: key} for key, text in words[name].items()]
+            layer.setEditorWidgetSetup(index, QgsEditorWidgetSetup("ValueMap", {"map": entries}))
+        elif name == picture:
+            shown = {"DocumentViewer": 1, "DocumentViewerHeight": 260, "FileWidget": True, "StorageMode": 0}
+            layer.setEditorWidgetSetup(index, QgsEditorWidgetSetup("ExternalResource", shown))
+
+
+def _form(layer: QgsVectorLayer, groups: tuple[tuple[str, tuple[str, ...]], ...]) -> QgsEditFormConfig:
+    """A form with a page a group."""
+    form = layer.editFormConfig()
+    form.clearTabs()
+    form.setLayout(QgsEditFormConfig.TabLayout)
+    for title, names in groups:
+        page = QgsAttributeEditorContainer(title, None)
+        page.setIsGroupBox(False)
+        for name in names:
+            index = layer.fields().lookupField(name)
+            if index >= 0:
+                page.addChildElement(QgsAttributeEditorField(name, index, page))
+        form.addTab(page)
+    return form

@@ -3,28 +3,48 @@ and the track, each a table."""
 
 from __future__ import annotations
 
-from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
+from qgis.core import QgsCoordinateTransformContext, QgsMapLayerStyle, QgsVectorFileWriter, QgsVectorLayer
 
 from ...core.errors import ParameterError
 from ...storage.files import written_beside
+from ...storage.vector_files import leave_wal
 
 TABLES = ("positions", "footprints", "possible_places", "matches", "track")
 
 
 def write_results(path: str, layers: tuple[QgsVectorLayer | None, ...]) -> None:
-    """``layers``: one for each of TABLES, None for one that there is not. Raises ParameterError."""
+    """Writes them with their styles and what they tell about themselves.
+
+    Args:
+        path: Of the GeoPackage.
+        layers: One for each of TABLES, None for one that there is not.
+
+    Raises:
+        ParameterError: It can't be written.
+    """
     with written_beside(path) as temporary:
         action = QgsVectorFileWriter.CreateOrOverwriteFile
         for table, layer in zip(TABLES, layers):
             if layer is None:
                 continue
             options = QgsVectorFileWriter.SaveVectorOptions()
+            options.saveMetadata, options.layerMetadata = True, layer.metadata()
             options.driverName, options.layerName, options.actionOnExistingFile = "GPKG", table, action
             context = QgsCoordinateTransformContext()
             code, reason, *_ = QgsVectorFileWriter.writeAsVectorFormatV3(layer, temporary, context, options)
             if code != QgsVectorFileWriter.NoError:
                 raise ParameterError("storage.unwritable", path=path, reason=reason.rstrip("."))
             action = QgsVectorFileWriter.CreateOrOverwriteLayer
+            _keep_style(f"{temporary}|layername={table}", layer)
+        leave_wal(temporary)
+
+
+def _keep_style(destination: str, layer: QgsVectorLayer) -> None:
+    """Gives the written layer the style of the one it was written from, as its default."""
+    written, style = QgsVectorLayer(destination, "written", "ogr"), QgsMapLayerStyle()
+    style.readFromLayer(layer)
+    style.writeToLayer(written)
+    written.saveStyleToDatabase("SemRef", "", True, "")
 
 
 def open_results(path: str) -> tuple[QgsVectorLayer | None, ...]:

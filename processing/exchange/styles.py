@@ -27,15 +27,21 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtXml import QDomDocument
 
-from ...core.annotation.findings import ERROR, INFORMATION, WARNING
+from ...core.annotation import findings
 from ...core.labels.class_table import ClassTable
 from ...storage.database.reader import stored_style
 from ...storage.files import written_beside
 from ..wording.annotation_messages import severity_title
+from .layer_notes import Note, keep_beside
+from .palette import BAD, INFORMATION, WARNING
 
 WINDOW_COLOR = "#1f5fbf"
 
-SEVERITY_STYLES = ((ERROR, "#d7263d", "0.6"), (WARNING, "#e08a00", "0.5"), (INFORMATION, "#4a7fb5", "0.3"))
+SEVERITY_STYLES = (
+    (findings.ERROR, BAD, "0.6"),
+    (findings.WARNING, WARNING, "0.5"),
+    (findings.INFORMATION, INFORMATION, "0.3"),
+)
 """Severity of a finding, color, width of its outline in millimeters."""
 
 PERCENT_COLORS = ((0, "#440154"), (25, "#3b528b"), (50, "#21918c"), (75, "#5ec962"), (100, "#fde725"))
@@ -92,7 +98,7 @@ def issues_renderer() -> QgsCategorizedSymbolRenderer:
     for severity, color, width in SEVERITY_STYLES:
         fill = QColor(color)
         # Information may cover whole fields: it must not dye them.
-        fill.setAlpha(0 if severity == INFORMATION else 60)
+        fill.setAlpha(0 if severity == findings.INFORMATION else 60)
         symbol = QgsFillSymbol.createSimple({"outline_color": color, "outline_width": width})
         symbol.symbolLayer(0).setFillColor(fill)
         categories.append(QgsRendererCategory(severity, symbol, severity_title(severity)))
@@ -103,13 +109,15 @@ def issues_renderer() -> QgsCategorizedSymbolRenderer:
     return renderer
 
 
-def write_label_map_style(path: str, table: ClassTable) -> None:
+def write_label_map_style(path: str, table: ClassTable, note: Note | None = None) -> None:
     """Writes the style that QGIS finds beside a label map: only the map's own classes, 0 transparent.
 
     Without it the legend lists all 256 entries of the GeoTIFF's color table. A style that somebody else put
-    there stays.
+    there stays. ``note``: what the map tells about itself, written beside it as well.
     """
     _write_style(path, lambda layer: label_renderer(layer, table))
+    if note is not None:
+        keep_beside(path, QgsRasterLayer(path, "note"), note)
 
 
 def write_percent_style(path: str, band: int = 1) -> None:

@@ -15,9 +15,10 @@ from qgis.PyQt.QtGui import QIcon
 
 from ...core.errors import SemRefError
 from ...core.sentences import legible
+from ..exchange.layer_notes import Lineage, lineage_of
 from ..packages.components import OPENCV, Package, how_to_install, missing
 from ..translation import tr
-from ..version import algorithm_help_url
+from ..version import algorithm_help_url, plugin_version
 from ..wording.sentences import worded
 from .apart import clear_beside_inputs, require_outputs_apart
 from .declarations import Parameter, Told
@@ -55,6 +56,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     """Outputs that may be the file of an input, by key: it is read whole before, and replaced when all is done."""
 
     _refusal: SemRefError | None = None
+    _lineage: Lineage | None = None
 
     def title(self) -> str:
         raise NotImplementedError
@@ -168,6 +170,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             clear_beside_inputs(self, values)
             require_outputs_apart(self, values, self.MAY_REPLACE)
             self.read_layers(values)
+            self._lineage = lineage_of(self, parameters, context, plugin_version())
         except SemRefError as error:
             # Raised by processAlgorithm: of what prepareAlgorithm raises QGIS tells Python callers nothing.
             self._refusal = error
@@ -180,7 +183,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             if self._refusal is not None:
                 raise self._refusal
             values = Values(self, parameters, context)
-            with Outputs(values) as outputs:
+            with Outputs(values, self._lineage) as outputs:
                 numbers = self.work(values, outputs, feedback)
                 outputs.commit()
             return {**outputs.results, **(numbers or {})}

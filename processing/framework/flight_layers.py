@@ -5,15 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from datetime import datetime, timezone
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsGeometry, QgsPointXY
-from qgis.PyQt.QtCore import QDateTime, Qt
 
 from ..compat import LINE, POINT
 from .localized_image import FIELDS, LocalizedImage, fixes_per_error, row
-from .localized_layers import position_rows
+from .localized_layers import moment, position_rows
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext
@@ -71,20 +69,6 @@ class FlownImage:
         return str(self.pose.source) if self.is_placed else None
 
 
-def moment(time_s: float | None) -> QDateTime | None:
-    """A time as layers have it: UTC. Seconds that are no date count from 1970, so that they can be played."""
-    if time_s is None:
-        return None
-    try:
-        text = datetime.fromtimestamp(time_s, timezone.utc).strftime("%Y-%m-%dT%H:%M:%S.%f")[:-3]
-    except (OverflowError, OSError, ValueError):
-        # Years that no calendar has.
-        return None
-    found = QDateTime.fromString(text, Qt.DateFormat.ISODateWithMs)
-    found.setTimeSpec(Qt.TimeSpec.UTC)
-    return found
-
-
 def write_flight_positions(
     outputs: Outputs,
     key: str,
@@ -93,10 +77,10 @@ def write_flight_positions(
     context: QgsCoordinateTransformContext,
 ) -> None:
     """Writes one row an image, in the flight's order, with its style and by its time."""
-    from ..exchange.flight_styles import poses_renderer
+    from ..exchange.flight_styles import poses_look
 
-    timed = "time" if any(one.time_s is not None for one in flown) else ""
-    with outputs.layer(key, FLIGHT_FIELDS, POINT, crs, poses_renderer(), timed) as sink:
+    is_timed = any(one.time_s is not None for one in flown)
+    with outputs.layer(key, FLIGHT_FIELDS, POINT, crs, poses_look(is_timed)) as sink:
         rows = position_rows([one.localized for one in flown], crs, context)
         for number, (one, (geometry, cells)) in enumerate(zip(flown, rows), start=1):
             sink.add(geometry, {**cells, **_flight_cells(one), "number": number, "time": moment(one.time_s)})
@@ -117,9 +101,9 @@ def tracks_of(flown: Sequence[FlownImage]) -> list[list[FlownImage]]:
 
 def write_tracks(outputs: Outputs, key: str, flown: Sequence[FlownImage], crs: QgsCoordinateReferenceSystem) -> None:
     """Writes one line a track; one of a single image is no line."""
-    from ..exchange.flight_styles import track_renderer
+    from ..exchange.flight_styles import track_look
 
-    with outputs.layer(key, TRACK_FIELDS, LINE, crs, track_renderer()) as sink:
+    with outputs.layer(key, TRACK_FIELDS, LINE, crs, track_look()) as sink:
         for members in tracks_of(flown):
             if len(members) < 2:
                 continue

@@ -46,7 +46,7 @@ def write_polygons(
     from ...core.annotation.coverage import can_simplify
     from ...storage.outlining import LabelPolygons
     from ...storage.rasters import open_raster
-    from ..exchange.styles import annotation_renderer
+    from ..exchange.layer_looks import class_polygons_look
 
     transform = open_raster(path).GetGeoTransform(can_return_null=True) or (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
     tolerance = values.optional_number("TOLERANCE", TOLERANCE_PX * abs(transform[1]))
@@ -61,7 +61,7 @@ def write_polygons(
         check_canceled(feedback)
         raise
     names = {one.value: one.name for one in table}
-    with outputs.layer(key, FIELDS, POLYGON, crs, annotation_renderer(table, "class_name")) as sink:
+    with outputs.layer(key, FIELDS, POLYGON, crs, class_polygons_look(table)) as sink:
         for n, (value, polygon) in enumerate(zip(polygons.classes.tolist(), polygons.polygons)):
             if n % _CHECK_EVERY == 0:
                 check_canceled(feedback)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from datetime import datetime, timezone
 from math import isnan
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsGeometry, QgsPointXY
+from qgis.PyQt.QtCore import QDateTime, Qt
 
 from ..compat import POINT, POLYGON
 from .localized_image import (
@@ -21,11 +23,27 @@ from .localized_image import (
     row,
 )
 
+POSITION_FIELDS = (*FIELDS, ("time", "datetime"))
+
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext
 
     from ...core.database.model import ReferenceDatabase
     from .outputs import Outputs
+
+
+def moment(time_s: float | None) -> QDateTime | None:
+    """A time as layers have it: UTC. Seconds that are no date count from 1970, so that they can be played."""
+    if time_s is None:
+        return None
+    try:
+        text = datetime.fromtimestamp(time_s, timezone.utc).strftime("%Y-%m-%dT%H:%M:%S.%f")[:-3]
+    except (OverflowError, OSError, ValueError):
+        # Years that no calendar has.
+        return None
+    found = QDateTime.fromString(text, Qt.DateFormat.ISODateWithMs)
+    found.setTimeSpec(Qt.TimeSpec.UTC)
+    return found
 
 
 def write_positions(
@@ -34,11 +52,18 @@ def write_positions(
     localized: Sequence[LocalizedImage],
     crs: QgsCoordinateReferenceSystem,
     context: QgsCoordinateTransformContext,
+    times_s: Sequence[float | None],
 ) -> None:
-    """Writes one row an image; without a fix it has no geometry."""
-    with outputs.layer(key, FIELDS, POINT, crs) as sink:
-        for geometry, cells in position_rows(localized, crs, context):
-            sink.add(geometry, cells)
+    """Writes one row an image; without a fix it has no geometry.
+
+    ``times_s``: when each image was taken, seconds since 1970 or any moment; None where unknown.
+    """
+    from ..exchange.position_looks import positions_look
+
+    look = positions_look(any(time_s is not None for time_s in times_s))
+    with outputs.layer(key, POSITION_FIELDS, POINT, crs, look) as sink:
+        for (geometry, cells), time_s in zip(position_rows(localized, crs, context), times_s):
+            sink.add(geometry, {**cells, "time": moment(time_s)})
 
 
 def position_rows(
@@ -60,9 +85,11 @@ def write_grounds(
     outputs: Outputs, keys: Sequence[str], localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
 ) -> None:
     """Writes the ground of fixes, and of possible places with a second key, where they are wanted."""
-    kinds = (FOOTPRINT_FIELDS, footprint_rows), (ALTERNATIVE_FIELDS, alternatives)
-    for key, (fields, rows_of) in zip(keys, kinds):
-        with outputs.layer(key, fields, POLYGON, crs) as sink:
+    from ..exchange.position_looks import footprints_look, places_look
+
+    kinds = (FOOTPRINT_FIELDS, footprint_rows, footprints_look), (ALTERNATIVE_FIELDS, alternatives, places_look)
+    for key, (fields, rows_of, look_of) in zip(keys, kinds):
+        with outputs.layer(key, fields, POLYGON, crs, look_of()) as sink:
             for item in localized:
                 for corners_xy, cells in rows_of(item):
                     sink.add(QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners_xy]]), cells)
@@ -76,7 +103,9 @@ def write_matches(
     crs: QgsCoordinateReferenceSystem,
 ) -> None:
     """Writes the landmarks that agree where they are wanted."""
-    with outputs.layer(key, MATCH_FIELDS, POINT, crs) as sink:
+    from ..exchange.position_looks import matches_look
+
+    with outputs.layer(key, MATCH_FIELDS, POINT, crs, matches_look()) as sink:
         for item in localized:
             for position, cells in match_rows(item, database):
                 sink.add(QgsGeometry.fromPointXY(QgsPointXY(*position)), cells)

@@ -5,13 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Callable, Union
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsFeature,
-    QgsFeatureRenderer,
     QgsFeatureSink,
     QgsFields,
     QgsGeometry,
@@ -23,7 +22,8 @@ from ...storage.files import Batch
 from ...storage.vector_files import copy_database, feature_count, lacks_spatial_index, require_no_other_layers
 from ..compat import make_field
 from ..exchange.database_layers import open_when_done
-from ..exchange.output_style import Look, style_in_file, style_when_loaded
+from ..exchange.layer_notes import Lineage, Note
+from ..exchange.output_style import Look, style_in_file, style_in_memory, style_when_loaded
 from . import offers
 
 if TYPE_CHECKING:
@@ -48,8 +48,9 @@ class Outputs:
         results: Where each output will lie, by key: what the algorithm returns.
     """
 
-    def __init__(self, values: Values) -> None:
-        self._values = values
+    def __init__(self, values: Values, lineage: Lineage | None = None) -> None:
+        """Nothing is written yet; ``lineage``: how the run makes what it will write."""
+        self._values, self._lineage = values, lineage or Lineage()
         self._batch = Batch()
         self._layers: list[_Layer] = []
         self._copies: dict[str, str] = {}
@@ -92,7 +93,11 @@ class Outputs:
         """Gives a path to write a label map to, which gets its style."""
         from ..exchange.styles import write_label_map_style
 
-        return self.raster(key, lambda path: write_label_map_style(path, table))
+        return self.raster(key, lambda path: write_label_map_style(path, table, self._note(key)))
+
+    def _note(self, key: str) -> Note:
+        """What an output tells about itself."""
+        return Note(*self._values.described(key), self._lineage)
 
     @contextmanager
     def file(self, key: str) -> Iterator[str]:
@@ -138,8 +143,7 @@ class Outputs:
         schema: Schema,
         geometry: Any,
         crs: QgsCoordinateReferenceSystem,
-        renderer: QgsFeatureRenderer | None = None,
-        time_field: str = "",
+        look: Look | None = None,
     ) -> Iterator[Sink]:
         """Gives a sink to fill; one that is not wanted takes features and forgets them.
 
@@ -148,8 +152,7 @@ class Outputs:
             schema: Its fields.
             geometry: One of ``compat``'s kinds of geometry.
             crs: What the geometries are in.
-            renderer: The style that it comes with.
-            time_field: With a style, the field by which QGIS plays it.
+            look: The style, names and tips that it comes with; columns get their titles without one as well.
 
         Raises:
             ParameterError: When the output can't be made, or does not hold all that was given to it.
@@ -166,11 +169,13 @@ class Outputs:
         sink.close()
         if not written:
             return
-        look = None if renderer is None else Look(renderer, time_field)
+        look = replace(look or Look(), note=self._note(key))
         if beside:
-            if look is not None and not style_in_file(written, look):
+            if not style_in_file(written, look):
                 raise sink.failure()
             sink.require_all_in(written, wanted.has_index)
+        else:
+            style_in_memory(written, look, self._values.context)
         final = _moved_back(written, wanted) if beside else written
         self._layers.append(_Layer(written, final, look))
         self.results[key] = final
@@ -211,7 +216,7 @@ class _Layer:
 
     written: str
     final: str
-    look: Look | None
+    look: Look
 
     def announce(self, context: QgsProcessingContext) -> None:
         """Lets QGIS load it from its final place."""
@@ -219,8 +224,7 @@ class _Layer:
             waiting = context.layersToLoadOnCompletion()
             waiting[self.final] = waiting.pop(self.written)
             context.setLayersToLoadOnCompletion(waiting)
-        if self.look is not None:
-            style_when_loaded(self.final, self.look, context)
+        style_when_loaded(self.final, self.look, context)
 
 
 class Sink:

@@ -39,6 +39,35 @@ def severity_title(severity: str) -> str:
     return {kinds.ERROR: tr("errors"), kinds.WARNING: tr("warnings"), kinds.INFORMATION: tr("information")}[severity]
 
 
+def severity_words() -> dict[str, str]:
+    """Words for each key of ``severity``, of one finding."""
+    return {kinds.ERROR: tr("error"), kinds.WARNING: tr("warning"), kinds.INFORMATION: tr("information")}
+
+
+def kind_titles() -> dict[str, str]:
+    """Words for each kind of finding."""
+    return {
+        kinds.INVALID: tr("invalid geometry"),
+        kinds.NO_GEOMETRY: tr("no geometry"),
+        kinds.NO_AREA: tr("no area"),
+        kinds.THREE_DIMENSIONAL: tr("heights left out"),
+        kinds.OUTSIDE_CRS: tr("outside the CRS’s area"),
+        kinds.NO_CLASS: tr("no class"),
+        kinds.UNKNOWN_CLASS: tr("unknown class"),
+        kinds.OVERLAP: tr("overlap"),
+        kinds.DUPLICATE: tr("duplicate"),
+        kinds.HIDDEN: tr("hidden"),
+        kinds.GAP: tr("gap between neighbors"),
+        kinds.SLIVER: tr("sliver"),
+        kinds.SMALL: tr("below the minimum area"),
+        kinds.SAME_CLASS_NEIGHBORS: tr("neighbors of one class"),
+        kinds.LOST: tr("lost in pixels"),
+        kinds.MERGED: tr("merged by pixels"),
+        kinds.SPLIT: tr("split by pixels"),
+        kinds.DISSOLVED: tr("dissolved"),
+    }
+
+
 def change_sentence(finding: Finding, class_names: dict[int, str]) -> str:
     """What a repair says it has done about a finding."""
     return _filled(_change_templates()[finding.kind], finding, class_names)

@@ -8,6 +8,7 @@ from ...core.errors import SemRefError
 from ...core.sentences import Sentence, filled, template_of
 from ..translation import tr
 from .keys import EVERYWHERE, SENTENCES_BY_KEY
+from .numbers import LocalTemplate
 
 
 def worded(said: SemRefError | Sentence, keys: Collection[str] = ()) -> str:
@@ -19,7 +20,7 @@ def worded(said: SemRefError | Sentence, keys: Collection[str] = ()) -> str:
             knows no keys, and another algorithm may have none for it.
 
     Returns:
-        The sentence with its values.
+        The sentence with its values, numbers as the user's locale writes them.
     """
     sentence = said.sentence if isinstance(said, SemRefError) else said
     values = dict(sentence.values)
@@ -28,7 +29,7 @@ def worded(said: SemRefError | Sentence, keys: Collection[str] = ()) -> str:
         sentence = Sentence(sentence.code, **{**values, "setting": values["setting"].upper()})
 
     def template(part: Sentence) -> str:
-        return tr(_template_for(part, keys))
+        return LocalTemplate(tr(_template_for(part, keys)))
 
     return filled(sentence, template)
 

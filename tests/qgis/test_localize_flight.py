@@ -132,7 +132,8 @@ def test_the_style_tells_own_fixes_flight_poses_and_outvoted_ones_apart(found):
         "Its own fix was outvoted",
     ]
     kinds = [symbol.layerType() for symbol in rules[0].symbol().symbolLayers()]
-    assert kinds == ["EllipseMarker", "SimpleMarker"]
+    # The 95 % ellipse, a casing, the arrow.
+    assert kinds == ["EllipseMarker"] * 3
 
 
 def test_the_track_goes_through_its_images(found):

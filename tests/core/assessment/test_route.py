@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from semref.core.assessment.route import ShiftHint, best_shift, gaps, route_points
+from semref.core.assessment.route import ShiftHint, best_shift, gaps, route_points, stretch
 from semref.core.errors import ParameterError
 
 BENT = np.array([(0.0, 0.0), (100.0, 0.0), (100.0, 0.0), (100.0, 55.0)])
@@ -82,3 +82,10 @@ def test_the_shortest_of_equally_good_shifts_is_told():
 
 def test_no_shift_is_told_when_none_is_worth_it():
     assert best_shift(np.full(3, 0.8), [-50.0, 50.0], [np.full(3, 0.85), np.full(3, 0.1)]) is None
+
+
+def test_the_stretches_of_a_lines_points_join_to_the_line_and_to_no_other():
+    points = route_points([BENT[:2], np.array([(0.0, 9.0), (10.0, 9.0)])], 50.0)
+    first = [stretch(points, n).tolist() for n in range(3)]
+    assert first == [[[0, 0], [25, 0]], [[25, 0], [50, 0], [75, 0]], [[75, 0], [100, 0]]]
+    assert [stretch(points, n).tolist() for n in (3, 4)] == [[[0, 9], [5, 9]], [[5, 9], [10, 9]]]
