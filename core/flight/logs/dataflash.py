@@ -10,7 +10,7 @@ import struct
 from dataclasses import dataclass
 
 from ..telemetry import Telemetry
-from .entries import GPS_EPOCH_S, LEAP_SECONDS, Entries
+from .entries import GPS_EPOCH_S, LEAP_SECONDS, Data, Entries
 
 MAGIC = b"\xa3\x95"
 _FORMAT_TYPE, _FORMAT = 128, struct.Struct("<BB4s16s64s")
@@ -30,7 +30,7 @@ class _Message:
     kinds: str
     labels: tuple[str, ...]
 
-    def values(self, data: bytes, place: int) -> dict[str, float]:
+    def values(self, data: Data, place: int) -> dict[str, float]:
         """Its numbers by label."""
         told = zip(self.labels, self.kinds, self.packed.unpack_from(data, place))
         return {
@@ -40,7 +40,7 @@ class _Message:
         }
 
 
-def read_dataflash(data: bytes) -> Telemetry:
+def read_dataflash(data: Data) -> Telemetry:
     """Entries of a log, in UTC where satellites told it.
 
     Args:
@@ -67,7 +67,7 @@ def read_dataflash(data: bytes) -> Telemetry:
     return entries.telemetry()
 
 
-def _describe(data: bytes, place: int, lengths: dict[int, int], wanted: dict[int, _Message]) -> None:
+def _describe(data: Data, place: int, lengths: dict[int, int], wanted: dict[int, _Message]) -> None:
     """Takes in how a kind of message is built; one that contradicts itself is only passed over."""
     kind, length, name, kinds, labels = _FORMAT.unpack_from(data, place)
     if length < 3 or kind == _FORMAT_TYPE:

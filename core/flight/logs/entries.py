@@ -3,35 +3,80 @@
 from __future__ import annotations
 
 import math
+import mmap
+from array import array
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import Union
+
+import numpy as np
 
 from ..telemetry import FIELDS, Telemetry, telemetry
+
+Data = Union[bytes, mmap.mmap]
+"""Of a log: a file that is mapped takes no memory."""
 
 GPS_EPOCH_S = 315_964_800
 LEAP_SECONDS = 18
 """From 2017 on; GPS's clock is ahead of UTC by so much."""
 
 
+MOST_ENTRIES = 200_000
+"""Of a kind of messages: over half an hour at 100 a second, some 13 MB; of a longer log every second one is kept."""
+
+
 @dataclass
-class Entries:
-    """Gathers entries.
+class _Kind:
+    """Entries that tell the same fields, one of ``stride`` messages.
 
     Attributes:
-        times_s: On the log's own clock.
-        rows: As FIELDS say.
+        numbers: The time and what is told, one entry after the other.
+        stride: Messages an entry.
+        seen: Messages so far.
+    """
+
+    numbers: array[float] = field(default_factory=lambda: array("d"))
+    stride: int = 1
+    seen: int = 0
+
+    def add(self, row: list[float]) -> None:
+        if self.seen % self.stride == 0:
+            if len(self.numbers) >= MOST_ENTRIES * len(row):
+                thinned = np.array(self.numbers).reshape(-1, len(row))[::2]
+                self.numbers = array("d", thinned.tobytes())
+                self.stride *= 2
+            if self.seen % self.stride == 0:
+                self.numbers.extend(row)
+        self.seen += 1
+
+
+@dataclass
+class Entries:
+    """Gathers entries; how many are kept does not grow with the log.
+
+    Attributes:
         start_s: UTC of the log's zero; None where nothing told it.
     """
 
-    times_s: list[float] = field(default_factory=list)
-    rows: list[list[float]] = field(default_factory=list)
     start_s: float | None = None
+    _kinds: dict[tuple[str, ...], _Kind] = field(default_factory=dict)
 
     def add(self, time_s: float, **told: float) -> None:
         """One message: what it tells, by FIELDS."""
-        self.times_s.append(time_s)
-        self.rows.append([float(told.get(name, math.nan)) for name in FIELDS])
+        self._kinds.setdefault(tuple(told), _Kind()).add([time_s, *told.values()])
 
     def telemetry(self) -> Telemetry:
         """All of them, in UTC where the log tells it."""
-        times = [time + (self.start_s or 0.0) for time in self.times_s]
-        return telemetry(times, self.rows, is_clock=self.start_s is not None)
+        tables = list(self._tables())
+        values = np.concatenate([values for _, values in tables]) if tables else np.zeros((0, len(FIELDS)))
+        times = np.concatenate([times for times, _ in tables]) if tables else np.zeros(0)
+        return telemetry(times + (self.start_s or 0.0), values, is_clock=self.start_s is not None)
+
+    def _tables(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Times (n,) and values (n, 6) of each kind."""
+        for names, kind in self._kinds.items():
+            rows = np.array(kind.numbers).reshape(-1, 1 + len(names))
+            values = np.full((len(rows), len(FIELDS)), math.nan)
+            for column, name in enumerate(names, 1):
+                values[:, FIELDS.index(name)] = rows[:, column]
+            yield rows[:, 0], values

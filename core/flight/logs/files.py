@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import mmap
+
 import numpy as np
 
 from ...errors import ParameterError
@@ -30,8 +32,12 @@ def read_log(path: str) -> Telemetry:
     Raises:
         ParameterError: It can't be read, is no such log, or tells nothing of a flight.
     """
-    data = bytes_of(path, MOST_LOG_BYTES)
-    found = _read(data)
+    # What kind it is shows in few bytes, and whether it may be read at all.
+    if len(bytes_of(path, MOST_LOG_BYTES, 1)) == 0:
+        found = None
+    else:
+        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+            found = _read(data)
     if found is None:
         raise ParameterError("flight.no_log", path=path, kinds=KINDS)
     if not np.isfinite(found.values).any():
@@ -39,16 +45,16 @@ def read_log(path: str) -> Telemetry:
     return found
 
 
-def _read(data: bytes) -> Telemetry | None:
-    if data.startswith(ULOG):
+def _read(data: mmap.mmap) -> Telemetry | None:
+    if data[: len(ULOG)] == ULOG:
         return read_ulog(data)
-    if data.startswith(DATAFLASH):
+    if data[: len(DATAFLASH)] == DATAFLASH:
         return read_dataflash(data)
     if is_tlog(data):
         return read_tlog(data)
     if len(data) > MOST_BYTES:
         return None
-    text = data.decode("utf-8-sig", "replace")
+    text = data[:].decode("utf-8-sig", "replace")
     if is_srt(text):
         return read_srt(text)
     return read_geo(text) if is_geo(text) else None

@@ -10,7 +10,7 @@ import math
 import struct
 
 from ..telemetry import Telemetry
-from .entries import Entries
+from .entries import Data, Entries
 
 _ATTITUDE, _LOCAL, _GLOBAL = 30, 32, 33
 _PACKED = {
@@ -24,13 +24,13 @@ _SIGNED, _SIGNATURE = 1, 13
 _TIME = 8
 
 
-def is_tlog(data: bytes) -> bool:
+def is_tlog(data: Data) -> bool:
     """Whether the first packet is whole, or of a kind that isn't read here but followed by another one."""
     size = _size(data, _TIME)
     return size > 0 and (len(data) == _TIME + size or _size(data, 2 * _TIME + size) > 0)
 
 
-def read_tlog(data: bytes) -> Telemetry:
+def read_tlog(data: Data) -> Telemetry:
     """Entries of a log, in UTC.
 
     Args:
@@ -56,7 +56,7 @@ def read_tlog(data: bytes) -> Telemetry:
     return entries.telemetry()
 
 
-def _size(data: bytes, place: int) -> int:
+def _size(data: Data, place: int) -> int:
     """Bytes of the packet that begins there; 0 where none does."""
     if place + 3 > len(data) or data[place] not in (0xFE, 0xFD):
         return 0
@@ -67,7 +67,7 @@ def _size(data: bytes, place: int) -> int:
     return size if place + size <= len(data) else 0
 
 
-def _packet(data: bytes, place: int, size: int) -> tuple[int, int, bytes, bool]:
+def _packet(data: Data, place: int, size: int) -> tuple[int, int, bytes, bool]:
     """System, kind and content of a packet, and whether its checksum holds."""
     length = data[place + 1]
     if data[place] == 0xFE:

@@ -10,7 +10,7 @@ import math
 import struct
 
 from ..telemetry import Telemetry
-from .entries import Entries
+from .entries import Data, Entries
 
 MAGIC = b"ULog\x01\x12\x35"
 _HEADER, _MESSAGE = 16, struct.Struct("<HB")
@@ -36,7 +36,7 @@ Topic = tuple[struct.Struct, dict[str, int]]
 """How an entry is packed, and at which place a field's first number stands."""
 
 
-def read_ulog(data: bytes) -> Telemetry:
+def read_ulog(data: Data) -> Telemetry:
     """Entries of a log, in UTC where satellites told it.
 
     Args:

@@ -18,3 +18,23 @@ def test_entries_come_in_order_of_time_and_in_utc_where_it_is_told():
 
 def test_no_entries_are_no_error():
     assert len(Entries().telemetry().times_s) == 0
+
+
+def test_what_is_kept_of_a_log_does_not_grow_and_spans_all_of_it(monkeypatch):
+    monkeypatch.setattr("semref.core.flight.logs.entries.MOST_ENTRIES", 100)
+    entries = Entries()
+    for n in range(5_000):
+        entries.add(n / 50, heading=float(n % 360))
+        entries.add(n / 50, height=n / 10)
+    found = entries.telemetry()
+    assert 100 <= len(found.times_s) <= 202
+    for column in (0, 3):
+        told = np.isfinite(found.values[:, column])
+        assert 50 <= told.sum() <= 101 and found.times_s[told][0] == 0.0 and found.times_s[told][-1] > 98.0
+        assert np.isfinite(found.at([50.0])[0, column])
+
+
+def test_a_height_that_is_told_with_a_velocity_stays_with_it():
+    entries = Entries()
+    entries.add(1.0, height=4.0, north=2.0, east=3.0)
+    assert entries.telemetry().values[0, 3:].tolist() == [4.0, 3.0, 2.0]
